@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/clock.h"
+
+#include <thread>
+
+namespace base
+{
+namespace
+{
+using Steady = std::chrono::steady_clock;
+}
+
+Duration SystemClock::now() const
+{
+    return std::chrono::duration_cast<Duration>(Steady::now().time_since_epoch());
+}
+
+bool SystemClock::sleepUntil(Duration instant, const Stop* stop)
+{
+    const Steady::time_point deadline{std::chrono::duration_cast<Steady::duration>(instant)};
+    if (stop != nullptr)
+        return stop->waitUntil(deadline);
+    std::this_thread::sleep_until(deadline);
+    return true;
+}
+
+bool ManualClock::sleepUntil(Duration instant, const Stop* stop)
+{
+    if (stop != nullptr && stop->requested())
+        return false;
+    auto seen = m_now.load(std::memory_order_relaxed);
+    while (seen < instant.count() && !m_now.compare_exchange_weak(seen, instant.count())) {
+    }
+    return true;
+}
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Time as everything below the window sees it. Instants and spans are both microseconds; instants
+// count from an arbitrary start of the clock. Nobody else in src asks the system for the time of a
+// measurement.
+#pragma once
+
+#include "base/stop.h"
+
+#include <atomic>
+#include <chrono>
+
+namespace base
+{
+using Duration = std::chrono::microseconds;
+
+class Clock
+{
+public:
+    virtual ~Clock() = default;
+    virtual Duration now() const = 0;
+
+    /// Waits until `instant`; false as soon as `stop` is requested. Thread-safe.
+    virtual bool sleepUntil(Duration instant, const Stop* stop = nullptr) = 0;
+
+    bool sleepFor(Duration span, const Stop* stop = nullptr)
+    {
+        return sleepUntil(now() + span, stop);
+    }
+
+    /// True when waiting costs no real time, so that nobody waits for another thread on it.
+    virtual bool isManual() const { return false; }
+};
+
+/// Monotonic system time.
+class SystemClock final : public Clock
+{
+public:
+    Duration now() const override;
+    bool sleepUntil(Duration instant, const Stop* stop = nullptr) override;
+};
+
+/// Time that passes only when somebody waits or advances it. For tests and fast simulation.
+class ManualClock final : public Clock
+{
+public:
+    Duration now() const override { return Duration(m_now.load(std::memory_order_relaxed)); }
+    bool sleepUntil(Duration instant, const Stop* stop = nullptr) override;
+    bool isManual() const override { return true; }
+    void advance(Duration span) { m_now.fetch_add(span.count(), std::memory_order_relaxed); }
+
+private:
+    std::atomic<Duration::rep> m_now{0};
+};
+}

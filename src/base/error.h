@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What can go wrong, as data. An Error is untranslated: the text layer gives it words, cause and
+// remedy. Device faults (a reply with its overload bit set) are not errors; they are data.
+#pragma once
+
+#include <QString>
+
+#include <tl/expected.hpp>
+
+namespace base
+{
+enum class ErrorCode {
+    // port
+    PortMissing,     ///< no such device or host
+    PortBusy,        ///< opened by someone else; detail names them if known
+    PortPermission,  ///< detail names the group that may open it, if known
+    PortFailed,      ///< any other failure to open; detail is the system's message
+    RateUnsupported, ///< the adapter cannot run this baud rate
+    LinkLost,        ///< unplugged, hung up, connection closed
+    // wire
+    NoAnswer,    ///< nothing came before the deadline
+    Garbled,     ///< bytes came, but no valid reply (checksum, noise, collision)
+    WrongAnswer, ///< a valid reply of another shape than the one asked for
+    Uncertain,   ///< a request that must not be repeated lost its answer
+    Stopped,     ///< the user stopped it
+    Preempted,   ///< the emergency lane took the wire
+    Held,        ///< the servo belongs to a running job
+    // request
+    BadArgument,     ///< malformed or contradictory input; detail says what
+    UnknownRegister, ///< this map has no such register
+    ReadOnly,
+    OutOfRange,
+    NeedsConsent, ///< dangerous register without --dangerous
+    NotSupported, ///< this family has no such thing; detail says why
+    // servo
+    IdInUse,
+    Refused,        ///< the servo did not take it
+    Mismatch,       ///< read back differs from what was written
+    LockOpen,       ///< the EPROM lock could not be proven closed
+    UnknownModel,   ///< identity read, but no register map fits
+    IdentityDiffers,///< another servo answers under this ID than the one expected
+    TurnsUnknown,   ///< multi-turn position not known since power-on
+    // files
+    FileMissing,
+    FileUnreadable,
+    FileFormat,   ///< detail says where and what
+    FileUnwritable,
+    DiskFull,
+};
+
+/// Context is filled in as far as it is known; -1 and empty mean "not applicable".
+struct Error {
+    ErrorCode code = ErrorCode::BadArgument;
+    QString operation{};   ///< technical name: "read", "set-id", "open"
+    QString detail{};      ///< technical detail: path, key, system message
+    int id = -1;           ///< servo
+    QString registerKey{}; ///< register, if one is concerned
+    int attempts = 0;      ///< transactions tried
+};
+
+template <typename T>
+using Result = tl::expected<T, Error>;
+
+inline tl::unexpected<Error> fail(ErrorCode code, QString operation = {}, QString detail = {},
+                                  int id = -1)
+{
+    return tl::unexpected<Error>(Error{code, std::move(operation), std::move(detail), id});
+}
+
+/// Stable English identifier, for JSON and logs: "no-answer".
+QString errorName(ErrorCode code);
+}

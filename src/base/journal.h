@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The memory that makes "nothing is lost" true: before the first byte of an EPROM write the intent
+// and the old values are recorded; when the write has ended, its outcome. An intent without an end
+// is an interrupted write, which the next connection offers to finish or undo. Also keeps small
+// facts about a servo that must survive a restart (the limits for the way back from multi-turn).
+// Interface only; record owns the file. Any thread; every call returns after the data is on disk.
+#pragma once
+
+#include "base/error.h"
+
+#include <QDateTime>
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace base
+{
+/// Who a servo was when the intent was written. Servos carry no serial number, so an ID alone
+/// proves nothing: model, firmware and the old values must match too.
+struct ServoIdentity {
+    int id = -1;
+    int modelMajor = -1;
+    int modelMinor = -1;
+    int firmwareMajor = -1;
+    int firmwareMinor = -1;
+    QString map;  ///< register map key, e.g. "sts"
+    QString port; ///< canonical port name at that time
+    int baud = 0;
+
+    bool sameKind(const ServoIdentity& other) const
+    {
+        return modelMajor == other.modelMajor && modelMinor == other.modelMinor
+            && firmwareMajor == other.firmwareMajor && firmwareMinor == other.firmwareMinor
+            && map == other.map;
+    }
+};
+
+struct JournalItem {
+    QString key;
+    int address = 0;
+    std::int64_t oldRaw = 0;
+    std::int64_t newRaw = 0;
+};
+
+enum class IntentKind { Write, SetId, SetBaud, Mode, Calibrate, Restore };
+
+struct Intent {
+    QString uuid; ///< set by begin()
+    QDateTime at; ///< set by begin(), UTC
+    IntentKind kind = IntentKind::Write;
+    bool temporary = false; ///< the lock stays closed: lost at power-off by design
+    bool lockOpened = false;///< the write opens the EPROM lock
+    ServoIdentity servo;
+    std::vector<JournalItem> items;
+};
+
+struct IntentEnd {
+    QString outcome; ///< "done", "undone", "failed", "abandoned"
+    QString detail;
+};
+
+struct JournalEntry {
+    Intent intent;
+    std::optional<IntentEnd> end;
+};
+
+class Journal
+{
+public:
+    virtual ~Journal() = default;
+
+    /// Records the intent durably and returns its uuid. The write must not begin if this fails.
+    virtual Result<QString> begin(const Intent& intent) = 0;
+    virtual Result<void> end(const QString& uuid, const IntentEnd& end) = 0;
+
+    /// Oldest first.
+    virtual Result<std::vector<JournalEntry>> entries() const = 0;
+    Result<std::vector<Intent>> open() const;
+
+    /// Small facts by servo (kind and ID) and name; the latest value counts.
+    virtual Result<void> keep(const ServoIdentity& servo, const QString& name,
+                              const std::vector<std::int64_t>& values) = 0;
+    virtual Result<std::optional<std::vector<std::int64_t>>> kept(const ServoIdentity& servo,
+                                                                  const QString& name) const = 0;
+};
+}

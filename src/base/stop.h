@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "Please end now": a flag that also wakes whoever waits on it. Owned by whoever starts the work,
+// passed by reference; any thread. Once requested it stays requested.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+namespace base
+{
+class Stop
+{
+public:
+    Stop() = default;
+    Stop(const Stop&) = delete;
+    Stop& operator=(const Stop&) = delete;
+
+    void request();
+    bool requested() const { return m_requested.load(std::memory_order_acquire); }
+
+    /// Waits until `deadline`; true if it passed, false as soon as stop is requested.
+    bool waitUntil(std::chrono::steady_clock::time_point deadline) const;
+
+private:
+    std::atomic<bool> m_requested{false};
+    mutable std::mutex m_mutex;
+    mutable std::condition_variable m_wake;
+};
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One wire as jobs and windows see it. Implemented twice: BusCore runs on the caller's thread (tests,
+// fast simulation), BusThread owns a core on a thread of its own and adds queue and priorities.
+// Every call may block the caller until the wire has answered; none needs an event loop.
+#pragma once
+
+#include "bus/poll.h"
+#include "bus/statistics.h"
+#include "bus/trace.h"
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "protocol/request.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bus
+{
+enum class Priority : std::uint8_t { Emergency, Interactive, Job, Poll };
+
+enum class FaultKind : std::uint8_t { TimeOut, BadCheck, Foreign, Late, Noise, WrongShape };
+
+/// A trouble that was overcome by repeating, kept on the reply so that nothing is hidden.
+struct Fault {
+    FaultKind kind = FaultKind::TimeOut;
+    base::Duration at{};
+};
+
+struct Transaction {
+    protocol::Request request;
+    Priority priority = Priority::Job;
+    int retries = -1; ///< -1: the bus' default; requests with Repeat::Never are never repeated
+    /// Patience beyond wire time and reply delay. 0: adaptive (25 ms, growing). A scan asks for
+    /// 4 ms, a confirmation for a long one.
+    base::Duration patience{};
+    std::uint64_t hold = 0; ///< token of a Hold this transaction belongs to
+};
+
+struct Outcome {
+    std::vector<protocol::Part> parts; ///< in order of arrival; sync reads may miss servos
+    std::vector<Fault> faults;
+    int attempts = 0;
+    base::Duration sentAt{};
+    base::Duration roundTrip{}; ///< of the attempt that succeeded
+
+    const base::Bytes& data() const { return parts.front().data; }
+    std::uint8_t status() const { return parts.empty() ? std::uint8_t{0} : parts.front().status; }
+};
+
+/// A valid frame nobody waited for: a late reply, or another servo. Scans collect them.
+struct Stray {
+    int id = 0;
+    std::uint8_t status = 0;
+    base::Bytes data;
+    base::Duration at{};
+};
+
+class Bus;
+
+/// While it lives, the servos belong to the job that took it: polls skip them without counting
+/// errors, other transactions to them wait; only the emergency lane passes. Movable value.
+class Hold
+{
+public:
+    Hold() = default;
+    Hold(Bus* owner, std::uint64_t token) : m_owner(owner), m_token(token) {}
+    Hold(Hold&& other) noexcept { swap(other); }
+    Hold& operator=(Hold&& other) noexcept
+    {
+        swap(other);
+        return *this;
+    }
+    ~Hold();
+    std::uint64_t token() const { return m_token; }
+
+private:
+    void swap(Hold& other) noexcept
+    {
+        std::swap(m_owner, other.m_owner);
+        std::swap(m_token, other.m_token);
+    }
+    Bus* m_owner = nullptr;
+    std::uint64_t m_token = 0;
+};
+
+class Bus
+{
+public:
+    virtual ~Bus() = default;
+
+    /// NoAnswer, Garbled, WrongAnswer, Uncertain, LinkLost, Stopped, Preempted, Held, BadArgument.
+    virtual base::Result<Outcome> transact(const Transaction& transaction) = 0;
+
+    /// Only listens for `span`; valid frames become strays.
+    virtual base::Result<void> listen(base::Duration span) = 0;
+    virtual std::vector<Stray> takeStrays() = 0;
+
+    virtual base::Result<void> setBaud(int baud) = 0;
+    virtual int baud() const = 0;
+    virtual bool hasBaud() const = 0;
+    virtual QString portName() const = 0;
+    virtual bool echoes() const = 0; ///< the adapter returns what is sent
+
+    /// Waits while polls run; false when `stop` is requested first.
+    virtual bool pauseUntil(base::Duration instant, const base::Stop* stop) = 0;
+
+    /// Empty `ids`: all servos. Blocks until other holders have let go of them.
+    virtual Hold hold(const std::vector<int>& ids) = 0;
+
+    virtual PollId startPoll(const PollPlan& plan) = 0;
+    virtual void stopPoll(PollId id) = 0;
+    virtual std::vector<Sample> takeSamples(PollId id) = 0;
+
+    /// Ready-made frames that take torque off; see emergency().
+    virtual void setStopFrames(std::vector<base::Bytes> frames) = 0;
+
+    /// Sends the stop frames ahead of everything, from any thread, and returns at once. The running
+    /// transaction ends with Preempted.
+    virtual void emergency() = 0;
+
+    virtual void setRetries(int retries) = 0;
+    /// Replaces the starting patience (25 ms) of ordinary transactions.
+    virtual void setPatience(base::Duration patience) = 0;
+    /// The largest reply delay of any servo on this bus (SMS: up to 508 µs).
+    virtual void setReplyDelay(base::Duration delay) = 0;
+
+    virtual Statistics statistics() const = 0;
+    virtual std::vector<TraceEntry> takeTrace() = 0;
+    virtual base::Clock& clock() const = 0;
+
+protected:
+    friend class Hold;
+    virtual void release(std::uint64_t token) = 0;
+};
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Regular reading that runs inside the bus thread, so that fast sampling never crosses threads per
+// sample. Knows addresses, not meanings. Values; any thread.
+#pragma once
+
+#include "base/bytes.h"
+#include "base/clock.h"
+#include "base/error.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace bus
+{
+using PollId = std::uint64_t;
+
+struct PollSpan {
+    int address = 0;
+    int count = 0;
+    bool operator==(const PollSpan&) const = default;
+};
+
+struct PollServo {
+    int id = 0;
+    std::vector<PollSpan> spans; ///< overlapping and nearby spans are merged into block reads
+    /// Servos with equal spans, equal `group` and syncRead are read by one sync read. Group tells
+    /// families apart that must not share a packet.
+    bool syncRead = false;
+    int group = 0;
+};
+
+struct PollPlan {
+    std::vector<PollServo> servos;
+    base::Duration period{}; ///< 0: as fast as the wire allows
+};
+
+/// One block read of one servo. An unanswered poll is a sample too: `error` set, `data` empty.
+struct Sample {
+    int id = 0;
+    int address = 0;
+    base::Bytes data;
+    std::uint8_t status = 0;
+    base::Duration at{}; ///< when the last byte of the reply had arrived, bus clock
+    bool answered = false;
+    base::ErrorCode error = base::ErrorCode::NoAnswer; ///< meaningful when not answered
+};
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every frame that crossed the wire, for whoever wants to look. A bounded ring inside the bus; the
+// oldest entries fall out and are counted. Values; any thread.
+#pragma once
+
+#include "base/bytes.h"
+#include "base/clock.h"
+
+namespace bus
+{
+enum class TraceKind : std::uint8_t { Sent, Received, Echo, Foreign, Late, BadCheck, Noise, Note };
+
+struct TraceEntry {
+    base::Duration at{};
+    TraceKind kind = TraceKind::Sent;
+    base::Bytes bytes;
+    std::uint64_t dropped = 0; ///< entries lost before this one
+};
+}

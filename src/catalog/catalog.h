@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All models and register maps, loaded once from JSON: the built-in resources first, then the
+// user's folder. A bad row costs that row and one warning, not the start-up. Immutable after
+// loading; any thread.
+#pragma once
+
+#include "catalog/profile.h"
+
+#include <QStringList>
+
+#include <memory>
+#include <vector>
+
+namespace catalog
+{
+struct LoadWarning {
+    QString file;
+    QString where;  ///< "registers[12] position_p"
+    QString detail; ///< untranslated
+};
+
+struct ModelEntry {
+    int major = -1; ///< -1: number not known
+    int minor = -1;
+    QString name;
+    QString series;
+    base::ByteOrder byteOrder = base::ByteOrder::Little;
+    Line line = Line::Unknown;
+    int stepsPerTurn = 4096;
+    std::optional<double> angleRangeDeg;
+    std::optional<int> defaultBaud;
+    std::optional<double> minVoltage;
+    std::optional<double> maxVoltage;
+    bool supported = true; ///< false: named by the vendor, no public map
+    Text note;
+};
+
+class Catalog
+{
+public:
+    struct Loaded;
+
+    /// Built-in files, then *.json of each folder in order; a later entry replaces an earlier one.
+    static Loaded load(const QStringList& userFolders = {});
+
+    /// The profile for what registers 0–4 said. Never null: an unknown model with a known firmware
+    /// gets a generic name; an unknown firmware gets a read-only profile (identity and feedback).
+    ProfilePtr resolve(const Identity& identity) const;
+
+    /// For files and the simulator: a model by its name ("STS3215", case ignored); null if unknown.
+    const ModelEntry* model(const QString& name) const;
+    const std::vector<ModelEntry>& models() const;
+    /// Profile of a model at a firmware, as the servo would report it.
+    ProfilePtr profileFor(const ModelEntry& model, int firmwareMajor, int firmwareMinor) const;
+    QStringList mapKeys() const;
+
+private:
+    struct Data;
+    std::shared_ptr<const Data> m_data;
+};
+
+struct Catalog::Loaded {
+    Catalog catalog;
+    std::vector<LoadWarning> warnings;
+};
+}

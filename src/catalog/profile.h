@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything known about one kind of servo: model, firmware and the register map that fits them,
+// with the limits of that series and firmware already applied. Shared, immutable; any thread.
+#pragma once
+
+#include "catalog/register.h"
+
+#include "base/bytes.h"
+
+#include <memory>
+
+namespace catalog
+{
+/// The first five bytes of every Feetech table.
+struct Identity {
+    int firmwareMajor = -1;
+    int firmwareMinor = -1;
+    int byteOrderFlag = -1; ///< 0 little, 1 big, -1 could not be read
+    int modelMajor = -1;
+    int modelMinor = -1;
+    bool operator==(const Identity&) const = default;
+    QString firmware() const; ///< "3.10"
+    QString modelId() const;  ///< "9.3"
+};
+
+enum class Line : std::uint8_t { Unknown, Ttl, Rs485 };
+
+/// How to calibrate the present position to the middle.
+enum class Centering : std::uint8_t { None, Write128, Instruction0B };
+
+/// An operating mode as the technician names it, and what the registers hold in it.
+struct Mode {
+    QString key; ///< position, multiturn, speed, pwm, step, motor, current …
+    Text name;
+    std::optional<int> operatingMode; ///< register 33, where the family has it
+    bool limitsZero = false;          ///< minimum and maximum angle both 0
+    Role command = Role::GoalPosition;///< the register that drives it
+};
+
+struct Profile {
+    Identity identity;
+    QString modelName; ///< "STS3215"; for an unknown model the series with its number
+    bool modelKnown = false;
+    QString series;    ///< "STS", "SMS", "SCS"
+    QString mapKey;    ///< "sts-sms", "scs"
+    QString protocol = QStringLiteral("feetech");
+    base::ByteOrder byteOrder = base::ByteOrder::Little;
+    Line line = Line::Unknown;
+    bool writable = true; ///< false: firmware unknown; identity and feedback may be read only
+    int stepsPerTurn = 4096;
+    std::optional<double> angleRangeDeg;
+    std::optional<int> defaultBaud;
+    std::optional<double> minVoltage;
+    std::optional<double> maxVoltage;
+    bool syncRead = false;
+    bool damping = false;
+    bool multiTurn = false;
+    Centering centering = Centering::None;
+    std::vector<Mode> modes;
+    std::vector<Register> registers; ///< by address
+
+    const Register* find(const QString& key) const;
+    const Register* byRole(Role role) const;
+    const Register* at(int address) const; ///< the register that covers this byte
+    const Mode* mode(const QString& key) const;
+};
+
+using ProfilePtr = std::shared_ptr<const Profile>;
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A protocol as the bus sees it: request to bytes, bytes to replies. A codec has no state and does
+// no I/O; one instance may be shared by all threads. A protocol is known in one codec only.
+#pragma once
+
+#include "protocol/request.h"
+
+#include "base/error.h"
+
+#include <QString>
+
+namespace protocol
+{
+/// What must come back for a request: from whom and how long. The end of a reply is computed from
+/// this, never guessed from silence.
+struct Expectation {
+    std::vector<int> ids; ///< one reply each; empty: nothing is answered. broadcastId: any servo
+    int replyBytes = 0;   ///< length of one whole reply on the wire
+    int dataBytes = 0;    ///< payload of one reply
+    bool any() const { return !ids.empty(); }
+};
+
+enum class ScanKind : std::uint8_t {
+    Incomplete, ///< nothing to decide yet
+    Reply,      ///< the reply expected: `part`
+    Foreign,    ///< a valid frame, but not the one expected: `part` (late, another master, echo)
+    BadCheck,   ///< a frame of the expected shape with a wrong checksum
+    Noise,      ///< bytes that belong to no frame
+};
+
+/// What the front of a receive buffer is. `consumed` bytes are to be dropped by the caller.
+struct ScanResult {
+    ScanKind kind = ScanKind::Incomplete;
+    std::size_t consumed = 0;
+    Part part{};
+};
+
+class Codec
+{
+public:
+    virtual ~Codec() = default;
+
+    virtual QString name() const = 0; ///< "feetech"
+
+    /// BadArgument when the request cannot exist on this wire (ID, length, unsupported operation).
+    virtual base::Result<base::Bytes> encode(const Request& request) const = 0;
+
+    virtual Expectation expect(const Request& request) const = 0;
+
+    /// Looks at the front of `buffer`. Resynchronises after noise: a false header never hides a
+    /// valid reply behind it, and a frame cut short never blocks the next one. With `atDeadline`
+    /// an unfinished false header is given up as noise.
+    virtual ScanResult scan(base::ByteView buffer, const Expectation& expected,
+                            bool atDeadline = false) const = 0;
+
+    /// The request that decides whether an adapter echoes: no servo answers it, and its echo is
+    /// no valid reply to it (Feetech: READ of 254, count not 2).
+    virtual Request echoProbe() const = 0;
+
+    /// One line for the trace: "READ 1 @56 ×15".
+    virtual QString explain(base::ByteView frame, bool fromHost) const = 0;
+};
+
+const Codec& feetechCodec();
+
+/// A request frame as a servo sees it on a Feetech line, for the simulator. Kind Incomplete or
+/// Noise as in Codec::scan. `instruction` keeps the byte when it is not one we know.
+struct RequestScan {
+    ScanKind kind = ScanKind::Incomplete;
+    std::size_t consumed = 0;
+    int id = 0;
+    std::uint8_t instruction = 0;
+    base::Bytes params;
+};
+RequestScan scanFeetechRequest(base::ByteView buffer);
+
+/// A status packet of a Feetech servo.
+base::Bytes encodeFeetechStatus(int id, std::uint8_t status, base::ByteView data);
+}

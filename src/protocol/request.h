@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What can be asked of servos, independent of the bytes that ask it: the same request type serves
+// every protocol. Values; any thread. Addresses and counts are in bytes of the servo's table.
+// Source of the operations: Feetech protocol page (instructions 0x01–0x0B, 0x82, 0x83).
+#pragma once
+
+#include "base/bytes.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace protocol
+{
+constexpr int broadcastId = 254;
+constexpr int maxId = 253;
+
+enum class Op : std::uint8_t {
+    Ping,
+    Read,
+    Write,
+    RegWrite,   ///< held until Action
+    Action,     ///< carries out what RegWrite holds
+    Restore,    ///< 0x06: parameters back to what Backup stored, ID excepted
+    Backup,     ///< 0x09
+    StateReset, ///< 0x0A: turn count
+    Calibrate,  ///< 0x0B, with or without a value
+    Reboot,     ///< 0x08: never answered
+    SyncRead,
+    SyncWrite,
+    Raw, ///< bytes as given; everything that comes back until the deadline is the answer
+};
+
+/// May this request be sent again when its answer was lost? A relative move, an ID write or a
+/// calibration may not: the caller reads the state and decides.
+enum class Repeat : std::uint8_t { Safe, Never };
+
+struct Target {
+    int id = 0;
+    base::Bytes data; ///< empty for SyncRead
+};
+
+struct Request {
+    Op op = Op::Ping;
+    int id = 0;
+    int address = 0;
+    int count = 0;    ///< bytes to read, for Read and SyncRead
+    base::Bytes data; ///< for Write, RegWrite, Raw; the value of Calibrate (0 or 2 bytes)
+    std::vector<Target> targets; ///< for SyncRead and SyncWrite
+    Repeat repeat = Repeat::Never;
+    bool acknowledged = true; ///< false: the servo is at response level 0 and stays silent
+
+    static Request ping(int id);
+    static Request read(int id, int address, int count);
+    static Request write(int id, int address, base::Bytes data, Repeat repeat);
+    static Request regWrite(int id, int address, base::Bytes data, Repeat repeat);
+    static Request action(int id = broadcastId);
+    static Request restore(int id);
+    static Request backup(int id);
+    static Request stateReset(int id);
+    static Request calibrate(int id, std::optional<int> value, base::ByteOrder order);
+    static Request reboot(int id);
+    static Request syncRead(int address, int count, const std::vector<int>& ids);
+    static Request syncWrite(int address, std::vector<Target> targets);
+    static Request raw(base::Bytes bytes);
+};
+
+/// One servo's answer. `status` is the error byte as data (0 = no alarm).
+struct Part {
+    int id = 0;
+    std::uint8_t status = 0;
+    base::Bytes data;
+};
+}

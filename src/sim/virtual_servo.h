@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One simulated servo: register semantics (locks, modes, protections, power cycle) on top of the
+// mechanics. Speaks decoded requests only; bytes, timing and collisions are the wire's business.
+// Owned by a VirtualBus; one thread. Behaviour follows the fact sheets: a locked EPROM write acts
+// but is lost at power-off, the lock closes at every power-on, torque limit 16 → 48, and so on.
+#pragma once
+
+#include "base/bytes.h"
+#include "base/clock.h"
+#include "catalog/profile.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace sim
+{
+/// What is bolted to the output shaft and how good the servo is. SI units, output side.
+struct Load {
+    double inertia = 2e-4;        ///< kg·m²
+    double viscousFriction = 0.0; ///< N·m·s/rad, of the load
+    double coulombFriction = 0.0; ///< N·m, of the load
+    double gravityTorque = 0.0;   ///< N·m at 90° from hanging down
+    double springRate = 0.0;      ///< N·m/rad around springCentre
+    double springCentre = 0.0;    ///< rad
+    std::optional<double> stopLow;  ///< rad, hard stops
+    std::optional<double> stopHigh;
+};
+
+/// Electrical and thermal surroundings.
+struct Surroundings {
+    double supplyVolts = 7.4;
+    double supplyOhms = 0.05;
+    double ambientCelsius = 25.0;
+};
+
+struct ServoConfig {
+    int id = 1;
+    std::optional<int> baud; ///< the model's factory rate if not given
+    std::optional<int> returnDelayRaw;
+    Load load;
+    Surroundings surroundings;
+    base::Duration epromTime = std::chrono::milliseconds(6); ///< deaf while it writes
+    base::Duration rebootTime = std::chrono::milliseconds(820);
+    double gearPlayDegrees = 0.3;
+    double initialDegrees = 180.0; ///< shaft angle at power-on, from the encoder's zero
+    std::uint64_t seed = 1;
+};
+
+/// A request as it reached the servo, protocol already removed (Feetech instruction bytes).
+struct ServoRequest {
+    bool broadcast = false;
+    std::uint8_t instruction = 0;
+    base::Bytes params;
+    int syncReadIndex = -1; ///< place in a SYNC READ list, -1 otherwise
+};
+
+struct ServoAnswer {
+    int id = 0; ///< the ID in the status packet
+    std::uint8_t status = 0;
+    base::Bytes data;
+};
+
+class VirtualServo
+{
+public:
+    VirtualServo(catalog::ProfilePtr profile, ServoConfig config);
+    ~VirtualServo();
+    VirtualServo(VirtualServo&&) noexcept;
+
+    const catalog::Profile& profile() const;
+
+    int id() const;   ///< it listens to, now
+    int baud() const; ///< it listens at, now
+    bool deaf() const; ///< off, rebooting or writing its EPROM
+    base::Duration replyDelay() const;
+
+    /// Carries the request out at the servo's present time; nullopt: it stays silent.
+    std::optional<ServoAnswer> handle(const ServoRequest& request);
+
+    /// Mechanics, protections and timers. dt up to a few ms; 1 ms is usual.
+    void step(base::Duration dt);
+
+    void powerOff();
+    void powerOn();
+    bool powered() const;
+
+    /// The EPROM as it would survive a power-off, for --state files. Throws nothing; a block of the
+    /// wrong size is refused (false).
+    base::Bytes epromImage() const;
+    bool setEpromImage(base::ByteView image);
+
+    /// Test and preset access, by register key; bypasses the wire but acts the same.
+    std::int64_t raw(const QString& key) const;
+    void poke(const QString& key, std::int64_t raw);
+    double shaftDegrees() const; ///< true output angle, unbounded
+    bool ledOn() const;
+    Load& load();
+    Surroundings& surroundings();
+    void injectStatus(std::uint8_t bits); ///< adds error bits a sensor fault would set
+    void setTemperature(double celsius);
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+}
