@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every manoeuvre needs: the wire, the journal, the user's wish to stop and a place for
+// notices. Borrowed references for the duration of one job; the job's thread only.
+#pragma once
+
+#include "base/journal.h"
+#include "base/stop.h"
+#include "bus/bus.h"
+#include "catalog/catalog.h"
+#include "device/notice.h"
+
+#include <functional>
+
+namespace device {
+struct Context {
+    bus::Bus& bus;
+    const catalog::Catalog& catalog;
+    base::Journal& journal;
+    const base::Stop& stop;
+    Notices& notices;
+    bus::Priority priority = bus::Priority::Job;
+
+    void note(NoticeCode code, int id, QString key = {}, std::int64_t a = 0,
+              std::int64_t b = 0) const
+    {
+        notices.push_back({code, id, std::move(key), a, b});
+    }
+};
+} // namespace device

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Torque, modes and moves without surprises. Torque-on holds where the servo is, per mode; a mode
+// switch is a manoeuvre; fields that are not given are not written. Notices say what else happened.
+// Errors: those of reading and writing, plus NotSupported, OutOfRange, TurnsUnknown (all before the
+// first byte), Uncertain.
+#pragma once
+
+#include "device/writer.h"
+
+namespace device {
+enum class Torque : std::uint8_t { Off, On, Damp };
+
+base::Result<void> setTorque(const Context& context, Servo& servo, Torque torque);
+
+/// Torque off → switch (both limits in one write) → zero the new mode's command → read back. Torque
+/// stays off. The limits and the speed for the way back are remembered in the journal.
+base::Result<WriteReport> switchMode(const Context& context, Servo& servo, const QString& mode);
+
+enum class MoveHow : std::uint8_t { Write, Sync, Async };
+
+/// One servo's move. Values as the user typed them, parsed against the register they go to.
+struct MoveOrder {
+    Servo* servo = nullptr;
+    QString goal; ///< "2048", "90deg"; speed and PWM modes: "30rpm", "20%"
+    std::optional<QString> speed{};
+    std::optional<QString> acceleration{};
+    std::optional<QString> time{}; ///< milliseconds; only where the map has a time
+};
+
+/// What will be written, worked out and checked before anything is sent.
+struct MovePlan {
+    Servo* servo = nullptr;
+    std::vector<WriteItem> fields; ///< in the order of writing; the goal is last
+    bool relative = false;         ///< step mode: never repeated blindly
+    bool energises = false;        ///< torque is off now
+    std::int64_t goalRaw = 0;
+    catalog::Role goalRole = catalog::Role::GoalPosition;
+};
+
+base::Result<MovePlan> planMove(const Context& context, const MoveOrder& order);
+base::Result<void> sendMoves(const Context& context, std::vector<MovePlan>& plans, MoveHow how);
+
+/// Waits until every servo's moving flag is down, or `limit` has passed (NoAnswer/Refused then), or
+/// stop. `onSample` sees each reading.
+struct MoveProgress {
+    int id = 0;
+    std::optional<double> position; ///< physical
+    bool moving = false;
+    std::uint8_t status = 0;
+};
+base::Result<void> waitForArrival(const Context& context, std::vector<MovePlan>& plans,
+                                  base::Duration limit,
+                                  const std::function<void(const MoveProgress&)>& onSample);
+
+/// What keeps an alarm alive and what releases it, as notices (facts §7 of the protocol sheet).
+void noteAlarms(const Context& context, const Servo& servo);
+} // namespace device

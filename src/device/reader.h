@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading by register: keys become the fewest block reads that cover them. Fills the servo's image.
+// Errors are those of bus::Bus::transact, plus UnknownRegister.
+#pragma once
+
+#include "bus/poll.h"
+#include "device/context.h"
+#include "device/servo.h"
+
+namespace device {
+/// The blocks that cover these registers: gaps of a few bytes are read along, because a few bytes
+/// cost less than another transaction.
+std::vector<bus::PollSpan> planSpans(const std::vector<const catalog::Register*>& registers);
+
+/// Reads registers 0–8 (equal in all Feetech tables) and chooses the profile. Writes nothing.
+base::Result<Servo> identify(const Context& context, int id);
+
+base::Result<void> read(const Context& context, Servo& servo,
+                        const std::vector<const catalog::Register*>& registers);
+base::Result<void> readKeys(const Context& context, Servo& servo, const QStringList& keys);
+base::Result<void> readRoles(const Context& context, Servo& servo,
+                             const std::vector<catalog::Role>& roles);
+/// The whole readable table (STS: 2 transactions).
+base::Result<void> readAll(const Context& context, Servo& servo);
+/// The registers that decide what others mean: modes, limits, phase, factor, level, torque, lock.
+base::Result<void> readSettings(const Context& context, Servo& servo);
+} // namespace device

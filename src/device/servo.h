@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One servo as the program knows it: where it answers, what it is, what was read of it. A value,
+// copied freely; belongs to whoever holds it. All numbers by register key or role.
+#pragma once
+
+#include "base/journal.h"
+#include "catalog/value.h"
+#include "device/image.h"
+
+namespace device {
+struct Servo {
+    int id = -1;
+    int baud = 0;
+    QString port;
+    catalog::ProfilePtr profile;
+    Image image;
+    std::uint8_t status = 0; ///< error bits of its latest reply
+
+    std::optional<std::int64_t> raw(const catalog::Register& reg) const;
+    std::optional<std::int64_t> raw(const QString& key) const;
+    std::optional<std::int64_t> raw(catalog::Role role) const;
+    /// Physical value with all variants resolved by what has been read.
+    std::optional<double> physical(catalog::Role role) const;
+    catalog::Meaning meaning(const catalog::Register& reg) const;
+    catalog::Lookup lookup() const;
+
+    /// The mode its registers 33, 9, 11 say, or null while they are not known.
+    const catalog::Mode* mode() const;
+    base::ServoIdentity identity() const;
+    bool answersWrites() const; ///< response level is not 0
+};
+} // namespace device

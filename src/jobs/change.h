@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Manoeuvres after which a servo may answer elsewhere or sit elsewhere: new ID, new rate, centring,
+// restore, reboot. Each holds the servos it concerns, journals first, and leaves the lock closed at
+// wherever the servo answers in the end; `servo` is updated to that place.
+#pragma once
+
+#include "device/writer.h"
+#include "jobs/job.h"
+
+namespace jobs {
+/// Proves the new ID free first (IdInUse); never 254. The acknowledgement may come from either ID.
+base::Result<device::WriteReport> changeId(const device::Context& context, device::Servo& servo,
+                                           int newId);
+
+/// Proves first that this adapter can run the new rate. Tries the new rate, then the old. The bus
+/// is left at the rate at which the servo answers.
+base::Result<device::WriteReport> changeBaud(const device::Context& context, device::Servo& servo,
+                                             int newBaud);
+
+struct CenterReport {
+    std::optional<std::int64_t> offsetBefore, offsetAfter;
+    std::optional<std::int64_t> positionBefore, positionAfter;
+    device::LockState lock = device::LockState::None;
+};
+/// The present position becomes the middle. Needs torque off afterwards; NotSupported on SCS.
+base::Result<CenterReport> center(const device::Context& context, device::Servo& servo);
+
+struct RestoreReport {
+    int oldId = -1, newId = -1;
+    int oldBaud = 0, newBaud = 0;
+    std::vector<QString> changed; ///< keys whose values differ now
+    device::LockState lock = device::LockState::None;
+};
+/// 0x06. Looks for the servo afterwards at its old and at all other rates and IDs.
+base::Result<RestoreReport> restoreDefaults(const device::Context& context, device::Servo& servo,
+                                            const ProgressFn& progress = {});
+
+/// 0x08: torque off first; polls PING from 0.7 s on, at most 2 s. Returns milliseconds.
+base::Result<int> reboot(const device::Context& context, device::Servo& servo);
+} // namespace jobs

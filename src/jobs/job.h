@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What long tasks share: progress and stop. A job is a plain sequential function on the caller's
+// thread; it writes as described in its header and returns a report or an error.
+#pragma once
+
+#include "device/context.h"
+
+#include <functional>
+
+namespace jobs {
+struct Progress {
+    double fraction = 0;        ///< 0…1
+    base::Duration remaining{}; ///< estimate
+    int found = 0;              ///< scan: servos so far
+    int baud = 0;               ///< scan: rate being searched
+};
+
+using ProgressFn = std::function<void(const Progress&)>;
+} // namespace jobs

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Open intents of the journal: what an interrupted write left behind, and finishing or undoing it.
+// Looking writes nothing. An intent is finished or undone only after identity and values match; a
+// lock is closed only where its flag reads open.
+#pragma once
+
+#include "device/writer.h"
+#include "jobs/job.h"
+
+namespace jobs {
+enum class Finding : std::uint8_t {
+    AllOld, ///< nothing of it was written
+    AllNew, ///< everything was written; only the end is missing
+    Mixed,
+    OtherServo, ///< identity or values differ: hands off
+    NoAnswer,
+};
+
+struct OpenIntent {
+    base::Intent intent;
+    Finding finding = Finding::NoAnswer;
+    int foundId = -1; ///< where it answers now
+    int foundBaud = 0;
+    std::optional<bool> lockOpen;
+};
+
+enum class RecoverAction : std::uint8_t { Look, Finish, Undo };
+
+struct Recovered {
+    OpenIntent before;
+    bool done = false;
+    std::optional<device::WriteReport> report;
+    std::optional<base::Error> error;
+};
+
+/// Concerns intents of this port only (every port if `anyPort`).
+base::Result<std::vector<Recovered>> recover(const device::Context& context, RecoverAction action,
+                                             bool anyPort = false);
+} // namespace jobs
