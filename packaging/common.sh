@@ -1,0 +1,131 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Shared by run.sh, test.sh and .ci/run: installing packages, configuring and building. Sourced,
+# never run. SOURCE_DIR is the root of the project, found through symlinks.
+
+COMMON_FILE=$(readlink -f -- "${BASH_SOURCE[0]}")
+SOURCE_DIR=$(dirname -- "$(dirname -- "$COMMON_FILE")")
+BUILD_DIR=$SOURCE_DIR/build
+
+step() { printf '[%s] %s\n' "$1" "$2"; }
+say() { printf '      %s\n' "$@"; }
+die() {
+    printf '%s: %s\n' "$(basename -- "$0")" "$1" >&2
+    shift
+    [ $# -eq 0 ] || printf '  %s\n' "$@" >&2
+    exit 1
+}
+
+# Names of the lists (build, test, ci) -> their packages, one a line.
+packages_of() {
+    local list
+    for list in "$@"; do
+        sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' \
+            "$SOURCE_DIR/packaging/$list-packages.txt"
+    done
+}
+
+# Prints those of the given packages that are not installed.
+missing_packages() {
+    local package
+    for package in "$@"; do
+        [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] ||
+            printf '%s\n' "$package"
+    done
+}
+
+# True when as_root will work; asks for the password if sudo wants one.
+may_be_root() {
+    [ "$(id -u)" -eq 0 ] || { command -v sudo >/dev/null && sudo true; }
+}
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo -- "$@"; fi
+}
+
+# update_package_lists LOG. The lists' own lock is not covered by DPkg::Lock::Timeout, hence the
+# loop. A third-party source that is out of order does not matter as long as the packages are found.
+update_package_lists() {
+    local attempt
+    for attempt in $(seq 60); do
+        if as_root apt-get -q -o Acquire::Retries=3 update >"$1" 2>&1; then
+            return 0
+        fi
+        grep -q 'Could not get lock' "$1" || break
+        [ "$attempt" -ne 1 ] || say "Another package manager is running; waiting for it."
+        sleep 5
+    done
+    say "The package lists could not be brought up to date; trying with what is there."
+}
+
+# install_packages LIST...: does nothing, and needs no network, when all are there.
+install_packages() {
+    local wanted missing log
+    mapfile -t wanted < <(packages_of "$@")
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        say "This is not Debian, so nothing is installed. Needed are a C++20 compiler, CMake 3.22," \
+            "Ninja, Qt 6.4 (Core, Network, SerialPort, Linguist tools, Test), CLI11 and tl-expected;" \
+            "Debian calls them: ${wanted[*]}"
+        return 0
+    fi
+    mapfile -t missing < <(missing_packages "${wanted[@]}")
+    if [ ${#missing[@]} -eq 0 ]; then
+        say "All ${#wanted[@]} packages are installed."
+        return 0
+    fi
+    say "To be installed (a few minutes the first time): ${missing[*]}"
+    may_be_root || die "packages are missing, and installing them needs root or sudo; you have neither." \
+        "Ask somebody who has to run:  apt-get install ${missing[*]}"
+    log=$(mktemp)
+    update_package_lists "$log"
+    if ! as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends \
+        -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3 install "${missing[@]}" >"$log" 2>&1; then
+        tail -n 15 -- "$log" >&2
+        die "the packages could not be installed; the reason stands above." \
+            "By hand:  apt-get install ${missing[*]}" "The whole log:  $log"
+    fi
+    rm -f -- "$log"
+}
+
+cache_value() { sed -n "s|^$1:[A-Z]*=||p" "$BUILD_DIR/CMakeCache.txt"; }
+
+# A cache made for another place or generator cannot be used; the rest of the folder can stay.
+drop_stale_cache() {
+    [ -f "$BUILD_DIR/CMakeCache.txt" ] || return 0
+    if [ "$(cache_value CMAKE_GENERATOR)" != Ninja ] ||
+        [ "$(cache_value CMAKE_HOME_DIRECTORY)" != "$SOURCE_DIR" ] ||
+        [ "$(cache_value CMAKE_CACHEFILE_DIR)" != "$BUILD_DIR" ]; then
+        say "The build folder was made for another place or generator; configuring it anew."
+        rm -rf -- "$BUILD_DIR/CMakeCache.txt" "$BUILD_DIR/CMakeFiles"
+    fi
+}
+
+# configure_release OPTION...: Release into build/.
+configure_release() {
+    local tool
+    for tool in cmake ninja; do
+        command -v "$tool" >/dev/null || die "$tool is needed, but not installed."
+    done
+    { mkdir -p -- "$BUILD_DIR" && [ -w "$BUILD_DIR" ]; } 2>/dev/null ||
+        die "the folder $BUILD_DIR cannot be written." \
+            "If root made it: remove it, or run this as root again."
+    drop_stale_cache
+    local log=$BUILD_DIR/configure.log
+    if ! cmake -S "$SOURCE_DIR" -B "$BUILD_DIR" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" \
+        >"$log" 2>&1; then
+        cat -- "$log" >&2
+        die "the project could not be configured; the reason stands above."
+    fi
+}
+
+# Programs need a UTF-8 character set, or they garble names and complain. The language that LANG
+# asks for stays, also where that locale was never generated.
+use_utf8() {
+    [ "$(locale charmap 2>/dev/null)" = UTF-8 ] && return 0
+    if [ -n "${LC_ALL:-}" ]; then
+        LANG=$LC_ALL
+        export LANG
+        unset LC_ALL
+    fi
+    export LC_CTYPE=C.UTF-8
+}

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs what is needed, builds ServoDesk into build/ and shows it: the tour on a simulated bus.
+# Arguments go to `servodesk-cli tour`. The language follows LANG.
+set -euo pipefail
+
+# shellcheck source=packaging/common.sh
+. "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh"
+
+step 1/3 "Packages"
+install_packages build
+step 2/3 "Building into $BUILD_DIR"
+# A folder that test.sh made keeps its tests: switching them off would throw their objects away.
+options=()
+[ -f "$BUILD_DIR/CMakeCache.txt" ] || options+=(-DSERVODESK_TESTS=OFF)
+configure_release "${options[@]}"
+cmake --build "$BUILD_DIR" --target servodesk-cli servodesk-sim
+step 3/3 "The tour"
+use_utf8
+exec "$BUILD_DIR/bin/servodesk-cli" tour "$@"

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs what is needed, builds ServoDesk with its tests into build/ and runs them. Arguments go
+# to ctest, e.g. `-R journal`. With CI=true, warnings are errors.
+set -euo pipefail
+
+# shellcheck source=packaging/common.sh
+. "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh"
+
+options=(-DSERVODESK_TESTS=ON)
+[ "${CI:-}" != true ] || options+=(-DSERVODESK_WERROR=ON)
+
+step 1/3 "Packages"
+install_packages build test
+step 2/3 "Building into $BUILD_DIR"
+configure_release "${options[@]}"
+cmake --build "$BUILD_DIR"
+step 3/3 "Tests"
+use_utf8
+exec ctest --test-dir "$BUILD_DIR" --output-on-failure --no-tests=error --parallel 2 "$@"
