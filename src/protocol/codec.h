@@ -15,6 +15,7 @@ namespace protocol
 /// this, never guessed from silence.
 struct Expectation {
     std::vector<int> ids; ///< one reply each; empty: nothing is answered. broadcastId: any servo
+    int alsoFrom = -1;    ///< this ID is as good as the first of `ids` (Request::answersAs)
     int replyBytes = 0;   ///< length of one whole reply on the wire
     int dataBytes = 0;    ///< payload of one reply
     bool any() const { return !ids.empty(); }
@@ -28,7 +29,8 @@ enum class ScanKind : std::uint8_t {
     Noise,      ///< bytes that belong to no frame
 };
 
-/// What the front of a receive buffer is. `consumed` bytes are to be dropped by the caller.
+/// What the front of a receive buffer is: `consumed` bytes, which the caller drops before it scans
+/// again. Noise ahead of a frame is reported first, then the frame, so each byte has one verdict.
 struct ScanResult {
     ScanKind kind = ScanKind::Incomplete;
     std::size_t consumed = 0;
@@ -63,8 +65,10 @@ public:
 
 const Codec& feetechCodec();
 
-/// A request frame as a servo sees it on a Feetech line, for the simulator. Kind Incomplete or
-/// Noise as in Codec::scan. `instruction` keeps the byte when it is not one we know.
+/// A request frame as a servo sees it on a Feetech line, for the simulator. Kind Reply: a valid
+/// frame, the rest is filled in; BadCheck, Incomplete and Noise as in Codec::scan. A servo that
+/// hears nothing for a while gives up an incomplete frame: dropping the buffer is the caller's
+/// part. `instruction` keeps the byte when it is not one we know.
 struct RequestScan {
     ScanKind kind = ScanKind::Incomplete;
     std::size_t consumed = 0;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/request.h"
 
-namespace protocol
-{
-namespace
-{
+namespace protocol {
+namespace {
 Request simple(Op op, int id, Repeat repeat)
 {
     Request request;
@@ -21,7 +19,7 @@ Request addressed(Op op, int id, int address, base::Bytes data, Repeat repeat)
     request.data = std::move(data);
     return request;
 }
-}
+} // namespace
 
 Request Request::ping(int id)
 {
@@ -103,4 +101,4 @@ Request Request::raw(base::Bytes bytes)
     request.data = std::move(bytes);
     return request;
 }
-}
+} // namespace protocol

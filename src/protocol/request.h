@@ -49,6 +49,7 @@ struct Request {
     std::vector<Target> targets; ///< for SyncRead and SyncWrite
     Repeat repeat = Repeat::Never;
     bool acknowledged = true; ///< false: the servo is at response level 0 and stays silent
+    int answersAs = -1; ///< the reply may also name this ID: the new one, when the ID is written
 
     static Request ping(int id);
     static Request read(int id, int address, int count);
