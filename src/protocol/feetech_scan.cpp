@@ -40,6 +40,22 @@ std::size_t findReply(ByteView buffer, const Expectation& expected)
     return buffer.size();
 }
 
+/// The expected reply may have begun inside the frame at the front and still be on its way, so
+/// that the checksum of that frame may be right by chance only.
+bool replyMayOverlap(ByteView buffer, const Expectation& expected)
+{
+    const std::size_t end = feetech::frameSize(buffer, 0);
+    for (std::size_t i = 1; expected.any() && i < end; ++i) {
+        if (feetech::shapeAt(buffer, i) != Shape::Partial)
+            continue;
+        const std::size_t known = buffer.size() - i;
+        if (known <= 2 || (known == 3 && isExpectedId(buffer[i + 2], expected)) ||
+            looksExpected(buffer, i, expected))
+            return true;
+    }
+    return false;
+}
+
 ScanResult frameAtFront(ScanKind kind, ByteView buffer)
 {
     const ByteView frame = buffer.first(feetech::frameSize(buffer, 0));
@@ -70,6 +86,8 @@ ScanResult scanFeetech(ByteView buffer, const Expectation& expected, bool atDead
         // Overlapping claims: the frame that was asked for counts.
         if (replyBehind && reply < feetech::frameSize(buffer, 0))
             return {ScanKind::Noise, reply, {}};
+        if (!replyBehind && !atDeadline && replyMayOverlap(buffer, expected))
+            return {};
         return frameAtFront(ScanKind::Foreign, buffer);
     case Shape::Partial:
         if (!replyBehind && !atDeadline)
