@@ -13,17 +13,16 @@
 #include <memory>
 #include <optional>
 
-namespace sim
-{
+namespace sim {
 /// What is bolted to the output shaft and how good the servo is. SI units, output side.
 struct Load {
-    double inertia = 2e-4;        ///< kg·m²
-    double viscousFriction = 0.0; ///< N·m·s/rad, of the load
-    double coulombFriction = 0.0; ///< N·m, of the load
-    double gravityTorque = 0.0;   ///< N·m at 90° from hanging down
-    double springRate = 0.0;      ///< N·m/rad around springCentre
-    double springCentre = 0.0;    ///< rad
-    std::optional<double> stopLow;  ///< rad, hard stops
+    double inertia = 2e-4;         ///< kg·m²
+    double viscousFriction = 0.0;  ///< N·m·s/rad, of the load
+    double coulombFriction = 0.0;  ///< N·m, of the load
+    double gravityTorque = 0.0;    ///< N·m at 90° from hanging down, which is mid-range
+    double springRate = 0.0;       ///< N·m/rad around springCentre
+    double springCentre = 0.0;     ///< rad
+    std::optional<double> stopLow; ///< rad, hard stops
     std::optional<double> stopHigh;
 };
 
@@ -43,11 +42,14 @@ struct ServoConfig {
     base::Duration epromTime = std::chrono::milliseconds(6); ///< deaf while it writes
     base::Duration rebootTime = std::chrono::milliseconds(820);
     double gearPlayDegrees = 0.3;
-    double initialDegrees = 180.0; ///< shaft angle at power-on, from the encoder's zero
+    double initialDegrees = 180.0; ///< shaft angle at the start, from the encoder's zero
+    bool idAnswersOld = false;     ///< an ID write is acknowledged with the old ID (both are seen)
+    bool baudAfterRestart = false; ///< a new rate holds from the next power-on only (both are told)
     std::uint64_t seed = 1;
 };
 
-/// A request as it reached the servo, protocol already removed (Feetech instruction bytes).
+/// A request as it reached the servo, protocol already removed (Feetech instruction bytes). SYNC
+/// READ and SYNC WRITE carry their whole parameter list; the servo finds its own part.
 struct ServoRequest {
     bool broadcast = false;
     std::uint8_t instruction = 0;
@@ -61,8 +63,7 @@ struct ServoAnswer {
     base::Bytes data;
 };
 
-class VirtualServo
-{
+class VirtualServo {
 public:
     VirtualServo(catalog::ProfilePtr profile, ServoConfig config);
     ~VirtualServo();
@@ -70,12 +71,13 @@ public:
 
     const catalog::Profile& profile() const;
 
-    int id() const;   ///< it listens to, now
-    int baud() const; ///< it listens at, now
+    int id() const;    ///< it listens to, now
+    int baud() const;  ///< it listens at, now
     bool deaf() const; ///< off, rebooting or writing its EPROM
     base::Duration replyDelay() const;
 
-    /// Carries the request out at the servo's present time; nullopt: it stays silent.
+    /// Carries the request out at the servo's present time; nullopt: it stays silent. The answer
+    /// leaves after replyDelay() at the rate the request came at, even if the request changed it.
     std::optional<ServoAnswer> handle(const ServoRequest& request);
 
     /// Mechanics, protections and timers. dt up to a few ms; 1 ms is usual.
@@ -93,15 +95,15 @@ public:
     /// Test and preset access, by register key; bypasses the wire but acts the same.
     std::int64_t raw(const QString& key) const;
     void poke(const QString& key, std::int64_t raw);
-    double shaftDegrees() const; ///< true output angle, unbounded
+    double shaftDegrees() const; ///< true output angle, unbounded, clockwise positive
     bool ledOn() const;
     Load& load();
     Surroundings& surroundings();
-    void injectStatus(std::uint8_t bits); ///< adds error bits a sensor fault would set
+    void injectStatus(std::uint8_t bits); ///< error bits as of a sensor fault, until power-off
     void setTemperature(double celsius);
 
 private:
     struct State;
     std::unique_ptr<State> m_state;
 };
-}
+} // namespace sim
