@@ -5,20 +5,19 @@
 #pragma once
 
 #include "sim/virtual_bus.h"
-
 #include "transport/link.h"
 
 #include <functional>
 #include <memory>
 #include <mutex>
 
-namespace sim
-{
+namespace sim {
 /// A VirtualBus with the lock that lets a test or a power-cycle button reach it while a link runs.
-class SharedBus
-{
+class SharedBus {
 public:
-    explicit SharedBus(std::unique_ptr<VirtualBus> bus) : m_bus(std::move(bus)) {}
+    explicit SharedBus(std::unique_ptr<VirtualBus> bus)
+        : m_bus(std::move(bus))
+    {}
     template <typename Function>
     auto with(Function&& function)
     {
@@ -33,4 +32,4 @@ private:
 
 std::unique_ptr<transport::Link> makeSimLink(std::shared_ptr<SharedBus> bus, QString name,
                                              base::Clock& clock, int baud);
-}
+} // namespace sim

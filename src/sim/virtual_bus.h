@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wire between host and simulated servos: byte times at each speaker's baud rate, half duplex,
-// echo, adapter latency, collisions (overlapping bits combine, low wins) and named faults. Driven by
-// absolute instants, so it runs as fast as the caller's clock. One thread at a time.
+// echo, adapter latency, collisions (overlapping bits combine, low wins) and named faults. Driven
+// by absolute instants, so it runs as fast as the caller's clock. One thread at a time.
 #pragma once
 
 #include "sim/virtual_servo.h"
@@ -11,8 +11,7 @@
 #include <map>
 #include <vector>
 
-namespace sim
-{
+namespace sim {
 /// Probabilities 0…1 per reply, by name: drop, corrupt, garbage, late, truncate.
 struct FaultPlan {
     double drop = 0;     ///< the reply never leaves the servo
@@ -33,8 +32,7 @@ struct WireConfig {
     base::Duration dt = std::chrono::milliseconds(1);
 };
 
-class VirtualBus
-{
+class VirtualBus {
 public:
     explicit VirtualBus(WireConfig config = {});
     ~VirtualBus();
@@ -52,6 +50,11 @@ public:
     /// When the next byte will reach the host, if one is on its way.
     std::optional<base::Duration> nextHostByte() const;
 
+    /// Lets the servos hear what has been written so far, though not beyond `deadline`, and says
+    /// when the next unbroken run of bytes will have reached the host whole. nullopt: not by then.
+    /// This is how a real adapter hands bytes over, and spares a wake-up a byte.
+    std::optional<base::Duration> nextHostRun(base::Duration deadline);
+
     void setHostBaud(int baud); ///< what the host's receiver listens at
     int hostBaud() const;
 
@@ -68,4 +71,4 @@ private:
     struct State;
     std::unique_ptr<State> m_state;
 };
-}
+} // namespace sim

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/virtual_bus_state.h"
+
+#include <algorithm>
+
+namespace sim {
+VirtualBus::VirtualBus(WireConfig config)
+    : m_state(std::make_unique<State>(std::move(config)))
+{}
+
+VirtualBus::~VirtualBus() = default;
+
+VirtualServo& VirtualBus::add(VirtualServo servo)
+{
+    auto& seat = m_state->seats.emplace_back(std::move(servo));
+    m_state->tuneEars(m_state->now);
+    return seat.servo;
+}
+
+std::vector<VirtualServo*> VirtualBus::servos()
+{
+    std::vector<VirtualServo*> all;
+    for (Seat& seat : m_state->seats)
+        all.push_back(&seat.servo);
+    return all;
+}
+
+VirtualServo* VirtualBus::servo(int id)
+{
+    for (Seat& seat : m_state->seats) {
+        if (seat.servo.id() == id)
+            return &seat.servo;
+    }
+    return nullptr;
+}
+
+void VirtualBus::hostWrites(base::ByteView bytes, int baud, base::Duration now)
+{
+    State& s = *m_state;
+    s.advance(toNanos(now));
+    s.tuneEars(s.now);
+    std::size_t count = s.cut ? 0 : bytes.size();
+    if (s.bytesUntilCut) {
+        count = std::min(count, *s.bytesUntilCut);
+        *s.bytesUntilCut -= count;
+    }
+    if (count > 0) {
+        const Nanos start = std::max(s.now, s.hostSpeaksUntil);
+        const auto sent = bytes.first(count);
+        s.hostSpeaksUntil =
+            s.line.speak(Burst(hostSpeaker, start, baud, {sent.begin(), sent.end()})).end();
+    }
+    if (s.bytesUntilCut == std::size_t{0}) {
+        s.cut = true;
+        s.toHost.clear();
+    }
+}
+
+base::Bytes VirtualBus::hostReads(base::Duration now)
+{
+    State& s = *m_state;
+    const Nanos at = toNanos(now);
+    s.advance(at);
+    base::Bytes bytes;
+    while (!s.toHost.empty() && s.toHost.front().at <= at) {
+        bytes.push_back(s.toHost.front().value);
+        s.toHost.pop_front();
+    }
+    return bytes;
+}
+
+std::optional<base::Duration> VirtualBus::nextHostByte() const
+{
+    const State& s = *m_state;
+    if (!s.toHost.empty())
+        return toDuration(s.toHost.front().at);
+    const auto heard = s.hostReceiver.peek(s.line);
+    if (!heard || s.cut)
+        return std::nullopt;
+    return toDuration(heard->end + s.latency());
+}
+
+std::optional<base::Duration> VirtualBus::nextHostRun(base::Duration deadline)
+{
+    State& s = *m_state;
+    const Nanos limit = toNanos(deadline);
+    s.advance(std::min(limit, std::max(s.now, s.hostSpeaksUntil)));
+    Nanos end = 0;
+    if (!s.toHost.empty()) {
+        end = s.toHost.front().runEnd;
+    } else {
+        const auto heard = s.hostReceiver.peek(s.line);
+        if (!heard || s.cut)
+            return std::nullopt;
+        end = heard->burstEnd + s.latency();
+    }
+    const auto whole = toDuration(end);
+    return whole <= deadline ? std::optional(whole) : std::nullopt;
+}
+
+void VirtualBus::setHostBaud(int baud)
+{
+    m_state->hostReceiver = UartReceiver(m_state->hostHears(), baud, m_state->now);
+}
+
+int VirtualBus::hostBaud() const
+{
+    return m_state->hostReceiver.baud();
+}
+
+void VirtualBus::powerCycle()
+{
+    State& s = *m_state;
+    for (Seat& seat : s.seats) {
+        seat.servo.powerOff();
+        seat.servo.powerOn();
+        seat.speaksUntil = 0;
+    }
+    s.line.forgetServos();
+    s.ears.clear();
+    s.tuneEars(s.now);
+}
+
+void VirtualBus::cutLink()
+{
+    State& s = *m_state;
+    s.cut = true;
+    s.toHost.clear();
+    s.line.silenceHost(s.now);
+    s.hostSpeaksUntil = s.now;
+}
+
+void VirtualBus::restoreLink()
+{
+    State& s = *m_state;
+    s.cut = false;
+    s.bytesUntilCut.reset();
+    s.toHost.clear();
+    s.hostReceiver = UartReceiver(s.hostHears(), s.hostReceiver.baud(), s.now);
+}
+
+bool VirtualBus::linkCut() const
+{
+    return m_state->cut;
+}
+
+void VirtualBus::cutAfterHostBytes(std::size_t count)
+{
+    m_state->bytesUntilCut = count;
+    if (count == 0)
+        cutLink();
+}
+
+WireConfig& VirtualBus::config()
+{
+    return m_state->config;
+}
+} // namespace sim

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shared wire as levels over time: everybody's bursts of bytes, combined as an open line
+// combines them (low wins). Owned by VirtualBus; one thread. Times are nanoseconds, so that byte
+// times at odd rates do not drift. 8N1: a byte takes 10 bits, least significant bit first.
+#pragma once
+
+#include "base/bytes.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace sim {
+using Nanos = std::int64_t;
+
+constexpr int hostSpeaker = -1;
+constexpr int bitsPerByte = 10;
+
+/// Bytes that one speaker sends without a pause.
+struct Burst {
+    int speaker = hostSpeaker; ///< hostSpeaker or a servo's place on the bus
+    Nanos start = 0;
+    int baud = 0;
+    double bitNanos = 0;
+    base::Bytes bytes;
+
+    Nanos byteStart(std::size_t index) const;
+    Nanos end() const { return m_end; }
+    bool high(Nanos at) const;
+    /// The first bit boundary after `at`; `at` lies before end().
+    Nanos nextBoundary(Nanos at) const;
+    void truncate(std::size_t count);
+
+    Burst(int who, Nanos at, int rate, base::Bytes what);
+
+private:
+    Nanos m_end = 0;
+};
+
+class WireLine {
+public:
+    const Burst& speak(Burst burst);
+    const std::vector<Burst>& bursts() const { return m_bursts; } ///< by start
+
+    bool high(Nanos at) const;
+    /// The next instant after `at` at which the level may change; nullopt: silence from then on.
+    std::optional<Nanos> nextBoundary(Nanos at) const;
+    /// True when nobody but the speaker of `burst` drives the line in [from, to).
+    bool undisturbed(const Burst& burst, Nanos from, Nanos to) const;
+
+    void forgetBefore(Nanos at);
+    void forgetServos();
+    void forgetAll() { m_bursts.clear(); }
+    /// What the host has not yet begun to send at `at` never leaves.
+    void silenceHost(Nanos at);
+
+private:
+    std::vector<Burst> m_bursts;
+};
+} // namespace sim
