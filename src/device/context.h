@@ -19,6 +19,13 @@ struct Context {
     const base::Stop& stop;
     Notices& notices;
     bus::Priority priority = bus::Priority::Job;
+    std::uint64_t hold = 0; ///< token of the bus::Hold this work owns its servos by
+
+    /// The same work, inside a hold.
+    Context within(const bus::Hold& owned) const
+    {
+        return {bus, catalog, journal, stop, notices, priority, owned.token()};
+    }
 
     void note(NoticeCode code, int id, QString key = {}, std::int64_t a = 0,
               std::int64_t b = 0) const

@@ -7,6 +7,8 @@
 #include "device/context.h"
 #include "device/servo.h"
 
+#include <QStringList>
+
 namespace device {
 /// The blocks that cover these registers: gaps of a few bytes are read along, because a few bytes
 /// cost less than another transaction.

@@ -8,6 +8,12 @@
 #include "device/image.h"
 
 namespace device {
+/// The mode these three registers mean, or null while they are not known.
+const catalog::Mode* modeFor(const catalog::Profile& profile,
+                             std::optional<std::int64_t> operatingMode,
+                             std::optional<std::int64_t> minAngle,
+                             std::optional<std::int64_t> maxAngle);
+
 struct Servo {
     int id = -1;
     int baud = 0;

@@ -52,8 +52,7 @@ base::Result<WriteReport> write(const Context& context, Servo& servo,
 /// closes the lock. Used by write() itself.
 class UnlockedEprom {
 public:
-    static base::Result<UnlockedEprom> open(const Context& context, Servo& servo,
-                                            std::uint64_t holdToken);
+    static base::Result<UnlockedEprom> open(const Context& context, Servo& servo);
     UnlockedEprom(UnlockedEprom&& other) noexcept;
     UnlockedEprom(const UnlockedEprom&) = delete;
     UnlockedEprom& operator=(const UnlockedEprom&) = delete;
@@ -64,16 +63,14 @@ public:
     LockState close();
 
 private:
-    UnlockedEprom(const Context& context, Servo& servo, std::uint64_t holdToken)
+    UnlockedEprom(const Context& context, Servo& servo)
         : m_context(&context)
         , m_servo(&servo)
-        , m_hold(holdToken)
     {}
-    const Context* m_context = nullptr;
+    const Context* m_context = nullptr; ///< outlives this
     Servo* m_servo = nullptr;
-    std::uint64_t m_hold = 0;
 };
 
 /// Closes the lock if its flag reads open; LockState::None where the map has no lock.
-LockState closeLock(const Context& context, Servo& servo, std::uint64_t holdToken = 0);
+LockState closeLock(const Context& context, Servo& servo);
 } // namespace device

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/mode.h"
+
+#include "device/motion.h"
+#include "device/talk.h"
+
+namespace device {
+using base::ErrorCode;
+using catalog::Role;
+
+namespace {
+const QString limitsName = QStringLiteral("limits");
+const QString speedName = QStringLiteral("position-speed");
+} // namespace
+
+std::optional<ModeChange> modeChange(const Servo& servo, const std::vector<CheckedItem>& items)
+{
+    const catalog::Mode* from = servo.mode();
+    const catalog::Mode* to =
+        modeFor(*servo.profile, valueAfter(servo, items, Role::OperatingMode),
+                valueAfter(servo, items, Role::MinAngle), valueAfter(servo, items, Role::MaxAngle));
+    if (to == nullptr || to == from)
+        return std::nullopt;
+    return ModeChange{from, to};
+}
+
+base::Result<void> rememberWayBack(const Context& context, const Servo& servo,
+                                   const ModeChange& change, const std::vector<CheckedItem>& items)
+{
+    const std::int64_t min = servo.raw(Role::MinAngle).value_or(0);
+    const std::int64_t max = servo.raw(Role::MaxAngle).value_or(0);
+    const bool limitsVanish = (min != 0 || max != 0) &&
+                              valueAfter(servo, items, Role::MinAngle).value_or(0) == 0 &&
+                              valueAfter(servo, items, Role::MaxAngle).value_or(0) == 0;
+    if (limitsVanish) {
+        const auto kept = context.journal.keep(servo.identity(), limitsName, {min, max});
+        if (!kept)
+            return kept;
+        context.note(NoticeCode::LimitsKept, servo.id, {}, min, max);
+    }
+    const auto speed = servo.raw(Role::GoalSpeed);
+    const bool positionBefore =
+        change.from != nullptr && change.from->command == Role::GoalPosition;
+    if (positionBefore && change.to->command == Role::GoalSpeed && speed)
+        return context.journal.keep(servo.identity(), speedName, {*speed});
+    return {};
+}
+
+base::Result<void> torqueOff(const Context& context, Servo& servo)
+{
+    const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
+    if (torque == nullptr)
+        return {};
+    const auto present = readRegister(context, servo, *torque);
+    if (!present)
+        return tl::unexpected(present.error());
+    if (*present == 0)
+        return {};
+    auto off = writeVerified(context, servo, *torque, 0);
+    if (!off) {
+        off.error().operation = QStringLiteral("torque-off");
+        return off;
+    }
+    context.note(NoticeCode::TorqueSwitchedOff, servo.id);
+    return {};
+}
+
+namespace {
+base::Result<void> zeroCommand(const Context& context, Servo& servo, Role command)
+{
+    const catalog::Register* reg = servo.profile->byRole(command);
+    if (reg == nullptr)
+        return {};
+    const auto present = readRegister(context, servo, *reg);
+    if (!present)
+        return tl::unexpected(present.error());
+    if (*present == 0)
+        return {};
+    const auto zeroed = writeVerified(context, servo, *reg, 0);
+    if (zeroed)
+        context.note(NoticeCode::CommandZeroed, servo.id, reg->key);
+    return zeroed;
+}
+
+/// A position mode left with speed 0 may not move at all (phase bit 3).
+base::Result<void> restoreSpeed(const Context& context, Servo& servo)
+{
+    const auto kept = context.journal.kept(servo.identity(), speedName);
+    if (!kept)
+        return tl::unexpected(kept.error());
+    const catalog::Register* reg = servo.profile->byRole(Role::GoalSpeed);
+    if (reg == nullptr || !kept->has_value() || (*kept)->size() != 1)
+        return {};
+    const auto restored = writeVerified(context, servo, *reg, (*kept)->front());
+    if (restored)
+        context.note(NoticeCode::SpeedRestored, servo.id, reg->key, (*kept)->front());
+    return restored;
+}
+} // namespace
+
+base::Result<void> settleMode(const Context& context, Servo& servo, const ModeChange& change)
+{
+    const Role after = change.to->command;
+    const Role before = change.from != nullptr ? change.from->command : Role::None;
+    base::Result<void> done;
+    if (after != Role::GoalPosition)
+        done = zeroCommand(context, servo, after);
+    else if (before == Role::GoalSpeed)
+        done = restoreSpeed(context, servo);
+    else if (before != Role::GoalPosition && before != Role::None)
+        done = zeroCommand(context, servo, before);
+    if (!done)
+        return done;
+    // Writing a command may have energised the servo.
+    return torqueOff(context, servo);
+}
+
+namespace {
+base::Result<void> addLimits(const Context& context, const Servo& servo,
+                             const catalog::Mode& target, std::vector<WriteItem>& items)
+{
+    const catalog::Register* min = servo.profile->byRole(Role::MinAngle);
+    const catalog::Register* max = servo.profile->byRole(Role::MaxAngle);
+    if (min == nullptr || max == nullptr)
+        return {};
+    const bool zeroNow = servo.raw(*min) == 0 && servo.raw(*max) == 0;
+    if (target.limitsZero && !zeroNow) {
+        items.push_back({min->key, 0});
+        items.push_back({max->key, 0});
+    }
+    if (target.limitsZero || !zeroNow || target.command != Role::GoalPosition)
+        return {};
+    const auto kept = context.journal.kept(servo.identity(), limitsName);
+    if (!kept)
+        return tl::unexpected(kept.error());
+    const bool known = kept->has_value() && (*kept)->size() == 2;
+    const std::int64_t low = known ? (**kept)[0] : min->defaultRaw.value_or(0);
+    const std::int64_t high =
+        known ? (**kept)[1] : max->defaultRaw.value_or(servo.profile->stepsPerTurn - 1);
+    items.push_back({min->key, low});
+    items.push_back({max->key, high});
+    context.note(known ? NoticeCode::LimitsRestored : NoticeCode::LimitsDefaulted, servo.id, {},
+                 low, high);
+    return {};
+}
+} // namespace
+
+base::Result<WriteReport> switchMode(const Context& context, Servo& servo, const QString& modeKey)
+{
+    const catalog::Mode* target = servo.profile->mode(modeKey);
+    if (target == nullptr) {
+        QStringList known;
+        for (const catalog::Mode& mode : servo.profile->modes)
+            known.append(mode.key);
+        return tl::unexpected(base::Error{ErrorCode::NotSupported, QStringLiteral("mode"),
+                                          known.join(QStringLiteral(", ")), servo.id});
+    }
+    if (const auto done = readSettings(context, servo); !done)
+        return tl::unexpected(done.error());
+    std::vector<WriteItem> items;
+    if (const auto done = addLimits(context, servo, *target, items); !done)
+        return tl::unexpected(done.error());
+    const catalog::Register* mode = servo.profile->byRole(Role::OperatingMode);
+    if (mode != nullptr && target->operatingMode && servo.raw(*mode) != *target->operatingMode)
+        items.push_back({mode->key, *target->operatingMode});
+    if (items.empty()) {
+        context.note(NoticeCode::AlreadySo, servo.id, modeKey);
+        WriteReport nothing;
+        nothing.id = servo.id;
+        return nothing;
+    }
+    // Asking for the mode is the consent: the manoeuvre takes the danger out of register 33.
+    WriteOptions options;
+    options.dangerous = true;
+    options.kind = base::IntentKind::Mode;
+    auto report = write(context, servo, items, options);
+    if (report)
+        context.note(NoticeCode::TorqueStaysOff, servo.id);
+    return report;
+}
+} // namespace device

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of a mode switch around its register writes: what to remember for the way back, and the
+// new mode's command set to zero while torque is off. Internal to device; used by write(), so that
+// editing 33, 9 or 11 by hand is the same guarded manoeuvre.
+#pragma once
+
+#include "device/write_check.h"
+
+namespace device {
+/// Set when the items lead to another mode than the servo has now.
+struct ModeChange {
+    const catalog::Mode* from = nullptr;
+    const catalog::Mode* to = nullptr;
+};
+std::optional<ModeChange> modeChange(const Servo& servo, const std::vector<CheckedItem>& items);
+
+/// Before the write: keeps the limits and the position speed in the journal.
+base::Result<void> rememberWayBack(const Context& context, const Servo& servo,
+                                   const ModeChange& change, const std::vector<CheckedItem>& items);
+
+/// After the write, torque off: zeroes the new mode's command, puts the position speed back, and
+/// makes sure that torque is still off.
+base::Result<void> settleMode(const Context& context, Servo& servo, const ModeChange& change);
+
+/// Torque off, proven. Notes it when torque was on.
+base::Result<void> torqueOff(const Context& context, Servo& servo);
+} // namespace device

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/reader.h"
+
+#include "device/talk.h"
+
+#include <QStringList>
+
+#include <algorithm>
+
+namespace device {
+namespace {
+// A gap of n undefined bytes costs n byte times; another transaction costs 14 and a turn-around.
+constexpr int maxGap = 8;
+// Well under the 250-byte packet cap of the vendor's own library.
+constexpr int maxBlock = 128;
+// Firmware, byte order, model, ID, rate, delay, level: the same place in every Feetech table.
+constexpr int identityBytes = 9;
+} // namespace
+
+std::vector<bus::PollSpan> planSpans(const std::vector<const catalog::Register*>& registers)
+{
+    std::vector<const catalog::Register*> sorted = registers;
+    std::sort(sorted.begin(), sorted.end(),
+              [](const auto* a, const auto* b) { return a->address < b->address; });
+    std::vector<bus::PollSpan> spans;
+    for (const catalog::Register* reg : sorted) {
+        const int end = reg->address + reg->size;
+        if (!spans.empty()) {
+            bus::PollSpan& last = spans.back();
+            const int lastEnd = last.address + last.count;
+            if (reg->address <= lastEnd + maxGap && end - last.address <= maxBlock) {
+                last.count = std::max(lastEnd, end) - last.address;
+                continue;
+            }
+        }
+        spans.push_back({reg->address, reg->size});
+    }
+    return spans;
+}
+
+base::Result<Servo> identify(const Context& context, int id)
+{
+    Servo servo;
+    servo.id = id;
+    servo.baud = context.bus.baud();
+    servo.port = context.bus.portName();
+    auto done = readBlock(context, servo, 0, identityBytes);
+    if (!done) {
+        done.error().operation = QStringLiteral("identify");
+        return tl::unexpected(done.error());
+    }
+    const base::Bytes head = *servo.image.bytes(0, identityBytes);
+    catalog::Identity identity;
+    identity.firmwareMajor = head[0];
+    identity.firmwareMinor = head[1];
+    identity.byteOrderFlag = head[2] <= 1 ? head[2] : -1;
+    identity.modelMajor = head[3];
+    identity.modelMinor = head[4];
+    servo.profile = context.catalog.resolve(identity);
+    return servo;
+}
+
+base::Result<void> read(const Context& context, Servo& servo,
+                        const std::vector<const catalog::Register*>& registers)
+{
+    for (const bus::PollSpan& span : planSpans(registers)) {
+        const auto done = readBlock(context, servo, span.address, span.count);
+        if (!done)
+            return done;
+    }
+    return {};
+}
+
+base::Result<void> readKeys(const Context& context, Servo& servo, const QStringList& keys)
+{
+    std::vector<const catalog::Register*> registers;
+    for (const QString& key : keys) {
+        const catalog::Register* reg = servo.profile->find(key);
+        if (reg == nullptr) {
+            return tl::unexpected(base::Error{base::ErrorCode::UnknownRegister,
+                                              QStringLiteral("read"), key, servo.id, key});
+        }
+        registers.push_back(reg);
+    }
+    return read(context, servo, registers);
+}
+
+base::Result<void> readRoles(const Context& context, Servo& servo,
+                             const std::vector<catalog::Role>& roles)
+{
+    std::vector<const catalog::Register*> registers;
+    for (const catalog::Role role : roles) {
+        if (const catalog::Register* reg = servo.profile->byRole(role))
+            registers.push_back(reg);
+    }
+    return read(context, servo, registers);
+}
+
+base::Result<void> readAll(const Context& context, Servo& servo)
+{
+    std::vector<const catalog::Register*> registers;
+    for (const catalog::Register& reg : servo.profile->registers)
+        registers.push_back(&reg);
+    return read(context, servo, registers);
+}
+
+base::Result<void> readSettings(const Context& context, Servo& servo)
+{
+    std::vector<const catalog::Register*> registers;
+    for (const catalog::Register& reg : servo.profile->registers) {
+        if (reg.area == catalog::Area::Eprom || reg.area == catalog::Area::Sram)
+            registers.push_back(&reg);
+    }
+    return read(context, servo, registers);
+}
+} // namespace device

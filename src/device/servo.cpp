@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/servo.h"
+
+namespace device {
+using catalog::Role;
+
+catalog::Lookup Servo::lookup() const
+{
+    // Deciding registers (phase, mode, limits) have no variants themselves, so their own meaning
+    // needs no lookup: this ends every recursion.
+    return [this](const QString& key) -> std::optional<std::int64_t> {
+        const catalog::Register* reg = profile ? profile->find(key) : nullptr;
+        if (reg == nullptr)
+            return std::nullopt;
+        const auto wire = image.bytes(reg->address, reg->size);
+        if (!wire)
+            return std::nullopt;
+        const auto plain = catalog::meaningOf(*reg, *profile, catalog::knowNothing);
+        return catalog::decodeRaw(*wire, *reg, plain, profile->byteOrder);
+    };
+}
+
+catalog::Meaning Servo::meaning(const catalog::Register& reg) const
+{
+    return catalog::meaningOf(reg, *profile, lookup());
+}
+
+std::optional<std::int64_t> Servo::raw(const catalog::Register& reg) const
+{
+    const auto wire = image.bytes(reg.address, reg.size);
+    if (!wire)
+        return std::nullopt;
+    return catalog::decodeRaw(*wire, reg, meaning(reg), profile->byteOrder);
+}
+
+std::optional<std::int64_t> Servo::raw(const QString& key) const
+{
+    const catalog::Register* reg = profile ? profile->find(key) : nullptr;
+    return reg != nullptr ? raw(*reg) : std::nullopt;
+}
+
+std::optional<std::int64_t> Servo::raw(Role role) const
+{
+    const catalog::Register* reg = profile ? profile->byRole(role) : nullptr;
+    return reg != nullptr ? raw(*reg) : std::nullopt;
+}
+
+std::optional<double> Servo::physical(Role role) const
+{
+    const catalog::Register* reg = profile ? profile->byRole(role) : nullptr;
+    const auto value = reg != nullptr ? raw(*reg) : std::nullopt;
+    if (!value)
+        return std::nullopt;
+    return catalog::toPhysical(*value, meaning(*reg));
+}
+
+const catalog::Mode* Servo::mode() const
+{
+    return modeFor(*profile, raw(Role::OperatingMode), raw(Role::MinAngle), raw(Role::MaxAngle));
+}
+
+const catalog::Mode* modeFor(const catalog::Profile& profile,
+                             std::optional<std::int64_t> operatingMode,
+                             std::optional<std::int64_t> minAngle,
+                             std::optional<std::int64_t> maxAngle)
+{
+    if (!minAngle || !maxAngle)
+        return nullptr;
+    if (profile.byRole(Role::OperatingMode) != nullptr && !operatingMode)
+        return nullptr;
+    const bool limitsZero = *minAngle == 0 && *maxAngle == 0;
+    const catalog::Mode* sameNumber = nullptr;
+    for (const catalog::Mode& mode : profile.modes) {
+        if (mode.operatingMode && *mode.operatingMode != operatingMode.value_or(-1))
+            continue;
+        if (mode.limitsZero == limitsZero)
+            return &mode;
+        if (sameNumber == nullptr)
+            sameNumber = &mode;
+    }
+    return sameNumber;
+}
+
+base::ServoIdentity Servo::identity() const
+{
+    base::ServoIdentity who;
+    who.id = id;
+    who.port = port;
+    who.baud = baud;
+    if (profile) {
+        who.modelMajor = profile->identity.modelMajor;
+        who.modelMinor = profile->identity.modelMinor;
+        who.firmwareMajor = profile->identity.firmwareMajor;
+        who.firmwareMinor = profile->identity.firmwareMinor;
+        who.map = profile->mapKey;
+    }
+    return who;
+}
+
+bool Servo::answersWrites() const
+{
+    return raw(Role::ResponseLevel).value_or(1) != 0;
+}
+} // namespace device

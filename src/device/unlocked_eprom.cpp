@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/talk.h"
+#include "device/writer.h"
+
+namespace device {
+using base::ErrorCode;
+using catalog::Role;
+
+base::Result<UnlockedEprom> UnlockedEprom::open(const Context& context, Servo& servo)
+{
+    const catalog::Register* lock = servo.profile->byRole(Role::Lock);
+    if (lock == nullptr) {
+        return tl::unexpected(
+            base::Error{ErrorCode::NotSupported, QStringLiteral("unlock"), {}, servo.id});
+    }
+    const auto present = readRegister(context, servo, *lock);
+    if (!present)
+        return tl::unexpected(present.error());
+    if (*present == 0)
+        context.note(NoticeCode::LockFoundOpen, servo.id, lock->key);
+    // From here on the destructor closes it, also when the unlock itself lost its answer.
+    UnlockedEprom unlocked(context, servo);
+    if (*present == 0)
+        return unlocked;
+    auto opened = writeVerified(context, servo, *lock, 0);
+    if (!opened) {
+        if (opened.error().code == ErrorCode::Mismatch)
+            opened.error().code = ErrorCode::Refused;
+        opened.error().operation = QStringLiteral("unlock");
+        return tl::unexpected(opened.error());
+    }
+    return unlocked;
+}
+
+UnlockedEprom::UnlockedEprom(UnlockedEprom&& other) noexcept
+    : m_context(other.m_context)
+    , m_servo(std::exchange(other.m_servo, nullptr))
+{}
+
+UnlockedEprom::~UnlockedEprom()
+{
+    if (m_servo != nullptr)
+        close();
+}
+
+LockState UnlockedEprom::close()
+{
+    Servo* servo = std::exchange(m_servo, nullptr);
+    return servo != nullptr ? closeLock(*m_context, *servo) : LockState::Closed;
+}
+
+LockState closeLock(const Context& context, Servo& servo)
+{
+    const catalog::Register* lock = servo.profile->byRole(Role::Lock);
+    if (lock == nullptr)
+        return LockState::None;
+    // Retries inside are the bus'; a second round covers a servo that was deaf for a moment.
+    constexpr int rounds = 2;
+    LockState state = LockState::Unknown;
+    for (int round = 0; round < rounds; ++round) {
+        const auto flag = readRegister(context, servo, *lock);
+        if (!flag) {
+            if (flag.error().code == ErrorCode::LinkLost)
+                break;
+            continue;
+        }
+        if (*flag != 0)
+            return LockState::Closed;
+        state = LockState::Open;
+        if (writeVerified(context, servo, *lock, 1))
+            return LockState::Closed;
+    }
+    context.note(NoticeCode::LockLeftOpen, servo.id, lock->key);
+    return state;
+}
+} // namespace device

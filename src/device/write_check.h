@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that can be known to be wrong with a write before its first byte. Internal to device;
+// pure functions on what has been read.
+#pragma once
+
+#include "device/writer.h"
+
+namespace device {
+struct CheckedItem {
+    const catalog::Register* reg = nullptr;
+    std::int64_t raw = 0;
+};
+
+/// Key, access, consent, and the registers that have a manoeuvre of their own (ID, rate, torque on,
+/// calibration, unlocking). Needs nothing read.
+base::Result<std::vector<CheckedItem>>
+checkItems(const Servo& servo, const std::vector<WriteItem>& items, const WriteOptions& options);
+
+/// Ranges and the pairs that belong together, against what has just been read.
+base::Result<void> checkValues(const Context& context, const Servo& servo,
+                               const std::vector<CheckedItem>& items);
+
+/// The value a role will have after the write.
+std::optional<std::int64_t> valueAfter(const Servo& servo, const std::vector<CheckedItem>& items,
+                                       catalog::Role role);
+
+/// Minimum and maximum of a goal in its raw unit, as the servo's own limits allow; nullopt: free.
+struct GoalRange {
+    std::int64_t min = 0;
+    std::int64_t max = 0;
+};
+std::optional<GoalRange> goalRange(const Servo& servo);
+} // namespace device
