@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Turns what the system says about a file into an Error: DiskFull when there is no room (also a
+// used-up quota or size limit), otherwise the code given. detail is "PATH: system message". Pure;
+// any thread.
+#pragma once
+
+#include "base/error.h"
+
+#include <QFileDevice>
+
+namespace record {
+base::Error fileError(base::ErrorCode otherwise, const QString& operation, const QString& path,
+                      int systemError);
+
+/// For a QFile that has just failed to write, flush or commit.
+base::Error fileError(const QString& operation, const QFileDevice& file);
+} // namespace record

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/journal_line.h"
+
+#include "record/json_reader.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <array>
+
+namespace record {
+namespace {
+constexpr int formatVersion = 1;
+
+struct KindName {
+    base::IntentKind kind;
+    QLatin1String name;
+};
+
+constexpr std::array kindNames{
+    KindName{base::IntentKind::Write, QLatin1String("write")},
+    KindName{base::IntentKind::SetId, QLatin1String("set-id")},
+    KindName{base::IntentKind::SetBaud, QLatin1String("set-baud")},
+    KindName{base::IntentKind::Mode, QLatin1String("mode")},
+    KindName{base::IntentKind::Calibrate, QLatin1String("calibrate")},
+    KindName{base::IntentKind::Restore, QLatin1String("restore")},
+};
+
+QString kindName(base::IntentKind kind)
+{
+    for (const KindName& entry : kindNames) {
+        if (entry.kind == kind)
+            return entry.name;
+    }
+    Q_UNREACHABLE();
+}
+
+QJsonObject toJson(const base::ServoIdentity& servo)
+{
+    return {
+        {QStringLiteral("id"), servo.id},
+        {QStringLiteral("model_major"), servo.modelMajor},
+        {QStringLiteral("model_minor"), servo.modelMinor},
+        {QStringLiteral("firmware_major"), servo.firmwareMajor},
+        {QStringLiteral("firmware_minor"), servo.firmwareMinor},
+        {QStringLiteral("map"), servo.map},
+        {QStringLiteral("port"), servo.port},
+        {QStringLiteral("baud"), servo.baud},
+    };
+}
+
+void write(const BeginLine& line, QJsonObject& object)
+{
+    const base::Intent& intent = line.intent;
+    QJsonArray items;
+    for (const base::JournalItem& item : intent.items) {
+        items.append(QJsonObject{
+            {QStringLiteral("key"), item.key},
+            {QStringLiteral("address"), item.address},
+            {QStringLiteral("old"), qint64(item.oldRaw)},
+            {QStringLiteral("new"), qint64(item.newRaw)},
+        });
+    }
+    object.insert(QStringLiteral("type"), QStringLiteral("begin"));
+    object.insert(QStringLiteral("uuid"), intent.uuid);
+    object.insert(QStringLiteral("kind"), kindName(intent.kind));
+    object.insert(QStringLiteral("temporary"), intent.temporary);
+    object.insert(QStringLiteral("lock_opened"), intent.lockOpened);
+    object.insert(QStringLiteral("servo"), toJson(intent.servo));
+    object.insert(QStringLiteral("items"), items);
+}
+
+void write(const EndLine& line, QJsonObject& object)
+{
+    object.insert(QStringLiteral("type"), QStringLiteral("end"));
+    object.insert(QStringLiteral("uuid"), line.uuid);
+    object.insert(QStringLiteral("outcome"), line.end.outcome);
+    object.insert(QStringLiteral("detail"), line.end.detail);
+}
+
+void write(const KeepLine& line, QJsonObject& object)
+{
+    QJsonArray values;
+    for (const std::int64_t value : line.values)
+        values.append(qint64(value));
+    object.insert(QStringLiteral("type"), QStringLiteral("keep"));
+    object.insert(QStringLiteral("servo"), toJson(line.servo));
+    object.insert(QStringLiteral("name"), line.name);
+    object.insert(QStringLiteral("values"), values);
+}
+
+base::ServoIdentity readServo(const JsonReader& json)
+{
+    base::ServoIdentity servo;
+    servo.id = json.small("id");
+    servo.modelMajor = json.small("model_major");
+    servo.modelMinor = json.small("model_minor");
+    servo.firmwareMajor = json.small("firmware_major");
+    servo.firmwareMinor = json.small("firmware_minor");
+    servo.map = json.text("map");
+    servo.port = json.text("port");
+    servo.baud = json.small("baud");
+    return servo;
+}
+
+base::IntentKind readKind(const JsonReader& json)
+{
+    const QString name = json.text("kind");
+    for (const KindName& entry : kindNames) {
+        if (name == entry.name)
+            return entry.kind;
+    }
+    json.complain("kind", QStringLiteral("unknown word \"%1\"").arg(name));
+    return base::IntentKind::Write;
+}
+
+BeginLine readBegin(const JsonReader& json)
+{
+    BeginLine line;
+    base::Intent& intent = line.intent;
+    intent.uuid = json.filledText("uuid");
+    intent.at = json.time("at");
+    intent.kind = readKind(json);
+    intent.temporary = json.flag("temporary");
+    intent.lockOpened = json.flag("lock_opened");
+    intent.servo = readServo(json.object("servo"));
+    for (const JsonReader& item : json.objects("items")) {
+        intent.items.push_back({item.filledText("key"), item.small("address"), item.integer("old"),
+                                item.integer("new")});
+    }
+    return line;
+}
+
+KeepLine readKeep(const JsonReader& json)
+{
+    return {readServo(json.object("servo")), json.filledText("name"), json.integers("values")};
+}
+} // namespace
+
+QByteArray encodeJournalLine(const JournalLine& line, const QDateTime& at)
+{
+    QJsonObject object{
+        {QStringLiteral("v"), formatVersion},
+        {QStringLiteral("at"), at.toUTC().toString(Qt::ISODateWithMs)},
+    };
+    std::visit([&object](const auto& content) { write(content, object); }, line);
+    return QJsonDocument(object).toJson(QJsonDocument::Compact);
+}
+
+base::Result<JournalLine> decodeJournalLine(const QByteArray& text)
+{
+    const QString operation = QStringLiteral("journal");
+    JsonComplaint complaint;
+    const auto document = parseJson(text);
+    if (!document)
+        return base::fail(base::ErrorCode::FileFormat, operation, document.error());
+    const JsonReader json(*document, complaint);
+    JournalLine line;
+    if (const int version = json.small("v"); version != formatVersion) {
+        json.complain("v", QStringLiteral("format version %1 is not known").arg(version));
+    } else if (const QString type = json.text("type"); type == QLatin1String("begin")) {
+        line = readBegin(json);
+    } else if (type == QLatin1String("end")) {
+        line = EndLine{json.filledText("uuid"), {json.text("outcome"), json.text("detail")}};
+    } else if (type == QLatin1String("keep")) {
+        line = readKeep(json);
+    } else {
+        json.complain("type", QStringLiteral("unknown word \"%1\"").arg(type));
+    }
+    if (complaint.made())
+        return base::fail(base::ErrorCode::FileFormat, operation, complaint.text());
+    return line;
+}
+} // namespace record

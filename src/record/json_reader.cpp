@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/json_reader.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <cmath>
+#include <limits>
+
+namespace record {
+namespace {
+// JSON numbers beyond this are not exact in every program that reads them.
+constexpr double exactLimit = 9007199254740992.0;
+
+QString indexed(const QString& place, qsizetype index)
+{
+    return QStringLiteral("%1[%2]").arg(place).arg(index);
+}
+} // namespace
+
+tl::expected<QJsonObject, QString> parseJson(const QByteArray& text)
+{
+    QJsonParseError error;
+    const QJsonDocument document = QJsonDocument::fromJson(text, &error);
+    if (error.error != QJsonParseError::NoError) {
+        const auto line = text.left(error.offset).count('\n') + 1;
+        return tl::unexpected(QStringLiteral("line %1: %2").arg(line).arg(error.errorString()));
+    }
+    if (!document.isObject())
+        return tl::unexpected(QStringLiteral("line 1: expected an object"));
+    return document.object();
+}
+
+void JsonComplaint::make(const QString& place, const QString& what)
+{
+    if (!made())
+        m_text = place + QStringLiteral(": ") + what;
+}
+
+QString JsonReader::text(const char* key) const
+{
+    const QJsonValue found = value(key);
+    if (!found.isString())
+        complain(key, QStringLiteral("expected a text"));
+    return found.toString();
+}
+
+QString JsonReader::filledText(const char* key) const
+{
+    const QString found = text(key);
+    if (found.isEmpty())
+        complain(key, QStringLiteral("must not be empty"));
+    return found;
+}
+
+bool JsonReader::flag(const char* key) const
+{
+    const QJsonValue found = value(key);
+    if (!found.isBool())
+        complain(key, QStringLiteral("expected true or false"));
+    return found.toBool();
+}
+
+int JsonReader::small(const char* key) const
+{
+    const std::int64_t found = integer(key);
+    if (found < std::numeric_limits<int>::min() || found > std::numeric_limits<int>::max()) {
+        complain(key, QStringLiteral("number too large"));
+        return 0;
+    }
+    return int(found);
+}
+
+std::int64_t JsonReader::integer(const char* key) const
+{
+    return integerAt(value(key), placeOf(key));
+}
+
+std::optional<std::int64_t> JsonReader::integerOrNull(const char* key) const
+{
+    if (value(key).isNull())
+        return std::nullopt;
+    return integer(key);
+}
+
+std::optional<double> JsonReader::numberOrNull(const char* key) const
+{
+    const QJsonValue found = value(key);
+    if (found.isNull())
+        return std::nullopt;
+    if (!found.isDouble())
+        complain(key, QStringLiteral("expected a number or null"));
+    return found.toDouble();
+}
+
+std::vector<std::int64_t> JsonReader::integers(const char* key) const
+{
+    std::vector<std::int64_t> numbers;
+    const QJsonValue found = value(key);
+    if (!found.isArray())
+        complain(key, QStringLiteral("expected a list"));
+    for (const QJsonValue item : found.toArray())
+        numbers.push_back(integerAt(item, indexed(placeOf(key), qsizetype(numbers.size()))));
+    return numbers;
+}
+
+QDateTime JsonReader::time(const char* key) const
+{
+    const QDateTime found = QDateTime::fromString(text(key), Qt::ISODateWithMs);
+    if (!found.isValid())
+        complain(key, QStringLiteral("expected a time like 2025-01-31T12:00:00Z"));
+    return found.toUTC();
+}
+
+JsonReader JsonReader::object(const char* key) const
+{
+    const QJsonValue found = value(key);
+    if (!found.isObject())
+        complain(key, QStringLiteral("expected an object"));
+    return {found.toObject(), *m_complaint, placeOf(key)};
+}
+
+std::vector<JsonReader> JsonReader::objects(const char* key) const
+{
+    std::vector<JsonReader> readers;
+    const QJsonValue found = value(key);
+    if (!found.isArray())
+        complain(key, QStringLiteral("expected a list"));
+    for (const QJsonValue item : found.toArray()) {
+        const QString place = indexed(placeOf(key), qsizetype(readers.size()));
+        if (!item.isObject())
+            m_complaint->make(place, QStringLiteral("expected an object"));
+        readers.emplace_back(item.toObject(), *m_complaint, place);
+    }
+    return readers;
+}
+
+void JsonReader::complain(const char* key, const QString& what) const
+{
+    m_complaint->make(placeOf(key), what);
+}
+
+QJsonValue JsonReader::value(const char* key) const
+{
+    return m_object.value(QLatin1String(key));
+}
+
+QString JsonReader::placeOf(const char* key) const
+{
+    const QString name = QString::fromLatin1(key);
+    return m_place.isEmpty() ? name : m_place + QLatin1Char('.') + name;
+}
+
+std::int64_t JsonReader::integerAt(const QJsonValue& value, const QString& place) const
+{
+    const double number = value.toDouble(0.5);
+    if (!value.isDouble() || std::abs(number) > exactLimit || number != std::floor(number)) {
+        m_complaint->make(place, QStringLiteral("expected a whole number"));
+        return 0;
+    }
+    return value.toInteger();
+}
+} // namespace record

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Strict reading of JSON from files that anybody may have edited: each value is asked for with its
+// type; the first one that does not fit is remembered with its place, and reading goes on with
+// harmless values until somebody looks. Fields that nobody asks for do not matter. Values; one
+// thread.
+#pragma once
+
+#include "base/error.h"
+
+#include <QDateTime>
+#include <QJsonObject>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace record {
+/// The top object, or what is wrong with the text and in which line.
+tl::expected<QJsonObject, QString> parseJson(const QByteArray& text);
+
+/// The first thing that was wrong: "registers[12].raw: expected a whole number".
+class JsonComplaint {
+public:
+    bool made() const { return !m_text.isEmpty(); }
+    const QString& text() const { return m_text; }
+    void make(const QString& place, const QString& what);
+
+private:
+    QString m_text;
+};
+
+class JsonReader {
+public:
+    JsonReader(QJsonObject object, JsonComplaint& complaint, QString place = {})
+        : m_object(std::move(object))
+        , m_complaint(&complaint)
+        , m_place(std::move(place))
+    {}
+
+    QString text(const char* key) const;
+    QString filledText(const char* key) const; ///< not empty
+    bool flag(const char* key) const;
+    int small(const char* key) const; ///< fits an int
+    std::int64_t integer(const char* key) const;
+    std::optional<std::int64_t> integerOrNull(const char* key) const;
+    std::optional<double> numberOrNull(const char* key) const;
+    std::vector<std::int64_t> integers(const char* key) const;
+    QDateTime time(const char* key) const; ///< ISO 8601; answers UTC
+    JsonReader object(const char* key) const;
+    std::vector<JsonReader> objects(const char* key) const;
+
+    void complain(const char* key, const QString& what) const;
+
+private:
+    QJsonValue value(const char* key) const;
+    QString placeOf(const char* key) const;
+    std::int64_t integerAt(const QJsonValue& value, const QString& place) const;
+
+    QJsonObject m_object;
+    JsonComplaint* m_complaint;
+    QString m_place;
+};
+} // namespace record

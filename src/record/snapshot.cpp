@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/snapshot.h"
+
+#include "record/json_reader.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSet>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace record {
+namespace {
+const QLatin1String formatName("servodesk-snapshot");
+constexpr int formatVersion = 1;
+constexpr int highestAddress = 65535;
+constexpr int highestId = 255;
+
+// Enough for every register there is, and hides the noise of raw × scale.
+constexpr int valueDigits = 12;
+
+QByteArray quoted(const QString& text)
+{
+    const QByteArray list = QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact);
+    return list.sliced(1, list.size() - 2);
+}
+
+QByteArray number(std::optional<std::int64_t> raw)
+{
+    return raw ? QByteArray::number(qint64(*raw)) : QByteArray("null");
+}
+
+QByteArray number(std::optional<double> value)
+{
+    return value && std::isfinite(*value) ? QByteArray::number(*value, 'g', valueDigits)
+                                          : QByteArray("null");
+}
+
+QByteArray registerLine(const SnapshotRegister& reg)
+{
+    return "    {\"key\": " + quoted(reg.key) +
+           ", \"address\": " + QByteArray::number(reg.address) + ", \"raw\": " + number(reg.raw) +
+           ", \"value\": " + number(reg.value) + ", \"unit\": " + quoted(reg.unit) +
+           ", \"area\": " + quoted(catalog::areaName(reg.area)) +
+           ", \"access\": " + quoted(catalog::accessName(reg.access)) + '}';
+}
+
+QByteArray servoLine(const SnapshotServo& servo)
+{
+    return "{\"id\": " + QByteArray::number(servo.id) + ", \"model\": " + quoted(servo.model) +
+           ", \"model_id\": " + quoted(servo.modelId) +
+           ", \"firmware\": " + quoted(servo.firmware) + ", \"map\": " + quoted(servo.map) +
+           ", \"protocol\": " + quoted(servo.protocol) + '}';
+}
+
+int numberWithin(const JsonReader& json, const char* key, int lowest, int highest)
+{
+    const int found = json.small(key);
+    if (found < lowest || found > highest)
+        json.complain(key, QStringLiteral("expected %1 to %2").arg(lowest).arg(highest));
+    return found;
+}
+
+template <typename Word, std::size_t Count>
+Word readWord(const JsonReader& json, const char* key, const std::array<Word, Count>& words,
+              QString (*nameOf)(Word))
+{
+    const QString found = json.text(key);
+    for (const Word word : words) {
+        if (found == nameOf(word))
+            return word;
+    }
+    json.complain(key, QStringLiteral("unknown word \"%1\"").arg(found));
+    return words.front();
+}
+
+SnapshotRegister readRegister(const JsonReader& json)
+{
+    using catalog::Access;
+    using catalog::Area;
+    SnapshotRegister reg;
+    reg.key = json.filledText("key");
+    reg.address = numberWithin(json, "address", 0, highestAddress);
+    reg.raw = json.integerOrNull("raw");
+    reg.value = json.numberOrNull("value");
+    reg.unit = json.text("unit");
+    reg.area =
+        readWord(json, "area", std::array{Area::Eprom, Area::Sram, Area::Feedback, Area::Factory},
+                 catalog::areaName);
+    reg.access = readWord(json, "access", std::array{Access::ReadOnly, Access::ReadWrite},
+                          catalog::accessName);
+    return reg;
+}
+
+std::vector<SnapshotRegister> readRegisters(const JsonReader& json)
+{
+    std::vector<SnapshotRegister> registers;
+    QSet<QString> seen;
+    for (const JsonReader& line : json.objects("registers")) {
+        registers.push_back(readRegister(line));
+        const QString& key = registers.back().key;
+        if (seen.contains(key))
+            line.complain("key", QStringLiteral("\"%1\" is there twice").arg(key));
+        seen.insert(key);
+    }
+    return registers;
+}
+
+SnapshotServo readServo(const JsonReader& json)
+{
+    return {
+        numberWithin(json, "id", 0, highestId),
+        json.text("model"),
+        json.text("model_id"),
+        json.text("firmware"),
+        json.filledText("map"),
+        json.text("protocol"),
+    };
+}
+
+void checkFormat(const JsonReader& json)
+{
+    if (json.text("format") != formatName)
+        json.complain("format", QStringLiteral("not a ServoDesk snapshot"));
+    const int version = numberWithin(json, "version", 1, std::numeric_limits<int>::max());
+    if (version > formatVersion) {
+        json.complain("version", QStringLiteral("written by a newer program: format %1, this "
+                                                "program reads formats up to %2")
+                                     .arg(version)
+                                     .arg(formatVersion));
+    }
+}
+} // namespace
+
+QByteArray encodeSnapshot(const Snapshot& snapshot)
+{
+    std::vector<SnapshotRegister> registers = snapshot.registers;
+    std::sort(registers.begin(), registers.end(), [](const auto& left, const auto& right) {
+        return std::tie(left.address, left.key) < std::tie(right.address, right.key);
+    });
+    QByteArray text = "{\n  \"format\": " + quoted(formatName) +
+                      ",\n  \"version\": " + QByteArray::number(formatVersion) +
+                      ",\n  \"program\": " + quoted(snapshot.program) +
+                      ",\n  \"time\": " + quoted(snapshot.at.toUTC().toString(Qt::ISODate)) +
+                      ",\n  \"label\": " + quoted(snapshot.label) +
+                      ",\n  \"note\": " + quoted(snapshot.note) +
+                      ",\n  \"port\": " + quoted(snapshot.port) +
+                      ",\n  \"baud\": " + QByteArray::number(snapshot.baud) +
+                      ",\n  \"servo\": " + servoLine(snapshot.servo) + ",\n  \"registers\": [";
+    const char* separator = "\n";
+    for (const SnapshotRegister& reg : registers) {
+        text += separator + registerLine(reg);
+        separator = ",\n";
+    }
+    return text + "\n  ]\n}\n";
+}
+
+base::Result<Snapshot> decodeSnapshot(const QByteArray& text)
+{
+    const QString operation = QStringLiteral("load-snapshot");
+    const auto document = parseJson(text);
+    if (!document)
+        return base::fail(base::ErrorCode::FileFormat, operation, document.error());
+    JsonComplaint complaint;
+    const JsonReader json(*document, complaint);
+    checkFormat(json);
+    Snapshot snapshot;
+    snapshot.program = json.text("program");
+    snapshot.at = json.time("time");
+    snapshot.label = json.text("label");
+    snapshot.note = json.text("note");
+    snapshot.port = json.text("port");
+    snapshot.baud = numberWithin(json, "baud", 0, std::numeric_limits<int>::max());
+    snapshot.servo = readServo(json.object("servo"));
+    snapshot.registers = readRegisters(json);
+    if (complaint.made())
+        return base::fail(base::ErrorCode::FileFormat, operation, complaint.text());
+    return snapshot;
+}
+} // namespace record
