@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a manoeuvre did besides what was asked, or found on its way: torque switched off, a lock
+// that stood open, limits restored. Data only; the text layer words it. Appended by device and
+// jobs, shown by whoever started the work. One thread (the job's).
+#pragma once
+
+#include <QString>
+
+#include <cstdint>
+#include <vector>
+
+namespace base {
+enum class NoticeCode : std::uint8_t {
+    TorqueSwitchedOff,   ///< because a register or mode asked for it
+    TorqueSwitchedOn,    ///< the goal written energises the servo
+    TorqueStaysOff,      ///< after the manoeuvre; on only when asked
+    HoldingAt,           ///< a = goal raw at which the servo holds
+    LockFoundOpen,       ///< someone left the EPROM lock open
+    LockClosed,          ///< after LockFoundOpen, or recovered
+    LockLeftOpen,        ///< could not be closed; it is in the journal
+    CommandZeroed,       ///< key = goal_speed / goal_pwm …
+    LimitsKept,          ///< a, b = limits remembered for the way back
+    LimitsRestored,      ///< a, b
+    LimitsDefaulted,     ///< a, b: nothing was remembered, factory values used
+    SpeedRestored,       ///< a = raw speed for position mode put back
+    SpeedZeroForTime,    ///< SCS: the time acts only while the speed is 0, so 46 was set to 0
+    AnswerLostButDone,   ///< the acknowledgement was lost, reading proved the write
+    AnswerLostSentAgain, ///< the acknowledgement was lost, reading proved nothing had happened
+    AckFromNewId,        ///< a = the ID that acknowledged
+    AlreadySo,           ///< nothing to do
+    ActsAfterRestart,    ///< the new rate or bit takes effect at the next power-on
+    AboveUsual,          ///< key, a = value above what the sheet calls useful
+    BelowStop,           ///< stopped by the user before key was written
+    OverloadHolds,       ///< overload: released by a goal away from the stall
+    OvercurrentHolds,    ///< overcurrent: torque is off until a new goal
+    VoltageHolds,        ///< voltage alarm: passes when the supply returns to its limits
+    TemperatureHolds,    ///< temperature alarm: passes by cooling only
+    SensorHolds,         ///< encoder alarm: power-cycle, repair if it returns
+    RebootedAfter,       ///< a = milliseconds until it answered
+    RateChanged,         ///< a = baud at which it answers now
+    IdChanged,           ///< a = ID at which it answers now
+};
+
+struct Notice {
+    NoticeCode code = NoticeCode::AlreadySo;
+    int id = -1;
+    QString key{};
+    std::int64_t a = 0;
+    std::int64_t b = 0;
+};
+
+using Notices = std::vector<Notice>;
+} // namespace base
