@@ -3,26 +3,27 @@
 // models, one rate, one alarmed. trouble: mixed rates, twin IDs, an open lock, an overload.
 #pragma once
 
-#include "sim/virtual_bus.h"
-
 #include "base/error.h"
 #include "catalog/catalog.h"
+#include "sim/virtual_bus.h"
 
 #include <QStringList>
 
-namespace sim
-{
+namespace sim {
 QStringList presetNames();
-base::Result<std::unique_ptr<VirtualBus>> makePreset(const QString& name,
-                                                     const catalog::Catalog& catalog,
-                                                     const WireConfig& wire = {});
 
-/// "sts3215@1,sts3250@2,scs15@3" (optionally "@ID:BAUD"). `baud` overrides the factory rate of all.
-base::Result<std::unique_ptr<VirtualBus>> makeServos(const QString& list,
-                                                     const catalog::Catalog& catalog,
-                                                     std::optional<int> baud,
-                                                     const WireConfig& wire = {});
+/// `baud` replaces every servo's rate, `epromTime` how long it is deaf after an EPROM write.
+base::Result<std::unique_ptr<VirtualBus>>
+makePreset(const QString& name, const catalog::Catalog& catalog, const WireConfig& wire = {},
+           std::optional<int> baud = {}, std::optional<base::Duration> epromTime = {});
 
-/// "drop=0.01,corrupt=0.01,late=0.05,mute=3" → plan; BadArgument names the word it did not know.
+/// "sts3215@1,sts3250@2,scs15@3"; "@ID:BAUD" sets one servo's rate, `baud` all others'. Two servos
+/// may share an ID. BadArgument names the item it could not use and why.
+base::Result<std::unique_ptr<VirtualBus>>
+makeServos(const QString& list, const catalog::Catalog& catalog, std::optional<int> baud,
+           const WireConfig& wire = {}, std::optional<base::Duration> epromTime = {});
+
+/// "drop=0.01,corrupt=0.01,late=0.05,late-ms=40,truncate=…,garbage=…,drop-request=…,mute=3,mute=4"
+/// → plan; BadArgument names the word it did not know.
 base::Result<FaultPlan> parseFaults(const QString& text);
-}
+} // namespace sim

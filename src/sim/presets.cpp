@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/presets.h"
+
+#include "sim/servo_maker.h"
+
+namespace sim {
+namespace {
+constexpr int fast = 1'000'000;
+
+void turnTo(VirtualServo& servo, int steps)
+{
+    servo.poke(QStringLiteral("goal_position"), steps);
+}
+
+void letTimePass(VirtualServo& servo, base::Duration span)
+{
+    const base::Duration dt = std::chrono::milliseconds(1);
+    for (base::Duration at{}; at < span; at += dt)
+        servo.step(dt);
+}
+
+// Pressed against its stop until the overload protection has tripped.
+void stall(VirtualServo& servo)
+{
+    turnTo(servo, 3000);
+    letTimePass(servo, std::chrono::seconds(5));
+}
+
+// The supply is above what this servo allows, and stays so.
+void overVoltage(VirtualServo& servo)
+{
+    servo.poke(QStringLiteral("max_voltage"), 70);
+    servo.surroundings().supplyVolts = 7.6;
+    letTimePass(servo, std::chrono::milliseconds(500));
+}
+
+void openLock(VirtualServo& servo)
+{
+    servo.poke(QStringLiteral("lock"), 0);
+}
+
+Load arm(double gravityTorque)
+{
+    Load load;
+    load.inertia = 6e-4;
+    load.gravityTorque = gravityTorque;
+    load.coulombFriction = 0.02;
+    return load;
+}
+
+Load turntable()
+{
+    Load load;
+    load.inertia = 2e-3;
+    load.coulombFriction = 0.05;
+    return load;
+}
+
+Load spring()
+{
+    Load load;
+    load.springRate = 0.15;
+    load.springCentre = 3.14;
+    return load;
+}
+
+Load jammed()
+{
+    Load load;
+    load.stopHigh = 3.4;
+    return load;
+}
+
+using Scene = std::vector<ServoRecipe>;
+
+Scene demo()
+{
+    return {
+        {QStringLiteral("STS3215"), 1, fast, 7.4, 180, arm(0.3), nullptr},
+        {QStringLiteral("STS3215"), 2, fast, 7.4, 135, arm(0.15), nullptr},
+        {QStringLiteral("STS3250"), 3, fast, 12.0, 200, turntable(), nullptr},
+        {QStringLiteral("SM40BLHV"), 4, fast, 12.0, 90, turntable(), nullptr},
+        {QStringLiteral("SCS15"), 5, fast, 7.4, 110, spring(), nullptr},
+        {QStringLiteral("SCS0009"), 6, fast, 6.0, 150, {}, overVoltage},
+    };
+}
+
+Scene trouble()
+{
+    return {
+        {QStringLiteral("STS3215"), 1, fast, 7.4, 180, {}, nullptr},
+        {QStringLiteral("STS3215"), 1, fast, 7.4, 95, {}, nullptr},
+        {QStringLiteral("STS3250"), 2, 500'000, 12.0, 200, {}, nullptr},
+        {QStringLiteral("SM40BLHV"), 3, 115'200, 12.0, 90, {}, nullptr},
+        {QStringLiteral("SCS15"), 4, fast, 7.4, 110, {}, openLock},
+        {QStringLiteral("STS3215"), 5, fast, 7.4, 180, jammed(), stall},
+    };
+}
+} // namespace
+
+QStringList presetNames()
+{
+    return {QStringLiteral("demo"), QStringLiteral("trouble")};
+}
+
+base::Result<std::unique_ptr<VirtualBus>>
+makePreset(const QString& name, const catalog::Catalog& catalog, const WireConfig& wire,
+           std::optional<int> baud, std::optional<base::Duration> epromTime)
+{
+    if (!presetNames().contains(name))
+        return base::fail(base::ErrorCode::BadArgument, QStringLiteral("simulate"),
+                          QStringLiteral("%1: no such preset; known are %2")
+                              .arg(name, presetNames().join(QLatin1String(", "))));
+    Scene scene = name == QLatin1String("demo") ? demo() : trouble();
+    for (ServoRecipe& recipe : scene)
+        recipe.baud = baud.has_value() ? baud : recipe.baud;
+    return makeBus(scene, catalog, wire, epromTime);
+}
+} // namespace sim

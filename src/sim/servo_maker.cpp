@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/servo_maker.h"
+
+#include "protocol/request.h"
+#include "sim/presets.h"
+
+#include <QStringList>
+
+#include <algorithm>
+
+namespace sim {
+namespace {
+tl::unexpected<base::Error> badServo(const QString& item, const QString& why)
+{
+    return base::fail(base::ErrorCode::BadArgument, QStringLiteral("simulate"),
+                      QStringLiteral("%1: %2").arg(item, why));
+}
+
+struct Firmware {
+    int major = 0;
+    int minor = 0;
+};
+
+/// A firmware that each simulated series was seen with.
+std::optional<Firmware> firmwareOf(const QString& series)
+{
+    if (series == QLatin1String("STS"))
+        return Firmware{3, 10};
+    if (series == QLatin1String("SMS"))
+        return Firmware{2, 53};
+    if (series == QLatin1String("SCS"))
+        return Firmware{0, 4};
+    return std::nullopt;
+}
+
+bool knowsRate(const catalog::Profile& profile, int baud)
+{
+    const catalog::Register* rate = profile.byRole(catalog::Role::BaudRate);
+    return rate != nullptr &&
+           std::any_of(rate->values.begin(), rate->values.end(),
+                       [baud](const auto& value) { return value.key == QString::number(baud); });
+}
+
+/// The middle of what the model may be fed; 7.4 V where its sheet says nothing.
+double nominalVolts(const catalog::Profile& profile)
+{
+    if (!profile.minVoltage || !profile.maxVoltage)
+        return 7.4;
+    return (*profile.minVoltage + *profile.maxVoltage) / 2;
+}
+
+base::Result<VirtualServo> makeServo(const ServoRecipe& recipe, const catalog::Catalog& catalog,
+                                     std::optional<base::Duration> epromTime, std::uint64_t seed)
+{
+    const QString item = QStringLiteral("%1@%2").arg(recipe.model).arg(recipe.id);
+    const catalog::ModelEntry* model = catalog.model(recipe.model);
+    if (model == nullptr)
+        return badServo(item, QStringLiteral("no such model"));
+    const auto firmware = firmwareOf(model->series);
+    if (!firmware || !model->supported)
+        return badServo(item, QStringLiteral("this series cannot be simulated"));
+    const auto profile = catalog.profileFor(*model, firmware->major, firmware->minor);
+    if (recipe.baud && !knowsRate(*profile, *recipe.baud))
+        return badServo(item, QStringLiteral("this model has no rate %1").arg(*recipe.baud));
+    ServoConfig config;
+    config.id = recipe.id;
+    config.baud = recipe.baud;
+    config.load = recipe.load;
+    config.surroundings.supplyVolts = recipe.supplyVolts.value_or(nominalVolts(*profile));
+    config.initialDegrees = recipe.initialDegrees;
+    config.epromTime = epromTime.value_or(config.epromTime);
+    config.seed = seed;
+    VirtualServo servo(profile, config);
+    if (recipe.prepare)
+        recipe.prepare(servo);
+    return servo;
+}
+
+base::Result<ServoRecipe> parseServo(const QString& item)
+{
+    const QString form = QStringLiteral("expected MODEL@ID or MODEL@ID:BAUD");
+    const QStringList halves = item.split(QLatin1Char('@'));
+    if (halves.size() != 2 || halves[0].isEmpty())
+        return badServo(item, form);
+    const QStringList place = halves[1].split(QLatin1Char(':'));
+    bool ok = false;
+    ServoRecipe recipe;
+    recipe.model = halves[0];
+    recipe.id = place[0].toInt(&ok);
+    if (!ok || place.size() > 2)
+        return badServo(item, form);
+    if (recipe.id < 0 || recipe.id > protocol::maxId)
+        return badServo(item, QStringLiteral("an ID is 0 to 253"));
+    if (place.size() == 2) {
+        recipe.baud = place[1].toInt(&ok);
+        if (!ok)
+            return badServo(item, form);
+    }
+    return recipe;
+}
+} // namespace
+
+base::Result<std::unique_ptr<VirtualBus>> makeBus(const std::vector<ServoRecipe>& recipes,
+                                                  const catalog::Catalog& catalog,
+                                                  const WireConfig& wire,
+                                                  std::optional<base::Duration> epromTime)
+{
+    auto bus = std::make_unique<VirtualBus>(wire);
+    std::uint64_t seed = wire.seed;
+    for (const ServoRecipe& recipe : recipes) {
+        auto servo = makeServo(recipe, catalog, epromTime, seed++);
+        if (!servo)
+            return tl::unexpected(servo.error());
+        bus->add(std::move(*servo));
+    }
+    return bus;
+}
+
+base::Result<std::unique_ptr<VirtualBus>>
+makeServos(const QString& list, const catalog::Catalog& catalog, std::optional<int> baud,
+           const WireConfig& wire, std::optional<base::Duration> epromTime)
+{
+    std::vector<ServoRecipe> recipes;
+    for (const QString& part : list.split(QLatin1Char(','))) {
+        auto recipe = parseServo(part.trimmed());
+        if (!recipe)
+            return tl::unexpected(recipe.error());
+        if (!recipe->baud)
+            recipe->baud = baud;
+        recipes.push_back(std::move(*recipe));
+    }
+    return makeBus(recipes, catalog, wire, epromTime);
+}
+} // namespace sim
