@@ -16,6 +16,9 @@ base::Result<void> setTorque(const Context& context, Servo& servo, Torque torque
 /// stays off. The limits and the speed for the way back are remembered in the journal.
 base::Result<WriteReport> switchMode(const Context& context, Servo& servo, const QString& mode);
 
+/// Torque off and the present mode's command at zero: the safe end of a half-done mode switch.
+base::Result<void> quieten(const Context& context, Servo& servo);
+
 enum class MoveHow : std::uint8_t { Write, Sync, Async };
 
 /// One servo's move. Values as the user typed them, parsed against the register they go to.

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/motion.h"
+#include "device/talk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace device {
+using base::ErrorCode;
+using catalog::Role;
+
+namespace {
+constexpr base::Duration readEvery = std::chrono::milliseconds(20);
+/// The moving flag of a servo that has just got its goal may not be up yet.
+constexpr base::Duration settleTime = std::chrono::milliseconds(100);
+constexpr int quietReadings = 3;
+/// Friction leaves 2–8 steps without I (error-diagnosis row 14); more means something is in the
+/// way.
+constexpr std::int64_t restTolerance = 20;
+
+struct Waiting {
+    MovePlan* plan = nullptr;
+    int quiet = 0;
+};
+
+base::Result<void> look(const Context& context, Waiting& waiting,
+                        const std::function<void(const MoveProgress&)>& onSample)
+{
+    Servo& servo = *waiting.plan->servo;
+    const auto done =
+        readRoles(context, servo, {Role::PresentPosition, Role::Moving, Role::Status});
+    if (!done)
+        return done;
+    const bool moving = servo.raw(Role::Moving).value_or(0) != 0;
+    waiting.quiet = moving ? 0 : waiting.quiet + 1;
+    if (onSample)
+        onSample({servo.id, servo.physical(Role::PresentPosition), moving, servo.status});
+    return {};
+}
+
+base::Result<void> checkArrived(const MovePlan& plan)
+{
+    const Servo& servo = *plan.servo;
+    const auto present = servo.raw(Role::PresentPosition);
+    const catalog::Mode* mode = servo.mode();
+    if (!present || mode == nullptr)
+        return {};
+    const std::int64_t factor =
+        std::max<std::int64_t>(1, servo.raw(Role::AngleResolution).value_or(1));
+    std::int64_t rest = *present; // step mode shows what remains
+    if (!plan.relative) {
+        rest = *present - plan.goalRaw * factor;
+        // Several turns away the feedback may show one turn only.
+        if (mode->limitsZero)
+            rest = std::llround(
+                std::remainder(static_cast<double>(rest), servo.profile->stepsPerTurn));
+    }
+    if (std::abs(rest) <= restTolerance * factor)
+        return {};
+    return tl::unexpected(
+        base::Error{ErrorCode::Refused, QStringLiteral("arrive"), QString::number(rest), servo.id});
+}
+} // namespace
+
+base::Result<void> waitForArrival(const Context& context, std::vector<MovePlan>& plans,
+                                  base::Duration limit,
+                                  const std::function<void(const MoveProgress&)>& onSample)
+{
+    base::Clock& clock = context.bus.clock();
+    const base::Duration start = clock.now();
+    std::vector<Waiting> waiting;
+    for (MovePlan& plan : plans)
+        waiting.push_back({&plan, 0});
+    for (;;) {
+        for (Waiting& one : waiting) {
+            if (const auto seen = look(context, one, onSample); !seen)
+                return seen;
+        }
+        const base::Duration elapsed = clock.now() - start;
+        const bool quiet = std::all_of(waiting.begin(), waiting.end(), [](const Waiting& one) {
+            return one.quiet >= quietReadings;
+        });
+        if (quiet && elapsed >= settleTime)
+            break;
+        if (elapsed > limit)
+            return base::fail(ErrorCode::Refused, QStringLiteral("arrive"), QStringLiteral("time"));
+        if (!context.bus.pauseUntil(clock.now() + readEvery, &context.stop))
+            return base::fail(ErrorCode::Stopped, QStringLiteral("arrive"));
+    }
+    for (const MovePlan& plan : plans) {
+        noteAlarms(context, *plan.servo);
+        if (const auto arrived = checkArrived(plan); !arrived)
+            return arrived;
+    }
+    return {};
+}
+} // namespace device

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/motion.h"
+#include "device/write_check.h"
+
+#include <QRegularExpression>
+
+namespace device {
+using base::ErrorCode;
+using catalog::Role;
+
+namespace {
+tl::unexpected<base::Error> refuse(ErrorCode code, const Servo& servo, const QString& key,
+                                   const QString& detail)
+{
+    return tl::unexpected(base::Error{code, QStringLiteral("move"), detail, servo.id, key});
+}
+
+/// Builds the list of fields; holds what the helpers share.
+class Planner {
+public:
+    Planner(const Context& context, const MoveOrder& order)
+        : m_context(context)
+        , m_order(order)
+        , m_servo(*order.servo)
+    {}
+
+    base::Result<MovePlan> plan();
+
+private:
+    base::Result<void> addField(Role role, const QString& text);
+    base::Result<void> addAcceleration();
+    base::Result<void> addSpeed();
+    base::Result<void> addTime();
+    base::Result<void> addGoal();
+    bool drivesPosition() const { return m_mode->command == Role::GoalPosition; }
+
+    const Context& m_context;
+    const MoveOrder& m_order;
+    Servo& m_servo;
+    const catalog::Mode* m_mode = nullptr;
+    MovePlan m_plan;
+};
+
+base::Result<void> Planner::addField(Role role, const QString& text)
+{
+    const catalog::Register* reg = m_servo.profile->byRole(role);
+    if (reg == nullptr) {
+        return refuse(ErrorCode::NotSupported, m_servo, {},
+                      role == Role::Acceleration ? QStringLiteral("acceleration")
+                                                 : QStringLiteral("speed"));
+    }
+    const auto meaning = m_servo.meaning(*reg);
+    const auto raw = catalog::parseValue(text, *reg, meaning);
+    if (!raw) {
+        base::Error error = raw.error();
+        error.id = m_servo.id;
+        error.registerKey = reg->key;
+        return tl::unexpected(error);
+    }
+    const auto valid = checkValues(m_context, m_servo, {{reg, *raw}});
+    if (!valid)
+        return valid;
+    m_plan.fields.push_back({reg->key, *raw});
+    return {};
+}
+
+base::Result<void> Planner::addAcceleration()
+{
+    return m_order.acceleration ? addField(Role::Acceleration, *m_order.acceleration)
+                                : base::Result<void>{};
+}
+
+base::Result<void> Planner::addSpeed()
+{
+    if (!m_order.speed)
+        return {};
+    if (!drivesPosition())
+        return refuse(ErrorCode::NotSupported, m_servo, QStringLiteral("speed"), m_mode->key);
+    const auto added = addField(Role::GoalSpeed, *m_order.speed);
+    // The sign means something in speed mode only.
+    if (added && m_plan.fields.back().raw < 0)
+        return refuse(ErrorCode::OutOfRange, m_servo, QStringLiteral("speed"),
+                      QStringLiteral("< 0"));
+    return added;
+}
+
+/// SCS only: milliseconds, which act while the speed is 0. Elsewhere 44 has no such meaning.
+base::Result<void> Planner::addTime()
+{
+    if (!m_order.time)
+        return {};
+    const catalog::Register* reg = m_servo.profile->byRole(Role::GoalTime);
+    if (reg == nullptr || !drivesPosition())
+        return refuse(ErrorCode::NotSupported, m_servo, QStringLiteral("time"), m_mode->key);
+    if (m_order.speed) {
+        return refuse(ErrorCode::BadArgument, m_servo, QStringLiteral("time"),
+                      QStringLiteral("speed"));
+    }
+    if (const auto added = addField(Role::GoalTime, *m_order.time); !added)
+        return added;
+    const catalog::Register* speed = m_servo.profile->byRole(Role::GoalSpeed);
+    if (speed != nullptr && m_servo.raw(*speed).value_or(1) != 0) {
+        m_plan.fields.push_back({speed->key, 0});
+        m_context.note(NoticeCode::SpeedZeroForTime, m_servo.id, speed->key);
+    }
+    return {};
+}
+
+base::Result<void> Planner::addGoal()
+{
+    static const QRegularExpression bareNumber(QStringLiteral("^\\s*[-+]?\\d+\\s*$"));
+    if (!drivesPosition() && bareNumber.match(m_order.goal).hasMatch()) {
+        // "2048" is a position to whoever types it; as a speed it would turn for ever.
+        const catalog::Register* reg = m_servo.profile->byRole(m_mode->command);
+        return refuse(ErrorCode::BadArgument, m_servo, m_mode->key,
+                      QStringLiteral("unit ") + m_servo.meaning(*reg).unit);
+    }
+    const auto added = addField(m_mode->command, m_order.goal);
+    if (added)
+        m_plan.goalRaw = m_plan.fields.back().raw;
+    return added;
+}
+
+base::Result<MovePlan> Planner::plan()
+{
+    if (!m_servo.profile->writable)
+        return refuse(ErrorCode::UnknownModel, m_servo, {}, m_servo.profile->identity.firmware());
+    if (const auto fresh = readSettings(m_context, m_servo); !fresh)
+        return tl::unexpected(fresh.error());
+    m_mode = m_servo.mode();
+    if (m_mode == nullptr || m_servo.profile->byRole(m_mode->command) == nullptr)
+        return refuse(ErrorCode::NotSupported, m_servo, {}, QStringLiteral("mode"));
+    m_plan.servo = &m_servo;
+    m_plan.goalRole = m_mode->command;
+    m_plan.relative = m_mode->key == QLatin1StringView("step");
+    m_plan.energises = m_servo.raw(Role::TorqueSwitch).value_or(0) != 1;
+    for (const auto add :
+         {&Planner::addAcceleration, &Planner::addSpeed, &Planner::addTime, &Planner::addGoal}) {
+        if (const auto added = (this->*add)(); !added)
+            return tl::unexpected(added.error());
+    }
+    return m_plan;
+}
+} // namespace
+
+base::Result<MovePlan> planMove(const Context& context, const MoveOrder& order)
+{
+    return Planner(context, order).plan();
+}
+} // namespace device

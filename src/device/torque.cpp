@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/mode.h"
+#include "device/motion.h"
+#include "device/talk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace device {
+using base::ErrorCode;
+using catalog::Role;
+
+namespace {
+constexpr std::int64_t torqueIsOff = 0;
+constexpr std::int64_t torqueIsOn = 1;
+constexpr std::int64_t torqueDamps = 2;
+/// Phase bit 4: the position feedback counts whole turns.
+constexpr std::int64_t fullAngleBit = 1 << 4;
+/// A servo this many steps outside its limits may be pulled back to them; further is a surprise.
+constexpr std::int64_t outsideTolerance = 10;
+
+tl::unexpected<base::Error> refuse(ErrorCode code, const Servo& servo, const QString& detail)
+{
+    return tl::unexpected(base::Error{code, QStringLiteral("torque"), detail, servo.id});
+}
+
+/// The goal that means "stay here", or why there is none.
+base::Result<std::int64_t> holdingGoal(const Servo& servo, const catalog::Mode& mode)
+{
+    const auto present = servo.raw(Role::PresentPosition);
+    const auto phase = servo.raw(Role::Phase);
+    if (!present)
+        return refuse(ErrorCode::NotSupported, servo, QStringLiteral("position"));
+    const bool fullAngle = phase && (*phase & fullAngleBit) != 0;
+    if (mode.limitsZero && !fullAngle)
+        return refuse(ErrorCode::TurnsUnknown, servo, {});
+    const std::int64_t factor =
+        std::max<std::int64_t>(1, servo.raw(Role::AngleResolution).value_or(1));
+    const auto goal = static_cast<std::int64_t>(
+        std::llround(static_cast<double>(*present) / static_cast<double>(factor)));
+    const auto range = goalRange(servo);
+    if (!range)
+        return goal;
+    const std::int64_t inside = std::clamp(goal, range->min, range->max);
+    if (std::abs(inside - goal) * factor > outsideTolerance) {
+        return refuse(ErrorCode::OutOfRange, servo,
+                      QStringLiteral("%1: %2 … %3").arg(goal).arg(range->min).arg(range->max));
+    }
+    return inside;
+}
+
+/// Makes the mode's command mean "stay", so that switching on moves nothing.
+base::Result<void> commandHolding(const Context& context, Servo& servo)
+{
+    const catalog::Mode* mode = servo.mode();
+    if (mode == nullptr)
+        return refuse(ErrorCode::NotSupported, servo, QStringLiteral("mode"));
+    const catalog::Register* command = servo.profile->byRole(mode->command);
+    if (command == nullptr)
+        return refuse(ErrorCode::NotSupported, servo, mode->key);
+    std::int64_t goal = 0; // step mode: a relative move of nothing; speed and PWM: standstill
+    if (mode->command == Role::GoalPosition && mode->key != QLatin1StringView("step")) {
+        const auto holding = holdingGoal(servo, *mode);
+        if (!holding)
+            return tl::unexpected(holding.error());
+        goal = *holding;
+    }
+    const auto written = writeVerified(context, servo, *command, goal);
+    if (written)
+        context.note(NoticeCode::HoldingAt, servo.id, command->key, goal);
+    return written;
+}
+
+base::Result<void> switchOn(const Context& context, Servo& servo, const catalog::Register& torque)
+{
+    if (const auto holding = commandHolding(context, servo); !holding)
+        return holding;
+    // Writing the goal may already have energised it.
+    const auto now = readRegister(context, servo, torque);
+    if (!now)
+        return tl::unexpected(now.error());
+    if (*now == torqueIsOn)
+        return {};
+    return writeVerified(context, servo, torque, torqueIsOn);
+}
+} // namespace
+
+base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
+{
+    const bus::Hold hold = outer.bus.hold({servo.id});
+    const Context context = outer.within(hold);
+    const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
+    if (torque == nullptr || !servo.profile->writable)
+        return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));
+    if (wanted == Torque::Damp && !servo.profile->damping)
+        return refuse(ErrorCode::NotSupported, servo, QStringLiteral("damp"));
+    if (wanted == Torque::Off)
+        return torqueOff(context, servo);
+    if (const auto fresh = readSettings(context, servo); !fresh)
+        return fresh;
+    if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
+        return fresh;
+    const std::int64_t target = wanted == Torque::On ? torqueIsOn : torqueDamps;
+    if (servo.raw(*torque).value_or(torqueIsOff) == target) {
+        context.note(NoticeCode::AlreadySo, servo.id, torque->key);
+        return {};
+    }
+    auto done = wanted == Torque::On ? switchOn(context, servo, *torque)
+                                     : writeVerified(context, servo, *torque, target);
+    if (!done && done.error().code == ErrorCode::Mismatch)
+        done.error().code = ErrorCode::Refused;
+    if (done)
+        noteAlarms(context, servo);
+    return done;
+}
+} // namespace device

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/talk.h"
+#include "jobs/change_steps.h"
+
+namespace jobs {
+using base::ErrorCode;
+using catalog::Role;
+using device::NoticeCode;
+using device::WriteOutcome;
+
+namespace {
+constexpr base::Duration longPatience = std::chrono::milliseconds(50);
+
+const QString operation = QStringLiteral("set-id");
+
+/// Silence under the new ID, twice: anything else, a collision included, means somebody lives
+/// there.
+base::Result<void> proveFree(const device::Context& context, int newId)
+{
+    const auto taken = answers(context, newId, longPatience);
+    if (!taken) {
+        const ErrorCode code = taken.error().code;
+        if (code == ErrorCode::Garbled || code == ErrorCode::WrongAnswer)
+            return base::fail(ErrorCode::IdInUse, operation, QStringLiteral("garbled"), newId);
+        return tl::unexpected(taken.error());
+    }
+    if (*taken)
+        return base::fail(ErrorCode::IdInUse, operation, {}, newId);
+    return {};
+}
+
+/// Where the servo answers after the write; -1: nowhere.
+base::Result<int> locate(const device::Context& context, int oldId, int newId)
+{
+    for (const int id : {newId, oldId}) {
+        const auto here = answers(context, id, longPatience);
+        if (!here && here.error().code == ErrorCode::LinkLost)
+            return tl::unexpected(here.error());
+        if (here && *here)
+            return id;
+    }
+    return -1;
+}
+
+/// Writes register 5 and follows the servo to wherever it answers then.
+base::Result<void> writeAndFollow(const device::Context& context, device::Servo& servo, int newId,
+                                  device::WriteResult& result)
+{
+    const catalog::Register& reg = *servo.profile->byRole(Role::Id);
+    const int oldId = servo.id;
+    constexpr int sends = 2;
+    for (int attempt = 0; attempt < sends; ++attempt) {
+        (void)context.bus.takeStrays();
+        auto request = protocol::Request::write(
+            oldId, reg.address, device::wireBytes(servo, reg, newId), protocol::Repeat::Never);
+        request.acknowledged = servo.answersWrites();
+        const auto sent = sendOnce(context, std::move(request));
+        if (!sent)
+            return tl::unexpected(sent.error());
+        for (const bus::Stray& stray : context.bus.takeStrays()) {
+            if (stray.id == newId)
+                context.note(NoticeCode::AckFromNewId, oldId, reg.key, newId);
+        }
+        context.bus.clock().sleepFor(device::epromWriteTime);
+        const auto place = locate(context, oldId, newId);
+        if (!place)
+            return tl::unexpected(place.error());
+        if (*place < 0) {
+            return base::fail(ErrorCode::NoAnswer, operation, {}, newId);
+        }
+        servo.id = *place;
+        const auto back = device::readRegister(context, servo, reg);
+        if (!back)
+            return tl::unexpected(back.error());
+        result.readBack = *back;
+        if (*place == newId || *back == newId)
+            return {};
+        // It still answers, and reads, as before: nothing has happened, so writing again is safe.
+        if (attempt + 1 < sends)
+            context.note(NoticeCode::AnswerLostSentAgain, oldId, reg.key);
+    }
+    return base::fail(ErrorCode::Refused, operation, {}, oldId);
+}
+
+void judge(device::WriteResult& result, const base::Result<void>& followed)
+{
+    if (followed) {
+        result.outcome =
+            result.readBack == result.newRaw ? WriteOutcome::Kept : WriteOutcome::Mismatch;
+        return;
+    }
+    result.error = followed.error();
+    switch (followed.error().code) {
+    case ErrorCode::Refused:
+        result.outcome = WriteOutcome::Refused;
+        break;
+    case ErrorCode::NoAnswer:
+        result.outcome = WriteOutcome::NoAnswer;
+        break;
+    default:
+        result.outcome = WriteOutcome::Unknown;
+        break;
+    }
+}
+
+device::WriteReport changeUnlocked(const device::Context& context, device::Servo& servo, int newId)
+{
+    const catalog::Register& reg = *servo.profile->byRole(Role::Id);
+    device::WriteReport report;
+    device::WriteResult result{reg.key, reg.address,           servo.id, newId,
+                               {},      WriteOutcome::Unknown, {}};
+    const int oldId = servo.id;
+    auto eprom = device::UnlockedEprom::open(context, servo);
+    if (!eprom) {
+        result.outcome = WriteOutcome::Refused;
+        result.error = eprom.error();
+        report.lock = device::closeLock(context, servo);
+    } else {
+        judge(result, writeAndFollow(context, servo, newId, result));
+        report.lock = eprom->close();
+        if (servo.id != oldId)
+            context.note(NoticeCode::IdChanged, oldId, reg.key, servo.id);
+    }
+    report.id = servo.id;
+    report.writes.push_back(result);
+    return report;
+}
+} // namespace
+
+base::Result<device::WriteReport> changeId(const device::Context& outer, device::Servo& servo,
+                                           int newId)
+{
+    if (newId < 0 || newId > protocol::maxId)
+        return base::fail(ErrorCode::OutOfRange, operation, QStringLiteral("0 … 253"), newId);
+    if (const auto writable = requireWritable(servo, operation); !writable)
+        return tl::unexpected(writable.error());
+    if (newId == servo.id) {
+        outer.note(NoticeCode::AlreadySo, servo.id);
+        device::WriteReport nothing;
+        nothing.id = servo.id;
+        return nothing;
+    }
+    const bus::Hold hold = outer.bus.hold({servo.id, newId});
+    const device::Context context = outer.within(hold);
+    if (const auto fresh = device::readSettings(context, servo); !fresh)
+        return tl::unexpected(fresh.error());
+    if (const auto free = proveFree(context, newId); !free)
+        return tl::unexpected(free.error());
+    if (context.stop.requested())
+        return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
+    const catalog::Register& reg = *servo.profile->byRole(Role::Id);
+    const auto uuid = journalIntent(context, servo, base::IntentKind::SetId,
+                                    {{reg.key, reg.address, servo.id, newId}});
+    if (!uuid)
+        return tl::unexpected(uuid.error());
+    const device::WriteReport report = changeUnlocked(context, servo, newId);
+    const bool certain = report.lock == device::LockState::Closed &&
+                         report.writes.front().outcome != WriteOutcome::Unknown &&
+                         report.writes.front().outcome != WriteOutcome::NoAnswer;
+    if (const auto ended = endIntent(context, *uuid, certain, report.allGood()); !ended)
+        return tl::unexpected(ended.error());
+    return report;
+}
+} // namespace jobs

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/change_steps.h"
+
+namespace jobs {
+using base::ErrorCode;
+
+base::Result<bool> answers(const device::Context& context, int id, base::Duration patience)
+{
+    bus::Transaction ping;
+    ping.request = protocol::Request::ping(id);
+    ping.priority = context.priority;
+    ping.patience = patience;
+    ping.hold = context.hold;
+    const auto outcome = context.bus.transact(ping);
+    if (outcome)
+        return true;
+    if (outcome.error().code == ErrorCode::NoAnswer)
+        return false;
+    return tl::unexpected(outcome.error());
+}
+
+base::Result<Sent> sendOnce(const device::Context& context, protocol::Request request)
+{
+    bus::Transaction transaction;
+    transaction.request = std::move(request);
+    transaction.priority = context.priority;
+    transaction.hold = context.hold;
+    const auto outcome = context.bus.transact(transaction);
+    if (outcome)
+        return Sent{};
+    switch (outcome.error().code) {
+    case ErrorCode::Uncertain:
+    case ErrorCode::NoAnswer:
+    case ErrorCode::Garbled:
+    case ErrorCode::WrongAnswer:
+        return Sent{true};
+    default:
+        return tl::unexpected(outcome.error());
+    }
+}
+
+base::Result<QString> journalIntent(const device::Context& context, const device::Servo& servo,
+                                    base::IntentKind kind, std::vector<base::JournalItem> items)
+{
+    base::Intent intent;
+    intent.kind = kind;
+    intent.lockOpened = true;
+    intent.servo = servo.identity();
+    intent.items = std::move(items);
+    return context.journal.begin(intent);
+}
+
+base::Result<void> endIntent(const device::Context& context, const QString& uuid, bool certain,
+                             bool good)
+{
+    if (!certain)
+        return {};
+    return context.journal.end(
+        uuid, {good ? QStringLiteral("done") : QStringLiteral("failed"), QString()});
+}
+
+base::Result<void> requireWritable(const device::Servo& servo, const QString& operation)
+{
+    if (servo.profile && servo.profile->writable)
+        return {};
+    return base::fail(ErrorCode::UnknownModel, operation,
+                      servo.profile ? servo.profile->identity.firmware() : QString(), servo.id);
+}
+} // namespace jobs

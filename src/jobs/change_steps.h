@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The steps that new ID, new rate, centring, restore and reboot have in common. Internal to jobs.
+#pragma once
+
+#include "jobs/change.h"
+
+namespace jobs {
+/// PING with this patience; true if a clean answer came from that ID. Anything but silence that is
+/// not a clean answer (collision, noise) is an error.
+base::Result<bool> answers(const device::Context& context, int id, base::Duration patience);
+
+/// One write that is never repeated blindly. `lost` is true when its answer did not come.
+struct Sent {
+    bool lost = false;
+};
+base::Result<Sent> sendOnce(const device::Context& context, protocol::Request request);
+
+/// An intent with the items known so far; its uuid.
+base::Result<QString> journalIntent(const device::Context& context, const device::Servo& servo,
+                                    base::IntentKind kind, std::vector<base::JournalItem> items);
+
+/// Ends the intent as "done" or "failed" if nothing is open any more; leaves it open otherwise.
+base::Result<void> endIntent(const device::Context& context, const QString& uuid, bool certain,
+                             bool good);
+
+base::Result<void> requireWritable(const device::Servo& servo, const QString& operation);
+} // namespace jobs
