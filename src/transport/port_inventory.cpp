@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/port_inventory.h"
+
+#include <QFile>
+#include <QSerialPortInfo>
+
+#include <algorithm>
+
+namespace transport {
+namespace {
+// Linux creates ttyS0… whether or not there is a chip behind them; type 0 means none was found.
+bool isPhantom(const QSerialPortInfo& port)
+{
+    QFile type(QStringLiteral("/sys/class/tty/%1/type").arg(port.portName()));
+    return type.open(QIODevice::ReadOnly) && type.readAll().trimmed() == "0";
+}
+} // namespace
+
+std::vector<PortInfo> listPorts()
+{
+    std::vector<PortInfo> ports;
+    const auto known = QSerialPortInfo::availablePorts();
+    for (const QSerialPortInfo& port : known) {
+        if (isPhantom(port))
+            continue;
+        ports.push_back({port.systemLocation(), port.description(), port.manufacturer(),
+                         port.serialNumber(), port.vendorIdentifier(), port.productIdentifier()});
+    }
+    std::sort(ports.begin(), ports.end(),
+              [](const PortInfo& a, const PortInfo& b) { return a.path < b.path; });
+    return ports;
+}
+} // namespace transport

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/serial_link.h"
+
+#include "transport/io_link.h"
+#include "transport/port_lease.h"
+#include "transport/tty_speed.h"
+
+#include <QFileInfo>
+#include <QSerialPort>
+
+#include <cerrno>
+#include <cstdlib>
+
+#ifdef Q_OS_UNIX
+#include <poll.h>
+#include <sys/file.h>
+#endif
+
+namespace transport {
+namespace {
+/// A UART whose rate is off by more than this no longer reads a byte safely.
+constexpr double rateTolerance = 0.025;
+
+QString openOperation()
+{
+    return QStringLiteral("open");
+}
+
+#ifdef Q_OS_UNIX
+bool lockExclusively(int descriptor)
+{
+    return flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
+
+// A hang-up without input pending is not among the things QSerialPort waits for.
+bool hungUp(int descriptor)
+{
+    pollfd state{descriptor, POLLIN, 0};
+    return poll(&state, 1, 0) > 0 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
+}
+
+std::optional<int> realRate(const QSerialPort& port)
+{
+    return ttySpeed(port.handle());
+}
+#else
+bool lockExclusively(QSerialPort::Handle)
+{
+    return true; // the system itself opens a port once only
+}
+
+bool hungUp(QSerialPort::Handle)
+{
+    return false;
+}
+
+std::optional<int> realRate(const QSerialPort&)
+{
+    return std::nullopt;
+}
+#endif
+
+QSerialPort::Parity qtParity(Parity parity)
+{
+    switch (parity) {
+    case Parity::Even:
+        return QSerialPort::EvenParity;
+    case Parity::Odd:
+        return QSerialPort::OddParity;
+    case Parity::None:
+        break;
+    }
+    return QSerialPort::NoParity;
+}
+
+class SerialLink final : public IoLink {
+public:
+    SerialLink(std::unique_ptr<QSerialPort> port, QString path, PortLease lease)
+        : IoLink(*port, std::move(path))
+        , m_port(std::move(port))
+        , m_lease(std::move(lease))
+    {}
+
+    base::Result<void> setBaud(int baud) override
+    {
+        if (isLost())
+            return lost(QStringLiteral("set-baud"));
+        if (baud > 0 && m_port->setBaudRate(baud)) {
+            const int real = realRate(*m_port).value_or(baud);
+            if (std::abs(real - baud) <= rateTolerance * baud) {
+                m_baud = baud;
+                return {};
+            }
+        }
+        m_port->clearError();
+        if (m_baud > 0)
+            m_port->setBaudRate(m_baud);
+        return base::fail(base::ErrorCode::RateUnsupported, QStringLiteral("set-baud"),
+                          QString::number(baud));
+    }
+
+    int baud() const override { return m_baud; }
+
+private:
+    void flush() override { m_port->flush(); }
+
+    bool broken() override
+    {
+        const auto error = m_port->error();
+        m_port->clearError();
+        return (error != QSerialPort::NoError && error != QSerialPort::TimeoutError) ||
+               hungUp(m_port->handle());
+    }
+
+    void shut() override
+    {
+        m_port->close();
+        m_lease.release();
+    }
+
+    std::unique_ptr<QSerialPort> m_port;
+    PortLease m_lease;
+    int m_baud = 0;
+};
+
+base::Error openFailure(const QSerialPort& port, const QString& path)
+{
+    switch (port.error()) {
+    case QSerialPort::DeviceNotFoundError:
+        return {base::ErrorCode::PortMissing, openOperation(), path};
+    case QSerialPort::PermissionError:
+        // Qt reports a port in use this way as well.
+        return deniedError(path, QFileInfo(path).isReadable() && QFileInfo(path).isWritable());
+    default:
+        return {base::ErrorCode::PortFailed, openOperation(), port.errorString()};
+    }
+}
+} // namespace
+
+base::Error deniedError(const QString& path, bool accessible)
+{
+    if (accessible)
+        return {base::ErrorCode::PortBusy, openOperation(), portHolders(path)};
+    return {base::ErrorCode::PortPermission, openOperation(), portGroup(path)};
+}
+
+base::Result<std::unique_ptr<Link>> openSerial(const PortSpec& spec)
+{
+    const QString path = canonicalPath(spec.name);
+    auto lease = PortLease::take(path);
+    if (!lease)
+        return tl::unexpected(lease.error());
+    auto port = std::make_unique<QSerialPort>();
+    port->setPortName(path);
+    // Before opening: a pseudo-terminal refuses a parity later.
+    port->setParity(qtParity(spec.parity));
+    if (!port->open(QIODevice::ReadWrite))
+        return tl::unexpected(openFailure(*port, path));
+    if (!lockExclusively(port->handle()))
+        return base::fail(base::ErrorCode::PortBusy, openOperation(), portHolders(path));
+    auto link = std::make_unique<SerialLink>(std::move(port), path, std::move(*lease));
+    if (auto set = link->setBaud(spec.baud); !set)
+        return tl::unexpected(set.error());
+    return link;
+}
+} // namespace transport

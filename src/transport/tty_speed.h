@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The baud rate a terminal device really has, odd rates included, and setting one on a pseudo-
+// terminal. Linux knows any number (termios2); elsewhere only the standard rates can be told.
+#pragma once
+
+#include <optional>
+
+namespace transport {
+/// nullopt when the system does not say.
+std::optional<int> ttySpeed(int descriptor);
+
+bool setTtySpeed(int descriptor, int baud);
+} // namespace transport
