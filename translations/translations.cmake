@@ -1,0 +1,27 @@
+# The interface in other languages: each .ts file here becomes a .qm inside the text layer, as
+# :/i18n/NAME.qm. `cmake --build build --target update_translations` brings the .ts files up to
+# date with the sources; a test fails while they are not, or while an entry is unfinished.
+set(SERVODESK_TS_FILES ${CMAKE_SOURCE_DIR}/translations/servodesk_zh_CN.ts)
+set(SERVODESK_TEXT_FOLDERS ${CMAKE_SOURCE_DIR}/src)
+set(SERVODESK_LUPDATE_OPTIONS -no-obsolete -locations none -silent)
+
+set(qm_files)
+foreach(ts IN LISTS SERVODESK_TS_FILES)
+    get_filename_component(name ${ts} NAME_WE)
+    set(qm ${CMAKE_BINARY_DIR}/i18n/${name}.qm)
+    add_custom_command(OUTPUT ${qm}
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/i18n
+        COMMAND Qt6::lrelease -silent ${ts} -qm ${qm}
+        DEPENDS ${ts}
+        COMMENT "Compiling ${name}.qm"
+        VERBATIM)
+    list(APPEND qm_files ${qm})
+endforeach()
+qt_add_resources(sd_text translations PREFIX /i18n BASE ${CMAKE_BINARY_DIR}/i18n
+    FILES ${qm_files})
+
+add_custom_target(update_translations
+    COMMAND Qt6::lupdate ${SERVODESK_LUPDATE_OPTIONS} ${SERVODESK_TEXT_FOLDERS}
+            -ts ${SERVODESK_TS_FILES}
+    COMMENT "Updating the .ts files from the sources"
+    VERBATIM)
