@@ -38,13 +38,13 @@ std::vector<bus::PollSpan> planSpans(const std::vector<const catalog::Register*>
     return spans;
 }
 
-base::Result<Servo> identify(const Context& context, int id, std::uint64_t hold)
+base::Result<Servo> identify(const Context& context, int id)
 {
     Servo servo;
     servo.id = id;
     servo.baud = context.bus.baud();
     servo.port = context.bus.portName();
-    auto done = readBlock(context, servo, 0, identityBytes, hold);
+    auto done = readBlock(context, servo, 0, identityBytes);
     if (!done) {
         done.error().operation = QStringLiteral("identify");
         return tl::unexpected(done.error());

@@ -15,7 +15,7 @@ namespace device {
 std::vector<bus::PollSpan> planSpans(const std::vector<const catalog::Register*>& registers);
 
 /// Reads registers 0–8 (equal in all Feetech tables) and chooses the profile. Writes nothing.
-base::Result<Servo> identify(const Context& context, int id, std::uint64_t hold = 0);
+base::Result<Servo> identify(const Context& context, int id);
 
 base::Result<void> read(const Context& context, Servo& servo,
                         const std::vector<const catalog::Register*>& registers);
