@@ -11,8 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace catalog
-{
+namespace catalog {
 struct LoadWarning {
     QString file;
     QString where;  ///< "registers[12] position_p"
@@ -31,14 +30,18 @@ struct ModelEntry {
     std::optional<int> defaultBaud;
     std::optional<double> minVoltage;
     std::optional<double> maxVoltage;
+    CurrentSensing currentSensing = CurrentSensing::Unknown;
     bool supported = true; ///< false: named by the vendor, no public map
     Text note;
 };
 
-class Catalog
-{
+class Catalog {
 public:
     struct Loaded;
+    struct Data;
+
+    Catalog(); ///< empty: every servo is unknown
+    explicit Catalog(std::shared_ptr<const Data> data);
 
     /// Built-in files, then *.json of each folder in order; a later entry replaces an earlier one.
     static Loaded load(const QStringList& userFolders = {});
@@ -55,7 +58,6 @@ public:
     QStringList mapKeys() const;
 
 private:
-    struct Data;
     std::shared_ptr<const Data> m_data;
 };
 
@@ -63,4 +65,4 @@ struct Catalog::Loaded {
     Catalog catalog;
     std::vector<LoadWarning> warnings;
 };
-}
+} // namespace catalog

@@ -3,14 +3,12 @@
 // with the limits of that series and firmware already applied. Shared, immutable; any thread.
 #pragma once
 
-#include "catalog/register.h"
-
 #include "base/bytes.h"
+#include "catalog/register.h"
 
 #include <memory>
 
-namespace catalog
-{
+namespace catalog {
 /// The first five bytes of every Feetech table.
 struct Identity {
     int firmwareMajor = -1;
@@ -25,6 +23,9 @@ struct Identity {
 
 enum class Line : std::uint8_t { Unknown, Ttl, Rs485 };
 
+/// Whether register 69 means anything.
+enum class CurrentSensing : std::uint8_t { Unknown, No, Yes, UnlessPhaseBit5 };
+
 /// How to calibrate the present position to the middle.
 enum class Centering : std::uint8_t { None, Write128, Instruction0B };
 
@@ -32,17 +33,17 @@ enum class Centering : std::uint8_t { None, Write128, Instruction0B };
 struct Mode {
     QString key; ///< position, multiturn, speed, pwm, step, motor, current …
     Text name;
-    std::optional<int> operatingMode; ///< register 33, where the family has it
-    bool limitsZero = false;          ///< minimum and maximum angle both 0
-    Role command = Role::GoalPosition;///< the register that drives it
+    std::optional<int> operatingMode;  ///< register 33, where the family has it
+    bool limitsZero = false;           ///< minimum and maximum angle both 0
+    Role command = Role::GoalPosition; ///< the register that drives it
 };
 
 struct Profile {
     Identity identity;
     QString modelName; ///< "STS3215"; for an unknown model the series with its number
     bool modelKnown = false;
-    QString series;    ///< "STS", "SMS", "SCS"
-    QString mapKey;    ///< "sts-sms", "scs"
+    QString series; ///< "STS", "SMS", "SCS"
+    QString mapKey; ///< "sts-sms", "scs"
     QString protocol = QStringLiteral("feetech");
     base::ByteOrder byteOrder = base::ByteOrder::Little;
     Line line = Line::Unknown;
@@ -52,6 +53,7 @@ struct Profile {
     std::optional<int> defaultBaud;
     std::optional<double> minVoltage;
     std::optional<double> maxVoltage;
+    CurrentSensing currentSensing = CurrentSensing::Unknown;
     bool syncRead = false;
     bool damping = false;
     bool multiTurn = false;
@@ -66,4 +68,4 @@ struct Profile {
 };
 
 using ProfilePtr = std::shared_ptr<const Profile>;
-}
+} // namespace catalog

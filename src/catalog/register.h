@@ -10,8 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace catalog
-{
+namespace catalog {
 /// A text in the two languages of the program.
 struct Text {
     QString en;
@@ -98,15 +97,15 @@ struct NamedValue {
 
 enum class TorqueOff : std::uint8_t {
     NotNeeded,
-    Needed,        ///< torque must be off while this is written
-    WhenBothZero,  ///< only when minimum and maximum both become 0 (multi-turn)
+    Needed,       ///< torque must be off while this is written
+    WhenBothZero, ///< only when minimum and maximum both become 0 (multi-turn)
 };
 
 /// A different meaning chosen by another register of the same servo (phase bit 2, mode, limits).
 /// Fields that are not set keep the register's own.
 struct Variant {
-    QString whenKey;          ///< register that decides
-    std::int64_t mask = -1;   ///< compared bits
+    QString whenKey;        ///< register that decides
+    std::int64_t mask = -1; ///< compared bits
     std::int64_t equals = 0;
     std::optional<double> scale;
     std::optional<QString> unit;
@@ -130,7 +129,7 @@ struct Register {
     std::optional<std::int64_t> defaultRaw; ///< nullopt: not known, never "different"
     std::optional<std::int64_t> min;        ///< binds new values only
     std::optional<std::int64_t> max;
-    std::optional<std::int64_t> warnAbove;  ///< accepted, with a warning
+    std::optional<std::int64_t> warnAbove; ///< accepted, with a warning
     QString unit;
     double scale = 1.0;
     QString scaleBy; ///< key of a register whose raw multiplies the scale (angle resolution)
@@ -148,6 +147,6 @@ struct Register {
     bool eprom() const { return area == Area::Eprom; }
 };
 
-QString areaName(Area area);     ///< "EPROM", "SRAM", "FEEDBACK", "FACTORY"
+QString areaName(Area area);       ///< "EPROM", "SRAM", "FEEDBACK", "FACTORY"
 QString accessName(Access access); ///< "ro", "rw"
-}
+} // namespace catalog

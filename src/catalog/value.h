@@ -3,14 +3,12 @@
 // Raw is the number after sign decoding; negative zero reads 0; unnamed bits are kept.
 #pragma once
 
-#include "catalog/profile.h"
-
 #include "base/error.h"
+#include "catalog/profile.h"
 
 #include <functional>
 
-namespace catalog
-{
+namespace catalog {
 /// Answers the raw value of another register of the same servo, as far as it is known.
 using Lookup = std::function<std::optional<std::int64_t>(const QString& key)>;
 inline std::optional<std::int64_t> knowNothing(const QString&)
@@ -40,7 +38,8 @@ base::Bytes encodeRaw(std::int64_t raw, const Register& reg, const Meaning& mean
 double toPhysical(std::int64_t raw, const Meaning& meaning);
 std::int64_t toRaw(double physical, const Meaning& meaning); ///< nearest
 
-/// "8.5 V", "90.00 °"? — number and unit, or the name of the enum value, or the set bits' keys.
+/// "8.5 V", "90.00°", the name of the enum value, or the names of the set bits ("voltage +
+/// overload"). A number without a unit is shown raw. What is shown can be parsed again.
 QString formatValue(std::int64_t raw, const Register& reg, const Meaning& meaning, bool chinese);
 
 /// Raw number ("85"), physical value with its unit ("8.5V", "90deg", "12rpm") or a value's key
@@ -52,4 +51,4 @@ base::Result<std::int64_t> parseValue(const QString& text, const Register& reg,
 /// back. ReadOnly or OutOfRange.
 base::Result<void> checkNewValue(std::int64_t raw, const Register& reg, const Meaning& meaning,
                                  std::optional<std::int64_t> present);
-}
+} // namespace catalog

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+
+#include "catalog/definition.h"
+#include "catalog/loader.h"
+
+#include <QDir>
+
+#include <algorithm>
+
+// Q_INIT_RESOURCE must stand outside every namespace; without it the linker drops the resources of
+// a static library.
+static void initResources()
+{
+    Q_INIT_RESOURCE(models);
+}
+
+namespace catalog {
+namespace {
+const QString UnknownMap = QStringLiteral("unknown");
+
+const SeriesDef* seriesByKey(const Catalog::Data& data, const QString& key)
+{
+    const auto it = std::find_if(data.series.begin(), data.series.end(),
+                                 [&](const SeriesDef& series) { return series.key == key; });
+    return it == data.series.end() ? nullptr : &*it;
+}
+
+/// The last one that fits, so that a user's series comes before a built-in one. Without a byte
+/// order only an unambiguous firmware counts.
+const SeriesDef* seriesByFirmware(const Catalog::Data& data, Version firmware,
+                                  std::optional<base::ByteOrder> order)
+{
+    const SeriesDef* found = nullptr;
+    for (const SeriesDef& series : data.series) {
+        if (firmware < series.from || firmware > series.to || (order && series.byteOrder != *order))
+            continue;
+        if (!order && found && found->byteOrder != series.byteOrder)
+            return nullptr;
+        found = &series;
+    }
+    return found;
+}
+
+const ModelEntry* modelByNumber(const Catalog::Data& data, int major, int minor,
+                                base::ByteOrder order)
+{
+    if (major < 0 || minor < 0)
+        return nullptr;
+    for (const ModelEntry& model : data.models) {
+        if (model.major == major && model.minor == minor && model.byteOrder == order)
+            return &model;
+    }
+    return nullptr;
+}
+
+/// What register 2 said, else what the model list says, else what the firmware alone implies.
+std::optional<base::ByteOrder> byteOrderOf(const Catalog::Data& data, const Identity& identity,
+                                           Version firmware)
+{
+    if (identity.byteOrderFlag == 0 || identity.byteOrderFlag == 1)
+        return identity.byteOrderFlag ? base::ByteOrder::Big : base::ByteOrder::Little;
+    const auto* little =
+        modelByNumber(data, identity.modelMajor, identity.modelMinor, base::ByteOrder::Little);
+    const auto* big =
+        modelByNumber(data, identity.modelMajor, identity.modelMinor, base::ByteOrder::Big);
+    if ((little == nullptr) != (big == nullptr))
+        return little ? base::ByteOrder::Little : base::ByteOrder::Big;
+    const SeriesDef* series = seriesByFirmware(data, firmware, std::nullopt);
+    return series ? std::optional(series->byteOrder) : std::nullopt;
+}
+
+/// Steps become degrees where the model's range is known.
+void resolveAngular(Register& reg, Angular angular, const Profile& profile)
+{
+    if (angular == Angular::No || !profile.angleRangeDeg)
+        return;
+    const double degPerStep = *profile.angleRangeDeg / profile.stepsPerTurn;
+    const bool speed = angular == Angular::Speed;
+    reg.scale *= speed ? degPerStep / 6 : degPerStep; // 1 rpm = 6 °/s
+    reg.unit = speed ? QStringLiteral("rpm") : QStringLiteral("deg");
+}
+
+Register resolveRegister(const RegisterDef& def, const Profile& profile, Version firmware)
+{
+    Register reg = def.reg;
+    reg.values.clear();
+    for (std::size_t i = 0; i < def.reg.values.size(); ++i) {
+        if (anyFits(def.valueOnly[i], profile.series, firmware))
+            reg.values.push_back(def.reg.values[i]);
+    }
+    resolveAngular(reg, def.angular, profile);
+    return reg;
+}
+
+void addRegisters(Profile& profile, const MapDef& map, Version firmware)
+{
+    for (const RegisterRow& row : map.rows) {
+        if (const RegisterDef* def = row.pick(profile.series, firmware))
+            profile.registers.push_back(resolveRegister(*def, profile, firmware));
+    }
+    std::sort(profile.registers.begin(), profile.registers.end(),
+              [](const Register& a, const Register& b) { return a.address < b.address; });
+}
+
+void takeSeries(Profile& profile, const SeriesDef& series)
+{
+    profile.series = series.key;
+    profile.line = series.line;
+    profile.stepsPerTurn = series.stepsPerTurn;
+    profile.angleRangeDeg = series.angleRangeDeg;
+    profile.defaultBaud = series.defaultBaud;
+    profile.syncRead = series.syncRead;
+}
+
+/// What the servo can do beyond reading needs a map to do it with.
+void takeAbilities(Profile& profile, const SeriesDef& series)
+{
+    profile.mapKey = series.map;
+    profile.writable = true;
+    profile.damping = series.damping;
+    profile.multiTurn = series.multiTurn;
+    profile.centering = series.centering;
+    profile.modes = series.modes;
+}
+
+void takeModel(Profile& profile, const ModelEntry& model)
+{
+    profile.modelName = model.name;
+    profile.modelKnown = true;
+    profile.stepsPerTurn = model.stepsPerTurn;
+    profile.angleRangeDeg = model.angleRangeDeg;
+    profile.minVoltage = model.minVoltage;
+    profile.maxVoltage = model.maxVoltage;
+    profile.currentSensing = model.currentSensing;
+    if (model.defaultBaud)
+        profile.defaultBaud = model.defaultBaud;
+}
+
+ProfilePtr build(const Catalog::Data& data, const Identity& identity, const ModelEntry* model,
+                 std::optional<base::ByteOrder> order)
+{
+    const Version firmware{identity.firmwareMajor, identity.firmwareMinor};
+    const SeriesDef* series = order ? seriesByFirmware(data, firmware, order) : nullptr;
+    const bool supported = series && !series->map.isEmpty() && (!model || model->supported);
+    const SeriesDef* family = series || !model ? series : seriesByKey(data, model->series);
+
+    auto profile = std::make_shared<Profile>();
+    profile->identity = identity;
+    profile->byteOrder = order.value_or(base::ByteOrder::Little);
+    profile->mapKey = UnknownMap;
+    profile->writable = false;
+    if (family)
+        takeSeries(*profile, *family);
+    if (supported)
+        takeAbilities(*profile, *series);
+    if (model) {
+        takeModel(*profile, *model);
+        if (!series || !model->supported)
+            profile->series = model->series;
+    } else {
+        const QString kind = profile->series.isEmpty() ? QStringLiteral("?") : profile->series;
+        profile->modelName = QStringLiteral("%1 (%2)").arg(kind, identity.modelId());
+    }
+    const auto map = data.maps.find(profile->mapKey);
+    if (map != data.maps.end())
+        addRegisters(*profile, map->second, firmware);
+    return profile;
+}
+} // namespace
+
+Catalog::Catalog()
+    : m_data(std::make_shared<const Data>())
+{}
+
+Catalog::Catalog(std::shared_ptr<const Data> data)
+    : m_data(std::move(data))
+{}
+
+Catalog::Loaded Catalog::load(const QStringList& userFolders)
+{
+    initResources();
+    Loader loader;
+    const QDir builtIn(QStringLiteral(":/models"));
+    for (const QString& name :
+         builtIn.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name))
+        loader.addFile(builtIn.filePath(name));
+    for (const QString& folder : userFolders)
+        loader.addFolder(folder);
+    return loader.finish();
+}
+
+ProfilePtr Catalog::resolve(const Identity& identity) const
+{
+    const Version firmware{identity.firmwareMajor, identity.firmwareMinor};
+    const auto order = byteOrderOf(*m_data, identity, firmware);
+    const ModelEntry* model =
+        order ? modelByNumber(*m_data, identity.modelMajor, identity.modelMinor, *order) : nullptr;
+    return build(*m_data, identity, model, order);
+}
+
+const ModelEntry* Catalog::model(const QString& name) const
+{
+    const auto it =
+        std::find_if(m_data->models.begin(), m_data->models.end(), [&](const ModelEntry& entry) {
+            return entry.name.compare(name, Qt::CaseInsensitive) == 0;
+        });
+    return it == m_data->models.end() ? nullptr : &*it;
+}
+
+const std::vector<ModelEntry>& Catalog::models() const
+{
+    return m_data->models;
+}
+
+ProfilePtr Catalog::profileFor(const ModelEntry& model, int firmwareMajor, int firmwareMinor) const
+{
+    const bool big = model.byteOrder == base::ByteOrder::Big;
+    const Identity identity{firmwareMajor, firmwareMinor, big ? 1 : 0, model.major, model.minor};
+    return build(*m_data, identity, &model, model.byteOrder);
+}
+
+QStringList Catalog::mapKeys() const
+{
+    QStringList keys;
+    for (const auto& [key, map] : m_data->maps)
+        keys << key;
+    return keys;
+}
+} // namespace catalog

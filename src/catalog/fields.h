@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads the members of one JSON object and remembers the first thing that is wrong with it: a
+// missing or mistyped member, a number out of bounds, a word nobody knows, a member nobody asked
+// for (a typing slip in "max" must not silently lift a limit). One thread.
+#pragma once
+
+#include "catalog/definition.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include <initializer_list>
+#include <utility>
+
+namespace catalog {
+class Fields {
+public:
+    explicit Fields(const QJsonValue& value);
+
+    bool has(const char* name) const;
+    QString word(const char* name); ///< required, not empty
+    QString optionalWord(const char* name, const QString& fallback = {});
+    std::optional<std::int64_t> integer(const char* name, std::int64_t min, std::int64_t max);
+    std::optional<double> number(const char* name);
+    bool flag(const char* name, bool fallback = false);
+    Text text(const char* name);                      ///< {"en", "zh"}; required
+    std::optional<Version> version(const char* name); ///< "2.48"
+    QJsonArray array(const char* name);
+    QJsonValue value(const char* name);
+
+    template <typename T>
+    T oneOf(const char* name, std::initializer_list<std::pair<const char*, T>> words,
+            std::optional<T> fallback = std::nullopt)
+    {
+        const QString found = fallback ? optionalWord(name) : word(name);
+        if (found.isEmpty() && fallback)
+            return *fallback;
+        for (const auto& [key, result] : words) {
+            if (found == QLatin1String(key))
+                return result;
+        }
+        complain(QStringLiteral("\"%1\": unknown word \"%2\"").arg(QLatin1String(name), found));
+        return fallback.value_or(T{});
+    }
+
+    void complain(const QString& problem);
+    void require(const char* name); ///< complains if the member is missing
+
+    /// The first complaint so far, whoever still has members to ask for.
+    const QString& complaint() const { return m_problem; }
+
+    /// The first complaint, or a member nobody asked for; empty if the object is sound.
+    QString problem() const;
+
+private:
+    QJsonValue take(const char* name);
+
+    QJsonObject m_object;
+    QStringList m_asked;
+    QString m_problem;
+};
+
+/// "3.10" → {3, 10}; nullopt if it is not two numbers 0–255.
+std::optional<Version> parseVersion(const QString& text);
+
+/// A condition object: series, firmware_from, firmware_to.
+Condition readCondition(const QJsonValue& value, QString& problem);
+std::vector<Condition> readConditions(const QJsonArray& array, QString& problem);
+
+Role roleFromWord(const QString& word, bool& known);
+} // namespace catalog

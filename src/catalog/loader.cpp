@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/loader.h"
+
+#include "catalog/fields.h"
+#include "catalog/map_check.h"
+#include "catalog/readers.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+
+#include <algorithm>
+
+namespace catalog {
+namespace {
+constexpr qint64 LargestFile = 4 * 1024 * 1024;
+constexpr int MostRows = 4096;
+constexpr int MostRegisters = 512;
+constexpr int MostFileWarnings = 50;
+
+/// The content, or nullopt with the reason in `problem`. Only regular files: a pipe or a device in
+/// the user's folder would never end.
+std::optional<QByteArray> readSmallFile(const QString& path, QString& problem)
+{
+    QFile file(path);
+    if (!path.startsWith(QLatin1Char(':')) && !QFileInfo(path).isFile()) {
+        problem = QStringLiteral("not a readable file");
+        return std::nullopt;
+    }
+    if (!file.open(QIODevice::ReadOnly)) {
+        problem = file.errorString();
+        return std::nullopt;
+    }
+    QByteArray content = file.read(LargestFile + 1);
+    if (file.error() != QFileDevice::NoError) {
+        problem = file.errorString();
+        return std::nullopt;
+    }
+    if (content.size() > LargestFile) {
+        problem = QStringLiteral("larger than %1 bytes").arg(LargestFile);
+        return std::nullopt;
+    }
+    return content;
+}
+
+template <typename T, typename Same>
+void putOrReplace(std::vector<T>& list, T item, Same same)
+{
+    const auto it = std::find_if(list.begin(), list.end(), same);
+    if (it == list.end())
+        list.push_back(std::move(item));
+    else
+        *it = std::move(item);
+}
+
+QString rowTitle(const QJsonValue& row)
+{
+    for (const char* name : {"key", "name", "id"}) {
+        const QString title = row.toObject().value(QLatin1String(name)).toString();
+        if (!title.isEmpty())
+            return QLatin1Char(' ') + title.left(60);
+    }
+    return {};
+}
+} // namespace
+
+void Loader::warn(const QString& where, const QString& detail)
+{
+    ++m_fileWarnings;
+    if (m_fileWarnings < MostFileWarnings)
+        m_warnings.push_back({m_file, where, detail});
+    else if (m_fileWarnings == MostFileWarnings)
+        m_warnings.push_back({m_file, {}, QStringLiteral("and more of the kind")});
+}
+
+void Loader::addFile(const QString& path)
+{
+    m_file = path;
+    m_fileWarnings = 0;
+    QString problem;
+    const auto content = readSmallFile(path, problem);
+    if (!content)
+        return warn({}, problem);
+    QJsonParseError error;
+    const QJsonDocument document = QJsonDocument::fromJson(*content, &error);
+    if (error.error != QJsonParseError::NoError)
+        return warn(QStringLiteral("byte %1").arg(error.offset), error.errorString());
+    if (!document.isObject())
+        return warn({}, QStringLiteral("the outermost value is not an object"));
+    addContent(document.object());
+}
+
+void Loader::addFolder(const QString& path)
+{
+    const QDir folder(path);
+    // QDir::System lists dangling links and pipes too: they deserve a warning, not silence.
+    const auto entries = folder.entryInfoList(
+        {QStringLiteral("*.json")},
+        QDir::AllEntries | QDir::System | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
+    for (const QFileInfo& entry : entries)
+        addFile(entry.filePath());
+}
+
+void Loader::eachRow(const QJsonObject& object, const char* name,
+                     const std::function<void(const QJsonValue&, const QString&)>& add)
+{
+    const QJsonValue list = object.value(QLatin1String(name));
+    if (list.isUndefined())
+        return;
+    if (!list.isArray())
+        return warn(QLatin1String(name), QStringLiteral("not a list"));
+    const QJsonArray rows = list.toArray();
+    if (rows.size() > MostRows)
+        return warn(QLatin1String(name), QStringLiteral("more than %1 rows").arg(MostRows));
+    for (int i = 0; i < rows.size(); ++i)
+        add(rows.at(i),
+            QStringLiteral("%1[%2]%3").arg(QLatin1String(name)).arg(i).arg(rowTitle(rows.at(i))));
+}
+
+void Loader::addContent(const QJsonObject& object)
+{
+    static const QStringList known{QStringLiteral("maps"), QStringLiteral("series"),
+                                   QStringLiteral("models"), QStringLiteral("comment"),
+                                   QStringLiteral("$schema")};
+    for (const QString& name : object.keys()) {
+        if (!known.contains(name))
+            warn(name.left(60), QStringLiteral("unknown member"));
+    }
+    eachRow(object, "maps", [this](const auto& row, const QString& where) { addMap(row, where); });
+    eachRow(object, "series",
+            [this](const auto& row, const QString& where) { addSeries(row, where); });
+    eachRow(object, "models",
+            [this](const auto& row, const QString& where) { addModel(row, where); });
+}
+
+void Loader::addMap(const QJsonValue& value, const QString& where)
+{
+    Fields fields(value);
+    MapDef map;
+    map.key = fields.word("key");
+    const QJsonArray rows = fields.array("registers");
+    if (!fields.problem().isEmpty())
+        return warn(where, fields.problem());
+    if (rows.size() > MostRegisters)
+        return warn(where, QStringLiteral("more than %1 registers").arg(MostRegisters));
+    for (int i = 0; i < rows.size(); ++i) {
+        QString problem;
+        auto row = readRegister(rows.at(i), problem);
+        if (row)
+            map.rows.push_back(std::move(*row));
+        else
+            warn(QStringLiteral("registers[%1]%2").arg(i).arg(rowTitle(rows.at(i))), problem);
+    }
+    dropConflicts(map, [this](const QString& key, const QString& reason) {
+        warn(QStringLiteral("registers ") + key, reason);
+    });
+    if (map.rows.empty())
+        return warn(where, QStringLiteral("no usable register"));
+    m_data.maps[map.key] = std::move(map);
+}
+
+void Loader::addSeries(const QJsonValue& value, const QString& where)
+{
+    QString problem;
+    auto series = readSeries(value, problem);
+    if (!series)
+        return warn(where, problem);
+    const QString key = series->key;
+    putOrReplace(m_data.series, std::move(*series),
+                 [&](const SeriesDef& other) { return other.key == key; });
+}
+
+void Loader::addModel(const QJsonValue& value, const QString& where)
+{
+    QString problem;
+    const auto model = readModel(value, problem);
+    if (!model)
+        return warn(where, problem);
+    putOrReplace(m_data.models, *model, [&](const ModelEntry& other) {
+        if (model->major < 0)
+            return other.major < 0 && other.name.compare(model->name, Qt::CaseInsensitive) == 0;
+        return other.major == model->major && other.minor == model->minor &&
+               other.byteOrder == model->byteOrder;
+    });
+}
+
+Catalog::Loaded Loader::finish()
+{
+    m_fileWarnings = 0;
+    for (SeriesDef& series : m_data.series) {
+        if (!series.map.isEmpty() && m_data.maps.find(series.map) == m_data.maps.end()) {
+            m_file.clear();
+            warn(QStringLiteral("series ") + series.key,
+                 QStringLiteral("there is no map \"%1\"").arg(series.map.left(60)));
+            series.map.clear();
+        }
+    }
+    for (ModelEntry& model : m_data.models) {
+        const auto it = std::find_if(m_data.series.begin(), m_data.series.end(),
+                                     [&](const SeriesDef& s) { return s.key == model.series; });
+        if (it != m_data.series.end())
+            model.line = it->line;
+    }
+    return {Catalog(std::make_shared<const Catalog::Data>(std::move(m_data))),
+            std::move(m_warnings)};
+}
+} // namespace catalog

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/fields.h"
+#include "catalog/readers.h"
+
+namespace catalog {
+namespace {
+base::ByteOrder readByteOrder(Fields& fields)
+{
+    return fields.oneOf<base::ByteOrder>(
+        "byte_order", {{"little", base::ByteOrder::Little}, {"big", base::ByteOrder::Big}});
+}
+
+std::optional<int> optionalInt(Fields& fields, const char* name, int min, int max)
+{
+    const auto value = fields.integer(name, min, max);
+    return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+}
+
+std::optional<double> boundedNumber(Fields& fields, const char* name, double largest)
+{
+    const auto value = fields.number(name);
+    if (value && !(*value > 0 && *value <= largest))
+        fields.complain(QStringLiteral("\"%1\" is absurd").arg(QLatin1String(name)));
+    return value;
+}
+
+std::optional<double> readAngleRange(Fields& fields)
+{
+    return boundedNumber(fields, "angle_range_deg", 3600.0);
+}
+
+int readSteps(Fields& fields, int fallback)
+{
+    return optionalInt(fields, "steps_per_turn", 2, 1 << 20).value_or(fallback);
+}
+
+Mode readMode(const QJsonValue& row, Fields& owner)
+{
+    Fields fields(row);
+    Mode mode;
+    mode.key = fields.word("key");
+    mode.name = fields.text("name");
+    mode.operatingMode = optionalInt(fields, "operating_mode", 0, 255);
+    mode.limitsZero = fields.flag("limits_zero");
+    bool known = false;
+    const QString command = fields.word("command");
+    mode.command = roleFromWord(command, known);
+    if (!known || mode.command == Role::None)
+        fields.complain(QStringLiteral("unknown role \"%1\"").arg(command.left(40)));
+    if (!fields.problem().isEmpty())
+        owner.complain(QStringLiteral("\"modes\": %1").arg(fields.problem()));
+    return mode;
+}
+
+void readFirmwareRange(Fields& fields, SeriesDef& series)
+{
+    const QJsonArray range = fields.array("firmware");
+    const auto from = parseVersion(range.at(0).toString());
+    const auto to = parseVersion(range.at(1).toString());
+    if (range.size() != 2 || !from || !to || *from > *to)
+        fields.complain(QStringLiteral("\"firmware\" is not a range like [\"3.0\", \"3.39\"]"));
+    series.from = from.value_or(Version{});
+    series.to = to.value_or(Version{});
+}
+
+void readModelNumber(Fields& fields, ModelEntry& model)
+{
+    const auto number = fields.version("id");
+    if (!number)
+        return;
+    model.major = number->major;
+    model.minor = number->minor;
+}
+} // namespace
+
+std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& problem)
+{
+    Fields fields(row);
+    SeriesDef series;
+    series.key = fields.word("key");
+    series.map = fields.optionalWord("map");
+    readFirmwareRange(fields, series);
+    series.byteOrder = readByteOrder(fields);
+    series.line =
+        fields.oneOf<Line>("line", {{"ttl", Line::Ttl}, {"rs485", Line::Rs485}}, Line::Unknown);
+    series.stepsPerTurn = readSteps(fields, series.stepsPerTurn);
+    series.angleRangeDeg = readAngleRange(fields);
+    series.defaultBaud = optionalInt(fields, "default_baud", 300, 10000000);
+    series.syncRead = fields.flag("sync_read");
+    series.damping = fields.flag("damping");
+    series.multiTurn = fields.flag("multi_turn");
+    series.centering = fields.oneOf<Centering>("centering",
+                                               {{"none", Centering::None},
+                                                {"write128", Centering::Write128},
+                                                {"instruction0B", Centering::Instruction0B}},
+                                               Centering::None);
+    const QJsonArray modes = fields.array("modes");
+    for (const QJsonValue& mode : modes)
+        series.modes.push_back(readMode(mode, fields));
+    problem = fields.problem();
+    return problem.isEmpty() ? std::optional(series) : std::nullopt;
+}
+
+std::optional<ModelEntry> readModel(const QJsonValue& row, QString& problem)
+{
+    Fields fields(row);
+    ModelEntry model;
+    readModelNumber(fields, model);
+    model.name = fields.word("name");
+    model.series = fields.word("series");
+    model.byteOrder = readByteOrder(fields);
+    model.stepsPerTurn = readSteps(fields, model.stepsPerTurn);
+    model.angleRangeDeg = readAngleRange(fields);
+    model.defaultBaud = optionalInt(fields, "default_baud", 300, 10000000);
+    model.minVoltage = boundedNumber(fields, "min_voltage", 1000.0);
+    model.maxVoltage = boundedNumber(fields, "max_voltage", 1000.0);
+    if (model.minVoltage && model.maxVoltage && *model.minVoltage > *model.maxVoltage)
+        fields.complain(QStringLiteral("\"min_voltage\" is above \"max_voltage\""));
+    model.currentSensing =
+        fields.oneOf<CurrentSensing>("current_sensing",
+                                     {{"unknown", CurrentSensing::Unknown},
+                                      {"no", CurrentSensing::No},
+                                      {"yes", CurrentSensing::Yes},
+                                      {"phase", CurrentSensing::UnlessPhaseBit5}},
+                                     CurrentSensing::Unknown);
+    model.supported = fields.flag("supported", true);
+    if (fields.has("note"))
+        model.note = fields.text("note");
+    problem = fields.problem();
+    return problem.isEmpty() ? std::optional(model) : std::nullopt;
+}
+} // namespace catalog

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/fields.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace catalog {
+namespace {
+struct RoleWord {
+    const char* word;
+    Role role;
+};
+
+constexpr RoleWord RoleWords[] = {
+    {"none", Role::None},
+    {"firmware_major", Role::FirmwareMajor},
+    {"firmware_minor", Role::FirmwareMinor},
+    {"byte_order", Role::ByteOrder},
+    {"model_major", Role::ModelMajor},
+    {"model_minor", Role::ModelMinor},
+    {"id", Role::Id},
+    {"baud_rate", Role::BaudRate},
+    {"return_delay", Role::ReturnDelay},
+    {"response_level", Role::ResponseLevel},
+    {"min_angle", Role::MinAngle},
+    {"max_angle", Role::MaxAngle},
+    {"max_temperature", Role::MaxTemperature},
+    {"max_voltage", Role::MaxVoltage},
+    {"min_voltage", Role::MinVoltage},
+    {"max_torque", Role::MaxTorque},
+    {"phase", Role::Phase},
+    {"unload_condition", Role::UnloadCondition},
+    {"led_condition", Role::LedCondition},
+    {"position_p", Role::PositionP},
+    {"position_i", Role::PositionI},
+    {"position_d", Role::PositionD},
+    {"startup_force", Role::StartupForce},
+    {"integral_limit", Role::IntegralLimit},
+    {"cw_dead_zone", Role::CwDeadZone},
+    {"ccw_dead_zone", Role::CcwDeadZone},
+    {"protection_current", Role::ProtectionCurrent},
+    {"angle_resolution", Role::AngleResolution},
+    {"position_offset", Role::PositionOffset},
+    {"operating_mode", Role::OperatingMode},
+    {"protection_torque", Role::ProtectionTorque},
+    {"protection_time", Role::ProtectionTime},
+    {"overload_torque", Role::OverloadTorque},
+    {"speed_p", Role::SpeedP},
+    {"speed_i", Role::SpeedI},
+    {"overcurrent_time", Role::OvercurrentTime},
+    {"torque_switch", Role::TorqueSwitch},
+    {"acceleration", Role::Acceleration},
+    {"goal_position", Role::GoalPosition},
+    {"goal_pwm", Role::GoalPwm},
+    {"goal_time", Role::GoalTime},
+    {"goal_speed", Role::GoalSpeed},
+    {"torque_limit", Role::TorqueLimit},
+    {"lock", Role::Lock},
+    {"present_position", Role::PresentPosition},
+    {"present_speed", Role::PresentSpeed},
+    {"present_load", Role::PresentLoad},
+    {"present_voltage", Role::PresentVoltage},
+    {"present_temperature", Role::PresentTemperature},
+    {"present_current", Role::PresentCurrent},
+    {"async_flag", Role::AsyncFlag},
+    {"status", Role::Status},
+    {"moving", Role::Moving},
+    {"active_goal", Role::ActiveGoal},
+};
+} // namespace
+
+Role roleFromWord(const QString& word, bool& known)
+{
+    const auto* it =
+        std::find_if(std::begin(RoleWords), std::end(RoleWords),
+                     [&](const RoleWord& entry) { return word == QLatin1String(entry.word); });
+    known = it != std::end(RoleWords);
+    return known ? it->role : Role::None;
+}
+} // namespace catalog

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/raw_range.h"
+#include "catalog/units.h"
+#include "catalog/value.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace catalog {
+namespace {
+/// Fewest decimals that still tell neighbouring raw values apart.
+int decimalsFor(double scale)
+{
+    int decimals = 0;
+    double smallest = 1.0;
+    while (decimals < 9 && smallest > std::abs(scale) * (1 + 1e-9)) {
+        smallest /= 10;
+        ++decimals;
+    }
+    return decimals;
+}
+
+/// A value's word: blanks and underscores do not matter, nor does the case.
+QString folded(const QString& word)
+{
+    QString plain = word.toLower();
+    plain.remove(QLatin1Char(' '));
+    return plain;
+}
+
+const NamedValue* named(const Register& reg, const QString& word)
+{
+    const QString wanted = folded(word);
+    if (wanted.isEmpty())
+        return nullptr;
+    for (const NamedValue& value : reg.values) {
+        for (const QString& name : {value.key, value.name.en, value.name.zh}) {
+            if (folded(name) == wanted)
+                return &value;
+        }
+    }
+    return nullptr;
+}
+
+const NamedValue* namedNumber(const Register& reg, std::int64_t number)
+{
+    const auto it = std::find_if(reg.values.begin(), reg.values.end(),
+                                 [&](const NamedValue& value) { return value.value == number; });
+    return it == reg.values.end() ? nullptr : &*it;
+}
+
+QString formatBits(std::int64_t raw, const Register& reg, bool chinese)
+{
+    QStringList words;
+    for (int bit = 0; bit < reg.size * 8; ++bit) {
+        if (!((raw >> bit) & 1))
+            continue;
+        const NamedValue* value = namedNumber(reg, bit);
+        words << (value     ? value->name.in(chinese)
+                  : chinese ? QStringLiteral("位 %1").arg(bit)
+                            : QStringLiteral("bit %1").arg(bit));
+    }
+    if (words.isEmpty())
+        return chinese ? QStringLiteral("无") : QStringLiteral("none");
+    return words.join(QStringLiteral(" + "));
+}
+
+base::Error expected(const Register& reg, const QString& detail)
+{
+    base::Error error{base::ErrorCode::BadArgument, QStringLiteral("value"), detail};
+    error.registerKey = reg.key;
+    return error;
+}
+
+std::optional<int> bitNumber(const QString& word, const Register& reg)
+{
+    if (const NamedValue* value = named(reg, word))
+        return value->value;
+    static const QRegularExpression numbered(QStringLiteral("^(?:bit|位)(\\d{1,2})$"));
+    const auto match = numbered.match(folded(word));
+    const int bit = match.hasMatch() ? match.captured(1).toInt() : -1;
+    return bit >= 0 && bit < reg.size * 8 ? std::optional(bit) : std::nullopt;
+}
+
+std::optional<std::int64_t> parseBits(const QString& text, const Register& reg)
+{
+    if (folded(text) == QStringLiteral("none") || text == QStringLiteral("无"))
+        return 0;
+    std::int64_t raw = 0;
+    for (const QString& word : text.split(QLatin1Char('+'))) {
+        const auto bit = bitNumber(word, reg);
+        if (!bit)
+            return std::nullopt;
+        raw |= std::int64_t{1} << *bit;
+    }
+    return raw;
+}
+
+/// A number and what follows it. Digits are checked by hand so that "nan", "inf" and "1e9" are
+/// words.
+struct Split {
+    QString number;
+    QString suffix;
+};
+
+Split splitNumber(const QString& text)
+{
+    QString plain = text;
+    plain.replace(QChar(0x2212), QLatin1Char('-'));
+    static const QRegularExpression hex(QStringLiteral("^[+-]?0[xX][0-9a-fA-F]+$"));
+    if (hex.match(plain).hasMatch())
+        return {plain, {}};
+    static const QRegularExpression number(QStringLiteral("^([+-]?\\d+(?:\\.\\d+)?)\\s*(.*)$"));
+    const auto match = number.match(plain);
+    return match.hasMatch() ? Split{match.captured(1), match.captured(2)} : Split{{}, plain};
+}
+
+QString expectation(const Register& reg, const Meaning& meaning)
+{
+    QStringList kinds{QStringLiteral("a whole raw number")};
+    if (!meaning.unit.isEmpty())
+        kinds << QStringLiteral("a value in %1").arg(meaning.unit);
+    if (!reg.values.empty())
+        kinds << QStringLiteral("one of %1").arg(expectedWords(reg));
+    return QStringLiteral("expected ") + kinds.join(QStringLiteral(", or "));
+}
+
+base::Result<std::int64_t> parsePhysical(double number, const QString& suffix, const Register& reg,
+                                         const Meaning& meaning)
+{
+    const auto factor = unitFactor(suffix, meaning.unit);
+    if (!factor)
+        return tl::unexpected(expected(reg, expectation(reg, meaning)));
+    const double physical = number * *factor;
+    const std::int64_t raw = toRaw(physical, meaning);
+    // Zero is a special value of many registers; a small value must not become it by rounding.
+    if (raw == 0 && physical != 0.0)
+        return tl::unexpected(expected(
+            reg,
+            QStringLiteral("less than one step of %1 %2").arg(meaning.scale).arg(meaning.unit)));
+    return raw;
+}
+} // namespace
+
+QString expectedWords(const Register& reg)
+{
+    QStringList words;
+    for (const NamedValue& value : reg.values)
+        words << value.key;
+    return words.join(QStringLiteral(", "));
+}
+
+QString formatValue(std::int64_t raw, const Register& reg, const Meaning& meaning, bool chinese)
+{
+    if (meaning.encoding == Encoding::Bits)
+        return formatBits(raw, reg, chinese);
+    if (meaning.encoding == Encoding::Enum) {
+        const NamedValue* value = namedNumber(reg, raw);
+        return value ? value->name.in(chinese) : QString::number(raw);
+    }
+    if (meaning.unit.isEmpty())
+        return QString::number(raw);
+    return QString::number(toPhysical(raw, meaning), 'f', decimalsFor(meaning.scale)) +
+           unitSuffix(meaning.unit);
+}
+
+base::Result<std::int64_t> parseValue(const QString& text, const Register& reg,
+                                      const Meaning& meaning)
+{
+    const QString trimmed = text.trimmed();
+    if (meaning.encoding == Encoding::Bits) {
+        if (const auto bits = parseBits(trimmed, reg))
+            return *bits;
+    } else if (const NamedValue* value = named(reg, trimmed)) {
+        return value->value;
+    }
+    const Split split = splitNumber(trimmed);
+    if (split.number.isEmpty())
+        return tl::unexpected(expected(reg, expectation(reg, meaning)));
+    bool whole = false;
+    const qlonglong raw =
+        split.number.toLongLong(&whole, split.number.contains(u'x', Qt::CaseInsensitive) ? 16 : 10);
+    const double number = whole ? static_cast<double>(raw) : split.number.toDouble();
+    if (!split.suffix.isEmpty())
+        return parsePhysical(number, split.suffix, reg, meaning);
+    if (whole)
+        return raw;
+    if (std::abs(number) < 1e15 && number == std::floor(number))
+        return static_cast<std::int64_t>(number);
+    return tl::unexpected(expected(reg, expectation(reg, meaning)));
+}
+} // namespace catalog
