@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/detail_words.h"
+
+#include "text/translate.h"
+
+#include <array>
+
+namespace text {
+using base::ErrorCode;
+
+namespace {
+struct Token {
+    const char* token;
+    const char* words;
+};
+
+constexpr std::array tokens{
+    Token{"given twice", QT_TRANSLATE_NOOP("text", "it is given twice")},
+    Token{"acceleration", QT_TRANSLATE_NOOP("text", "it has no acceleration setting")},
+    Token{"speed", QT_TRANSLATE_NOOP("text", "it has no speed setting")},
+    Token{"mode", QT_TRANSLATE_NOOP("text", "its operating mode is not known")},
+    Token{"damp", QT_TRANSLATE_NOOP("text", "it has no damping")},
+    Token{"torque", QT_TRANSLATE_NOOP("text", "it has no torque switch")},
+    Token{"position", QT_TRANSLATE_NOOP("text", "it does not report its position")},
+    Token{"no port named", QT_TRANSLATE_NOOP("text", "no port is named")},
+};
+
+/// Writing these is more than a write; the detail names the command that does it.
+struct Manoeuvre {
+    const char* token;
+    const char* remedy;
+};
+
+constexpr std::array manoeuvres{
+    Manoeuvre{"set-id", QT_TRANSLATE_NOOP("text", "Change the ID with set-id.")},
+    Manoeuvre{"set-baud", QT_TRANSLATE_NOOP("text", "Change the baud rate with set-baud.")},
+    Manoeuvre{"center", QT_TRANSLATE_NOOP("text", "Set the middle with center.")},
+    Manoeuvre{"torque", QT_TRANSLATE_NOOP("text", "Switch torque with torque; it then holds where "
+                                                  "the servo is.")},
+    Manoeuvre{"unlock", QT_TRANSLATE_NOOP("text", "The lock is opened and closed around each write "
+                                                  "by itself; there is nothing to do.")},
+};
+
+const char* manoeuvreRemedy(const base::Error& error)
+{
+    if (error.code != ErrorCode::NotSupported || error.operation != QLatin1String("write"))
+        return nullptr;
+    for (const Manoeuvre& manoeuvre : manoeuvres) {
+        if (error.detail == QLatin1String(manoeuvre.token))
+            return manoeuvre.remedy;
+    }
+    return nullptr;
+}
+
+bool isMoveTime(const base::Error& error)
+{
+    return error.operation == QLatin1String("move") && error.registerKey == QLatin1String("time");
+}
+
+QString notSupported(const base::Error& error)
+{
+    if (manoeuvreRemedy(error) != nullptr)
+        return translate("text", "this register is not simply written");
+    if (isMoveTime(error))
+        return translate("text", "this servo has no travel time in its present mode");
+    return {};
+}
+
+QString badArgument(const base::Error& error)
+{
+    if (isMoveTime(error))
+        return translate("text", "time and speed cannot be given together");
+    if (error.operation == QLatin1String("move") && error.detail.startsWith(QLatin1String("unit ")))
+        return translate("text", "in this mode the goal needs its unit (%1)")
+            .arg(error.detail.mid(5));
+    return {};
+}
+
+QString refused(const base::Error& error)
+{
+    if (error.operation == QLatin1String("arrive") && error.detail == QLatin1String("time"))
+        return translate("text", "it did not come to rest in time");
+    if (error.operation == QLatin1String("arrive"))
+        return translate("text", "it came to rest %1 steps from its goal").arg(error.detail);
+    return {};
+}
+} // namespace
+
+QString detailWords(const QString& detail)
+{
+    for (const Token& token : tokens) {
+        if (detail == QLatin1String(token.token))
+            return translate("text", token.words);
+    }
+    return detail;
+}
+
+QString specialCase(const base::Error& error)
+{
+    switch (error.code) {
+    case ErrorCode::NotSupported:
+        return notSupported(error);
+    case ErrorCode::BadArgument:
+        return badArgument(error);
+    case ErrorCode::Refused:
+        return refused(error);
+    case ErrorCode::PortBusy:
+        return error.detail.isEmpty()
+                   ? QString()
+                   : translate("text", "the port is in use by %1").arg(error.detail);
+    case ErrorCode::PortPermission:
+        return translate("text", "the port may be opened by the group %1 only")
+            .arg(owningGroup(error.detail));
+    default:
+        return {};
+    }
+}
+
+QString specialRemedy(const base::Error& error)
+{
+    if (const char* remedy = manoeuvreRemedy(error))
+        return translate("text", remedy);
+    if (error.code == ErrorCode::NotSupported && isMoveTime(error))
+        return translate("text", "Give a speed instead of a time.");
+    return {};
+}
+
+QString owningGroup(const QString& detail)
+{
+    return detail.isEmpty() ? QStringLiteral("dialout") : detail;
+}
+} // namespace text

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/notice_words.h"
+
+#include "text/translate.h"
+
+#include <array>
+
+namespace text {
+using base::NoticeCode;
+
+namespace {
+/// %1 and %2 are the notice's numbers, %3 its register.
+struct Entry {
+    NoticeCode code;
+    const char* name;
+    const char* sentence;
+};
+
+constexpr std::array entries{
+    Entry{NoticeCode::TorqueSwitchedOff, "torque-switched-off",
+          QT_TRANSLATE_NOOP("text", "Torque was switched off for this.")},
+    Entry{NoticeCode::TorqueSwitchedOn, "torque-switched-on",
+          QT_TRANSLATE_NOOP("text", "Torque is on now: the goal switched it on.")},
+    Entry{NoticeCode::TorqueStaysOff, "torque-stays-off",
+          QT_TRANSLATE_NOOP("text", "Torque stays off until you switch it on.")},
+    Entry{NoticeCode::HoldingAt, "holding-at",
+          QT_TRANSLATE_NOOP("text", "It holds where it is (%3 = %1).")},
+    Entry{NoticeCode::LockFoundOpen, "lock-found-open",
+          QT_TRANSLATE_NOOP("text", "The EPROM lock stood open.")},
+    Entry{NoticeCode::LockClosed, "lock-closed",
+          QT_TRANSLATE_NOOP("text", "The EPROM lock has been closed.")},
+    Entry{NoticeCode::LockLeftOpen, "lock-left-open",
+          QT_TRANSLATE_NOOP("text",
+                            "The EPROM lock could not be closed; it is noted in the journal. "
+                            "Use recover when the servo answers again.")},
+    Entry{NoticeCode::CommandZeroed, "command-zeroed",
+          QT_TRANSLATE_NOOP("text", "%3 was set to 0, so that nothing moves in the new mode.")},
+    Entry{NoticeCode::LimitsKept, "limits-kept",
+          QT_TRANSLATE_NOOP("text", "The angle limits %1 … %2 are kept for the way back.")},
+    Entry{NoticeCode::LimitsRestored, "limits-restored",
+          QT_TRANSLATE_NOOP("text", "The angle limits %1 … %2 are back.")},
+    Entry{NoticeCode::LimitsDefaulted, "limits-defaulted",
+          QT_TRANSLATE_NOOP("text", "No earlier angle limits are known; %1 … %2 were set.")},
+    Entry{NoticeCode::SpeedRestored, "speed-restored",
+          QT_TRANSLATE_NOOP("text", "The position speed %1 (%3) is back.")},
+    Entry{NoticeCode::SpeedZeroForTime, "speed-zero-for-time",
+          QT_TRANSLATE_NOOP("text", "%3 was set to 0, because the time acts only then.")},
+    Entry{
+        NoticeCode::AnswerLostButDone, "answer-lost-but-done",
+        QT_TRANSLATE_NOOP("text", "The acknowledgement was lost; reading proved that it is done.")},
+    Entry{NoticeCode::AnswerLostSentAgain, "answer-lost-sent-again",
+          QT_TRANSLATE_NOOP("text", "The acknowledgement was lost; reading proved that nothing had "
+                                    "happened, so it was sent again.")},
+    Entry{NoticeCode::AckFromNewId, "ack-from-new-id",
+          QT_TRANSLATE_NOOP("text", "The change was acknowledged under ID %1.")},
+    Entry{NoticeCode::AlreadySo, "already-so",
+          QT_TRANSLATE_NOOP("text", "It was so already; nothing was written.")},
+    Entry{NoticeCode::ActsAfterRestart, "acts-after-restart",
+          QT_TRANSLATE_NOOP("text", "This takes effect at the next power-on.")},
+    Entry{NoticeCode::AboveUsual, "above-usual",
+          QT_TRANSLATE_NOOP("text", "%3 is above %1, which is the highest useful value.")},
+    Entry{NoticeCode::BelowStop, "stopped-before",
+          QT_TRANSLATE_NOOP("text", "Stopped before %3 was written.")},
+    Entry{NoticeCode::OverloadHolds, "overload-holds",
+          QT_TRANSLATE_NOOP("text",
+                            "Overload: only the holding torque is left. Take the load off and "
+                            "give a goal away from the stall.")},
+    Entry{NoticeCode::OvercurrentHolds, "overcurrent-holds",
+          QT_TRANSLATE_NOOP("text",
+                            "Overcurrent: torque is off until a new goal is given. Remove the "
+                            "cause first.")},
+    Entry{NoticeCode::VoltageHolds, "voltage-holds",
+          QT_TRANSLATE_NOOP("text",
+                            "Voltage: it passes when the supply is inside the servo's limits "
+                            "again.")},
+    Entry{NoticeCode::TemperatureHolds, "temperature-holds",
+          QT_TRANSLATE_NOOP("text", "Temperature: it passes by cooling only.")},
+    Entry{NoticeCode::SensorHolds, "sensor-holds",
+          QT_TRANSLATE_NOOP("text",
+                            "Encoder: switch the servo off and on; if it returns, the servo "
+                            "needs repair.")},
+    Entry{NoticeCode::RebootedAfter, "rebooted-after",
+          QT_TRANSLATE_NOOP("text", "It answered %1 ms after the restart.")},
+    Entry{NoticeCode::RateChanged, "rate-changed",
+          QT_TRANSLATE_NOOP("text", "It answers at %1 baud now.")},
+    Entry{NoticeCode::IdChanged, "id-changed",
+          QT_TRANSLATE_NOOP("text", "It answers as ID %1 now.")},
+};
+
+const Entry* entryFor(NoticeCode code)
+{
+    for (const Entry& entry : entries) {
+        if (entry.code == code)
+            return &entry;
+    }
+    return nullptr;
+}
+
+struct Word {
+    const char* name;
+    const char* word;
+};
+
+constexpr std::array outcomes{
+    Word{"kept", QT_TRANSLATE_NOOP("text", "kept")},
+    Word{"temporary", QT_TRANSLATE_NOOP("text", "temporary")},
+    Word{"mismatch", QT_TRANSLATE_NOOP("text", "mismatch")},
+    Word{"refused", QT_TRANSLATE_NOOP("text", "refused")},
+    Word{"no-answer", QT_TRANSLATE_NOOP("text", "no answer")},
+    Word{"unknown", QT_TRANSLATE_NOOP("text", "unknown")},
+};
+
+constexpr std::array locks{
+    Word{"closed", QT_TRANSLATE_NOOP("text", "closed")},
+    Word{"open", QT_TRANSLATE_NOOP("text", "open")},
+    Word{"unknown", QT_TRANSLATE_NOOP("text", "unknown")},
+    Word{"none", QT_TRANSLATE_NOOP("text", "not concerned")},
+};
+
+template <typename Words>
+QString wordFor(const Words& words, const QString& name)
+{
+    for (const Word& word : words) {
+        if (name == QLatin1String(word.name))
+            return translate("text", word.word);
+    }
+    return name;
+}
+
+/// The set bits, as the status register of the family names them.
+template <typename Name>
+QStringList setBits(std::uint8_t status, const catalog::Profile* profile, Name&& name)
+{
+    QStringList words;
+    const catalog::Register* reg =
+        profile != nullptr ? profile->byRole(catalog::Role::Status) : nullptr;
+    for (int bit = 0; bit < 8; ++bit) {
+        if ((status >> bit & 1) == 0)
+            continue;
+        const catalog::NamedValue* known = nullptr;
+        if (reg != nullptr) {
+            for (const catalog::NamedValue& value : reg->values)
+                known = value.value == bit ? &value : known;
+        }
+        words << name(bit, known);
+    }
+    return words;
+}
+} // namespace
+
+QString describe(const base::Notice& notice)
+{
+    const Entry* entry = entryFor(notice.code);
+    return translate("text", entry->sentence)
+        .replace(QLatin1String("%1"), QString::number(notice.a))
+        .replace(QLatin1String("%2"), QString::number(notice.b))
+        .replace(QLatin1String("%3"), notice.key);
+}
+
+QString noticeName(NoticeCode code)
+{
+    return QLatin1String(entryFor(code)->name);
+}
+
+QString outcomeWord(const QString& outcome)
+{
+    return wordFor(outcomes, outcome);
+}
+
+QString lockWord(const QString& lock)
+{
+    return wordFor(locks, lock);
+}
+
+QString lineWord(catalog::Line line)
+{
+    switch (line) {
+    case catalog::Line::Ttl:
+        return translate("text", "TTL, one wire");
+    case catalog::Line::Rs485:
+        return translate("text", "RS485");
+    case catalog::Line::Unknown:
+        break;
+    }
+    return translate("text", "not known");
+}
+
+QString areaWord(catalog::Area area)
+{
+    switch (area) {
+    case catalog::Area::Eprom:
+        return QStringLiteral("EPROM");
+    case catalog::Area::Sram:
+        return QStringLiteral("SRAM");
+    case catalog::Area::Feedback:
+        return translate("text", "feedback");
+    case catalog::Area::Factory:
+        return translate("text", "factory");
+    }
+    return {};
+}
+
+QString accessWord(catalog::Access access)
+{
+    return access == catalog::Access::ReadOnly ? translate("text", "read only")
+                                               : translate("text", "read/write");
+}
+
+QStringList statusKeys(std::uint8_t status, const catalog::Profile* profile)
+{
+    return setBits(status, profile, [](int bit, const catalog::NamedValue* known) {
+        return known != nullptr ? known->key : QStringLiteral("bit%1").arg(bit);
+    });
+}
+
+QString statusWords(std::uint8_t status, const catalog::Profile* profile, bool chinese)
+{
+    const QStringList words =
+        setBits(status, profile, [chinese](int bit, const catalog::NamedValue* known) {
+            return known != nullptr ? known->name.in(chinese)
+                                    : translate("text", "bit %1").arg(bit);
+        });
+    return words.isEmpty() ? translate("text", "none", "alarms")
+                           : words.join(QStringLiteral(" + "));
+}
+} // namespace text

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notices, outcomes, locks and alarms in words, in the language of the installed translator. The
+// stable English names (outcomeName, lockName) come in, sentences go out. Pure; any thread.
+#pragma once
+
+#include "base/notice.h"
+#include "catalog/profile.h"
+
+#include <QStringList>
+
+namespace text {
+/// One sentence, without the servo it is about.
+QString describe(const base::Notice& notice);
+
+/// Stable name for JSON: "torque-switched-off".
+QString noticeName(base::NoticeCode code);
+
+QString outcomeWord(const QString& outcome); ///< "kept" → "kept" / "已保存"
+QString lockWord(const QString& lock);       ///< "closed" → "closed" / "已上锁"
+QString areaWord(catalog::Area area);
+QString accessWord(catalog::Access access);
+QString lineWord(catalog::Line line);
+
+/// Keys of the set error bits ("overload"); "bit4" where the family names none.
+QStringList statusKeys(std::uint8_t status, const catalog::Profile* profile);
+/// The same in words, "none" if no bit is set.
+QString statusWords(std::uint8_t status, const catalog::Profile* profile, bool chinese);
+} // namespace text

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words for errors, notices and alarms: complete, specific, and Chinese where Chinese is asked for.
+#include "text/error_words.h"
+#include "text/language.h"
+#include "text/notice_words.h"
+
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+
+using base::ErrorCode;
+using base::NoticeCode;
+
+namespace {
+constexpr auto lastError = ErrorCode::DiskFull;
+constexpr auto lastNotice = NoticeCode::IdChanged;
+
+bool hasChinese(const QString& text)
+{
+    static const QRegularExpression han(QStringLiteral("\\p{Han}"));
+    return text.contains(han);
+}
+
+bool hasPlaceholder(const QString& text)
+{
+    static const QRegularExpression open(QStringLiteral("%[0-9nL]"));
+    return text.contains(open);
+}
+
+base::Error errorOf(ErrorCode code)
+{
+    base::Error error;
+    error.code = code;
+    error.id = 7;
+    return error;
+}
+} // namespace
+
+class TestWords : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
+        text::installTranslator(QStringLiteral("en"));
+    }
+    void everyErrorHasWords_data();
+    void everyErrorHasWords();
+    void everyNoticeHasWords_data();
+    void everyNoticeHasWords();
+    void errorsNameWhatIsConcerned_data();
+    void errorsNameWhatIsConcerned();
+    void remediesAreSpecific_data();
+    void remediesAreSpecific();
+    void noticesCarryTheirNumbers();
+    void outcomesAndLocksInBothLanguages_data();
+    void outcomesAndLocksInBothLanguages();
+    void alarmBitsAreNamedByTheFamily();
+    void unnamedAlarmBitsKeepTheirNumber();
+};
+
+void TestWords::everyErrorHasWords_data()
+{
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QString>("language");
+    QSet<QString> names;
+    for (int code = 0; code <= int(lastError); ++code) {
+        const QString name = base::errorName(ErrorCode(code));
+        QVERIFY(!names.contains(name));
+        names.insert(name);
+        for (const char* language : {"en", "zh_CN"}) {
+            QTest::addRow("%s %s", qPrintable(name), language)
+                << code << QString::fromLatin1(language);
+        }
+    }
+}
+
+void TestWords::everyErrorHasWords()
+{
+    QFETCH(int, code);
+    QFETCH(QString, language);
+    text::installTranslator(language);
+    const text::Description words = text::describe(errorOf(ErrorCode(code)));
+    for (const QString& sentence : {words.what, words.cause, words.remedy}) {
+        QVERIFY(!sentence.isEmpty());
+        QVERIFY2(!hasPlaceholder(sentence), qPrintable(sentence));
+        QCOMPARE(hasChinese(sentence), language == QLatin1String("zh_CN"));
+    }
+    QVERIFY2(words.what.contains(QLatin1Char('7')), qPrintable(words.what));
+}
+
+void TestWords::everyNoticeHasWords_data()
+{
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QString>("language");
+    QSet<QString> names;
+    for (int code = 0; code <= int(lastNotice); ++code) {
+        const QString name = text::noticeName(NoticeCode(code));
+        QVERIFY(!name.isEmpty() && !names.contains(name));
+        names.insert(name);
+        for (const char* language : {"en", "zh_CN"}) {
+            QTest::addRow("%s %s", qPrintable(name), language)
+                << code << QString::fromLatin1(language);
+        }
+    }
+}
+
+void TestWords::everyNoticeHasWords()
+{
+    QFETCH(int, code);
+    QFETCH(QString, language);
+    text::installTranslator(language);
+    base::Notice notice;
+    notice.code = NoticeCode(code);
+    notice.key = QStringLiteral("goal_speed");
+    const QString sentence = text::describe(notice);
+    QVERIFY(!sentence.isEmpty());
+    QVERIFY2(!hasPlaceholder(sentence), qPrintable(sentence));
+    QCOMPARE(hasChinese(sentence), language == QLatin1String("zh_CN"));
+}
+
+void TestWords::errorsNameWhatIsConcerned_data()
+{
+    QTest::addColumn<base::Error>("error");
+    QTest::addColumn<QString>("what");
+    const auto row = [](const char* name, base::Error error, const char* what) {
+        QTest::newRow(name) << error << QString::fromUtf8(what);
+    };
+    row("silent servo", {ErrorCode::NoAnswer, {}, {}, 9, {}, 3}, "Servo 9: no answer, 3 attempts.");
+    row("nobody in particular", {ErrorCode::NoAnswer}, "No answer.");
+    row("range",
+        {ErrorCode::OutOfRange, {}, QStringLiteral("0 … 4095"), 1, QStringLiteral("goal_position")},
+        "Servo 1, goal_position: the value is outside what is allowed (0 … 4095).");
+    row("busy", {ErrorCode::PortBusy, {}, QStringLiteral("minicom (411)")},
+        "The port is in use by minicom (411).");
+    row("no key twice",
+        {ErrorCode::UnknownRegister, {}, QStringLiteral("speeed"), 2, QStringLiteral("speeed")},
+        "Servo 2, speeed: this servo has no register of that name.");
+    row("travel time",
+        {ErrorCode::NotSupported, QStringLiteral("move"), QStringLiteral("position"), 4,
+         QStringLiteral("time")},
+        "Servo 4, time: this servo has no travel time in its present mode.");
+    row("late arrival", {ErrorCode::Refused, QStringLiteral("arrive"), QStringLiteral("time"), 4},
+        "Servo 4: it did not come to rest in time.");
+}
+
+void TestWords::errorsNameWhatIsConcerned()
+{
+    QFETCH(base::Error, error);
+    QFETCH(QString, what);
+    QCOMPARE(text::describe(error).what, what);
+}
+
+void TestWords::remediesAreSpecific_data()
+{
+    QTest::addColumn<base::Error>("error");
+    QTest::addColumn<QString>("contained");
+    QTest::newRow("group of the port")
+        << base::Error{ErrorCode::PortPermission, {}, QStringLiteral("uucp")}
+        << QStringLiteral("sudo usermod -aG uucp $USER");
+    QTest::newRow("usual group when none is known")
+        << base::Error{ErrorCode::PortPermission} << QStringLiteral("-aG dialout");
+    QTest::newRow("vanishing CH340")
+        << base::Error{ErrorCode::PortMissing, {}, QStringLiteral("/dev/ttyUSB0")}
+        << QStringLiteral("brltty");
+    QTest::newRow("id by its own command")
+        << base::Error{ErrorCode::NotSupported, QStringLiteral("write"), QStringLiteral("set-id"),
+                       1, QStringLiteral("id")}
+        << QStringLiteral("set-id");
+}
+
+void TestWords::remediesAreSpecific()
+{
+    QFETCH(base::Error, error);
+    QFETCH(QString, contained);
+    const QString remedy = text::describe(error).remedy;
+    QVERIFY2(remedy.contains(contained), qPrintable(remedy));
+    text::installTranslator(QStringLiteral("zh_CN"));
+    QVERIFY(text::describe(error).remedy.contains(contained));
+}
+
+void TestWords::noticesCarryTheirNumbers()
+{
+    const base::Notice notice{NoticeCode::LimitsKept, 1, {}, 100, 3000};
+    const QString sentence = text::describe(notice);
+    QVERIFY2(sentence.contains(QLatin1String("100")), qPrintable(sentence));
+    QVERIFY2(sentence.contains(QLatin1String("3000")), qPrintable(sentence));
+}
+
+void TestWords::outcomesAndLocksInBothLanguages_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<bool>("lock");
+    for (const char* name : {"kept", "temporary", "mismatch", "refused", "no-answer", "unknown"})
+        QTest::addRow("outcome %s", name) << QString::fromLatin1(name) << false;
+    for (const char* name : {"closed", "open", "unknown", "none"})
+        QTest::addRow("lock %s", name) << QString::fromLatin1(name) << true;
+}
+
+void TestWords::outcomesAndLocksInBothLanguages()
+{
+    QFETCH(QString, name);
+    QFETCH(bool, lock);
+    const auto word = [&] { return lock ? text::lockWord(name) : text::outcomeWord(name); };
+    QVERIFY(!word().isEmpty() && !hasChinese(word()));
+    text::installTranslator(QStringLiteral("zh_CN"));
+    QVERIFY2(hasChinese(word()), qPrintable(word()));
+}
+
+void TestWords::alarmBitsAreNamedByTheFamily()
+{
+    catalog::Profile profile;
+    catalog::Register status;
+    status.role = catalog::Role::Status;
+    status.values = {
+        {0, QStringLiteral("voltage"), {QStringLiteral("voltage"), QStringLiteral("电压")}},
+        {5, QStringLiteral("overload"), {QStringLiteral("overload"), QStringLiteral("过载")}}};
+    profile.registers = {status};
+    QCOMPARE(text::statusKeys(0x21, &profile),
+             (QStringList{QStringLiteral("voltage"), QStringLiteral("overload")}));
+    QCOMPARE(text::statusWords(0x21, &profile, false), QStringLiteral("voltage + overload"));
+    QCOMPARE(text::statusWords(0x21, &profile, true), QStringLiteral("电压 + 过载"));
+    QCOMPARE(text::statusWords(0, &profile, false), QStringLiteral("none"));
+}
+
+void TestWords::unnamedAlarmBitsKeepTheirNumber()
+{
+    QCOMPARE(text::statusKeys(0x90, nullptr),
+             (QStringList{QStringLiteral("bit4"), QStringLiteral("bit7")}));
+}
+
+QTEST_GUILESS_MAIN(TestWords)
+#include "tst_words.moc"
