@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Searches a bus by PING, one ID at a time, at one or more rates. Never writes. Every servo that
 // answers is listed whatever its error byte. A late reply counts for the ID it names; IDs heard
-// late are confirmed singly with long patience.
+// late are confirmed singly with long patience. The bus ends at the rate it had before.
+// Errors: LinkLost, Preempted, Held; RateUnsupported when the old rate cannot be set again.
 #pragma once
 
 #include "device/servo.h"
@@ -17,8 +18,10 @@ struct ScanSpec {
 };
 
 struct Found {
-    device::Servo servo;         ///< profile null when only the PING was answered
-    bool twinsSuspected = false; ///< checksums failed or repeated reads disagreed
+    device::Servo servo; ///< profile null when only the PING was answered, or only in garbles
+    /// Checksums failed repeatedly, more replies came than were asked for, or repeated reads
+    /// disagreed. False proves nothing: twins in the same state sound like one servo.
+    bool twinsSuspected = false;
     bool heardLate = false;
 };
 
@@ -34,6 +37,12 @@ struct ScanReport {
     std::vector<int> ratesRefused; ///< the adapter cannot
 };
 
+/// Duration of a scan that finds nothing, for telling the user before it starts. `presentBaud` is
+/// the bus' rate, used when the spec names none.
+base::Duration scanEstimate(const ScanSpec& spec, int presentBaud);
+
+/// `onFound` comes at once for each servo. The report may hold fewer: one that was heard at a rate
+/// a few per cent off as well (256000 and 250000) is kept at its own rate only.
 base::Result<ScanReport> scan(const device::Context& context, const ScanSpec& spec,
                               const ProgressFn& progress = {},
                               const std::function<void(const Found&)>& onFound = {});

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/scan_sweep.h"
+
+#include <algorithm>
+
+namespace jobs {
+namespace {
+using std::chrono::milliseconds;
+
+constexpr base::Duration pingPatience = milliseconds(4);
+// USB adapters hold bytes back for up to 16 ms; some servos take tens of milliseconds when busy.
+constexpr base::Duration longPatience = milliseconds(60);
+// How long after a PING its reply may still come in: the final listening, and the search for
+// whoever sent garbled bytes.
+constexpr base::Duration lateWindow = milliseconds(40);
+constexpr int pingWireBytes = 12; ///< request and reply
+constexpr int bitsPerByte = 10;
+constexpr int confirmTries = 3;
+// More broken answers than this at one rate are a bad line, and asking each again would take long.
+constexpr std::size_t maxGarblesExplained = 16;
+
+base::Duration askTime(int baud, base::Duration patience)
+{
+    return base::Duration(std::int64_t{pingWireBytes} * bitsPerByte * 1'000'000 / baud) + patience;
+}
+} // namespace
+
+base::Duration sweepEstimate(const ScanSpec& spec, int baud)
+{
+    const auto ids = spec.lastId - spec.firstId + 1;
+    base::Duration total = (ids + 1) * askTime(baud, pingPatience) + lateWindow;
+    if (spec.slowPass)
+        total += ids * askTime(baud, longPatience);
+    return total;
+}
+
+RateSweep::RateSweep(const device::Context& context, const ScanSpec& spec, std::uint64_t hold,
+                     std::function<void(base::Duration)> onAsked)
+    : m_context(context)
+    , m_spec(spec)
+    , m_hold(hold)
+    , m_onAsked(std::move(onAsked))
+{}
+
+base::Result<void> RateSweep::run()
+{
+    m_context.bus.takeStrays();
+    return askAll()
+        .and_then([this] { return listen(lateWindow); })
+        .and_then([this] { return confirmLate(); })
+        .and_then([this] { return explainGarbles(); })
+        .and_then([this] { return m_spec.slowPass ? askSilent() : base::Result<void>{}; });
+}
+
+base::Result<void> RateSweep::askAll()
+{
+    const auto step = askTime(m_context.bus.baud(), pingPatience);
+    // The first transaction after opening a port or changing its rate may be lost, so somebody is
+    // asked who gets another turn.
+    for (int i = m_spec.firstId - 1; i <= m_spec.lastId; ++i) {
+        const int id = i < m_spec.firstId ? m_spec.lastId : i;
+        const int garbledBefore = m_contacts[id].garbled;
+        if (const auto asked = ask(id, pingPatience); !asked)
+            return asked;
+        if (m_contacts[id].garbled > garbledBefore)
+            m_garbles.push_back({id, m_contacts[id].askedAt});
+        m_onAsked(step);
+    }
+    return {};
+}
+
+base::Result<void> RateSweep::confirmLate()
+{
+    for (auto& [id, contact] : m_contacts) {
+        // A late reply is proof of a servo; a clean one adds its present status and shows twins.
+        for (int i = 0; contact.late && i < confirmTries; ++i) {
+            const int repliesBefore = contact.replies;
+            if (const auto asked = ask(id, longPatience); !asked)
+                return asked;
+            if (contact.replies > repliesBefore)
+                break;
+        }
+    }
+    return {};
+}
+
+base::Result<void> RateSweep::explainGarbles()
+{
+    const bool noisyLine = m_garbles.size() > maxGarblesExplained;
+    if (noisyLine)
+        m_garbles.resize(maxGarblesExplained);
+    m_garbledUnexplained = noisyLine;
+    for (const Garble& garble : m_garbles) {
+        const auto explained = findSource(garble);
+        if (!explained)
+            return tl::unexpected(explained.error());
+        if (!*explained)
+            m_garbledUnexplained = true;
+    }
+    // On such a line broken bytes prove nobody.
+    for (auto& [id, contact] : m_contacts) {
+        if (noisyLine && contact.replies == 0)
+            contact.garbled = 0;
+    }
+    return {};
+}
+
+// Through a slow adapter the broken answer arrives while a later ID is being asked, so the IDs
+// asked shortly before are asked too, nearest first.
+base::Result<bool> RateSweep::findSource(const Garble& garble)
+{
+    std::vector<std::pair<base::Duration, int>> candidates;
+    for (const auto& [id, contact] : m_contacts) {
+        const base::Duration age = garble.at - contact.askedAt;
+        const bool shortlyBefore = age >= base::Duration{} && age <= lateWindow;
+        if (id != garble.id && shortlyBefore && contact.replies == 0)
+            candidates.emplace_back(age, id);
+    }
+    std::sort(candidates.begin(), candidates.end());
+    candidates.insert(candidates.begin(), {base::Duration{}, garble.id});
+    for (const auto& [age, id] : candidates) {
+        const auto found = askUntilKnown(id, id == garble.id);
+        if (!found || *found)
+            return found;
+    }
+    return false;
+}
+
+base::Result<bool> RateSweep::askUntilKnown(int id, bool persistent)
+{
+    Contact& contact = m_contacts[id];
+    for (int i = 0; contact.replies == 0 && i < confirmTries; ++i) {
+        const int garbledBefore = contact.garbled;
+        if (const auto asked = ask(id, longPatience); !asked)
+            return tl::unexpected(asked.error());
+        const bool silent = contact.replies == 0 && contact.garbled == garbledBefore;
+        if (silent && !persistent)
+            break;
+    }
+    return contact.present();
+}
+
+base::Result<void> RateSweep::askSilent()
+{
+    const auto step = askTime(m_context.bus.baud(), longPatience);
+    for (auto& [id, contact] : m_contacts) {
+        if (!contact.present()) {
+            if (const auto asked = ask(id, longPatience); !asked)
+                return asked;
+        }
+        m_onAsked(step);
+    }
+    return {};
+}
+
+base::Result<void> RateSweep::ask(int id, base::Duration patience)
+{
+    if (m_context.stop.requested())
+        return base::fail(base::ErrorCode::Stopped, QStringLiteral("scan"));
+    bus::Transaction transaction;
+    transaction.request = protocol::Request::ping(id);
+    transaction.priority = m_context.priority;
+    transaction.retries = 0;
+    transaction.patience = patience;
+    transaction.hold = m_hold;
+    Contact& contact = m_contacts[id];
+    ++contact.pings;
+    const auto outcome = m_context.bus.transact(transaction);
+    contact.askedAt = m_context.bus.clock().now();
+    if (outcome) {
+        contact.status = outcome->status();
+        ++contact.replies;
+    } else if (outcome.error().code == base::ErrorCode::Garbled ||
+               outcome.error().code == base::ErrorCode::WrongAnswer) {
+        ++contact.garbled;
+    } else if (outcome.error().code != base::ErrorCode::NoAnswer) {
+        return tl::unexpected(outcome.error());
+    }
+    collectStrays();
+    return {};
+}
+
+base::Result<void> RateSweep::listen(base::Duration span)
+{
+    const auto done = m_context.bus.listen(span);
+    collectStrays();
+    m_onAsked(span);
+    return done;
+}
+
+void RateSweep::collectStrays()
+{
+    for (const bus::Stray& stray : m_context.bus.takeStrays()) {
+        const auto asked = m_contacts.find(stray.id);
+        if (asked == m_contacts.end() || !stray.data.empty())
+            continue; // not the reply to a PING of this sweep
+        Contact& contact = asked->second;
+        contact.status = stray.status;
+        ++contact.replies;
+        if (contact.replies == 1) {
+            contact.late = true;
+            ++m_lateReplies;
+        }
+    }
+}
+} // namespace jobs

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One rate of a scan: PINGs every ID with short patience, collects late replies, then asks again
+// singly where something was heard. Used by scan() only; its thread.
+#pragma once
+
+#include "jobs/scan.h"
+
+#include <map>
+
+namespace jobs {
+/// What one ID has said at one rate.
+struct Contact {
+    int pings = 0;
+    int replies = 0; ///< valid ones, late ones included
+    int garbled = 0; ///< asked, and bytes came that were no reply
+    bool late = false;
+    std::uint8_t status = 0;
+    base::Duration askedAt{};
+
+    /// One broken answer may be noise; a second one at the same ID is somebody.
+    bool present() const { return replies > 0 || garbled > 1; }
+    bool twins() const { return replies > pings || (replies == 0 && garbled > 1); }
+};
+
+base::Duration sweepEstimate(const ScanSpec& spec, int baud);
+
+class RateSweep {
+public:
+    /// `onAsked` gets the planned time of every step of the sweep when it is done.
+    RateSweep(const device::Context& context, const ScanSpec& spec, std::uint64_t hold,
+              std::function<void(base::Duration)> onAsked);
+
+    /// Stopped, LinkLost, Preempted, Held.
+    base::Result<void> run();
+
+    const std::map<int, Contact>& contacts() const { return m_contacts; }
+    int lateReplies() const { return m_lateReplies; }
+    bool garbledUnexplained() const { return m_garbledUnexplained; }
+
+private:
+    struct Garble {
+        int id = 0; ///< asked when the bytes came
+        base::Duration at{};
+    };
+
+    base::Result<void> askAll();
+    base::Result<void> confirmLate();
+    base::Result<void> explainGarbles();
+    base::Result<bool> findSource(const Garble& garble);
+    base::Result<bool> askUntilKnown(int id, bool persistent);
+    base::Result<void> askSilent();
+    base::Result<void> ask(int id, base::Duration patience);
+    base::Result<void> listen(base::Duration span);
+    void collectStrays();
+
+    const device::Context& m_context;
+    const ScanSpec& m_spec;
+    std::uint64_t m_hold;
+    std::function<void(base::Duration)> m_onAsked;
+    std::map<int, Contact> m_contacts;
+    std::vector<Garble> m_garbles; ///< heard while all IDs were asked
+    int m_lateReplies = 0;
+    bool m_garbledUnexplained = false;
+};
+} // namespace jobs

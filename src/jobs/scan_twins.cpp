@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/scan_twins.h"
+
+#include "device/reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace jobs {
+namespace {
+using catalog::Role;
+
+constexpr int cleanReadsWanted = 2;
+constexpr int maxFailures = 5;
+constexpr int brokenReadsSuspicious = 2;
+constexpr base::Duration readsApart = std::chrono::milliseconds(3);
+
+// Twice the speed of the fastest servos of the vendor's list, and the jitter of a resting encoder,
+// both in 1/4096 turn.
+constexpr double fastestStepsPerSecond = 16'000;
+constexpr double restJitterSteps = 12;
+constexpr double stepsPerTurn = 4096;
+constexpr std::int64_t maxTemperatureJump = 3; // degrees
+constexpr std::int64_t maxVoltageJump = 30;    // 0.1 V: supplies sag when a motor starts
+
+class TwinCheck {
+public:
+    TwinCheck(const device::Context& context, device::Servo& servo, std::uint64_t hold)
+        : m_context(context)
+        , m_servo(servo)
+        , m_hold(hold)
+    {}
+
+    base::Result<bool> run()
+    {
+        m_context.bus.takeStrays();
+        const auto head = readIdentity();
+        if (!head || *head)
+            return head;
+        return readFeedback();
+    }
+
+private:
+    enum class Read { Clean, Broken, Silent };
+
+    base::Result<bool> readIdentity()
+    {
+        constexpr int identityBytes = 9;
+        const auto before = m_servo.image.bytes(0, identityBytes);
+        device::Servo again = m_servo;
+        const auto clean = readUntilClean(again, {{0, identityBytes}});
+        if (!clean)
+            return tl::unexpected(clean.error());
+        return suspicious() || (*clean && again.image.bytes(0, identityBytes) != before);
+    }
+
+    base::Result<bool> readFeedback()
+    {
+        const auto spans = feedbackSpans();
+        std::optional<device::Servo> earlier;
+        base::Duration earlierAt{};
+        for (int i = 0; i < cleanReadsWanted && !spans.empty(); ++i) {
+            const auto clean = readUntilClean(m_servo, spans);
+            if (!clean)
+                return tl::unexpected(clean.error());
+            if (suspicious())
+                return true;
+            if (!*clean)
+                break;
+            const base::Duration now = m_context.bus.clock().now();
+            if (earlier && !couldBeOneServo(*earlier, m_servo, now - earlierAt))
+                return true;
+            earlier = m_servo;
+            earlierAt = now;
+        }
+        return false;
+    }
+
+    std::vector<bus::PollSpan> feedbackSpans() const
+    {
+        std::vector<const catalog::Register*> registers;
+        for (const catalog::Register& reg : m_servo.profile->registers) {
+            if (reg.area == catalog::Area::Feedback)
+                registers.push_back(&reg);
+        }
+        return device::planSpans(registers);
+    }
+
+    bool suspicious() const { return m_broken >= brokenReadsSuspicious || m_secondReply; }
+
+    /// False: no clean read within the tries left, or already suspicious.
+    base::Result<bool> readUntilClean(device::Servo& servo, const std::vector<bus::PollSpan>& spans)
+    {
+        while (m_failures < maxFailures && !suspicious()) {
+            if (m_context.stop.requested())
+                return base::fail(base::ErrorCode::Stopped, QStringLiteral("scan"));
+            if (const auto listened = m_context.bus.listen(readsApart); !listened)
+                return tl::unexpected(listened.error());
+            bool allClean = true;
+            for (const bus::PollSpan& span : spans) {
+                const auto outcome = readOnce(servo, span);
+                if (!outcome)
+                    return tl::unexpected(outcome.error());
+                allClean = allClean && *outcome == Read::Clean;
+            }
+            if (allClean)
+                return !suspicious();
+            ++m_failures;
+        }
+        return false;
+    }
+
+    base::Result<Read> readOnce(device::Servo& servo, const bus::PollSpan& span)
+    {
+        bus::Transaction transaction;
+        transaction.request = protocol::Request::read(servo.id, span.address, span.count);
+        transaction.priority = m_context.priority;
+        transaction.retries = 0; // a repeated read would hide what is looked for
+        transaction.hold = m_hold;
+        const auto outcome = m_context.bus.transact(transaction);
+        if (!outcome)
+            return failedRead(outcome.error());
+        for (const bus::Fault& fault : outcome->faults)
+            m_broken += fault.kind == bus::FaultKind::BadCheck ? 1 : 0;
+        const auto strays = m_context.bus.takeStrays();
+        // After a time-out a stray is the late reply to the read before.
+        m_secondReply =
+            m_secondReply ||
+            (!m_timedOut && std::any_of(strays.begin(), strays.end(), [&](const bus::Stray& stray) {
+                return stray.id == servo.id;
+            }));
+        servo.status = outcome->status();
+        servo.image.store(span.address, outcome->data(), outcome->sentAt + outcome->roundTrip);
+        return Read::Clean;
+    }
+
+    base::Result<Read> failedRead(const base::Error& error)
+    {
+        switch (error.code) {
+        case base::ErrorCode::Garbled:
+        case base::ErrorCode::WrongAnswer:
+            ++m_broken;
+            return Read::Broken;
+        case base::ErrorCode::NoAnswer:
+            m_timedOut = true;
+            return Read::Silent;
+        default:
+            return tl::unexpected(error);
+        }
+    }
+
+    const device::Context& m_context;
+    device::Servo& m_servo;
+    std::uint64_t m_hold;
+    int m_failures = 0;
+    int m_broken = 0;
+    bool m_timedOut = false;
+    bool m_secondReply = false;
+};
+
+std::int64_t jump(const device::Servo& a, const device::Servo& b, Role role)
+{
+    const auto before = a.raw(role);
+    const auto after = b.raw(role);
+    return before && after ? std::abs(*after - *before) : 0;
+}
+
+bool resting(const device::Servo& servo)
+{
+    return servo.raw(Role::PresentSpeed).value_or(1) == 0 &&
+           servo.raw(Role::Moving).value_or(1) == 0;
+}
+} // namespace
+
+bool couldBeOneServo(const device::Servo& before, const device::Servo& after, base::Duration apart)
+{
+    if (jump(before, after, Role::PresentTemperature) > maxTemperatureJump ||
+        jump(before, after, Role::PresentVoltage) > maxVoltageJump)
+        return false;
+    const double turn = after.profile->stepsPerTurn;
+    double moved = std::fmod(double(jump(before, after, Role::PresentPosition)), turn);
+    moved = std::min(moved, turn - moved) * stepsPerTurn / turn; // the seam of a turn is no jump
+    double possible = restJitterSteps;
+    if (!resting(before) || !resting(after))
+        possible += fastestStepsPerSecond * double(apart.count()) / 1e6;
+    return moved <= possible;
+}
+
+base::Result<bool> suspectTwins(const device::Context& context, device::Servo& servo,
+                                std::uint64_t hold)
+{
+    return TwinCheck(context, servo, hold).run();
+}
+} // namespace jobs

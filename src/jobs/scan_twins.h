@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Do two servos answer under one ID? Reads identity and feedback again and looks for what one servo
+// could not say: repeatedly broken checksums, a second reply to one request, another identity, a
+// jump no shaft can make. Only READs. Used by scan() only; its thread.
+#pragma once
+
+#include "device/context.h"
+#include "device/servo.h"
+
+namespace jobs {
+/// True: suspected. False proves nothing. `servo` has been identified and gets the feedback read.
+/// Stopped, LinkLost, Preempted, Held.
+base::Result<bool> suspectTwins(const device::Context& context, device::Servo& servo,
+                                std::uint64_t hold);
+
+/// Could one servo have said both, `apart` from one another?
+bool couldBeOneServo(const device::Servo& before, const device::Servo& after, base::Duration apart);
+} // namespace jobs

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/watch.h"
+
+#include "jobs/watch_decoder.h"
+
+#include <algorithm>
+
+namespace jobs {
+namespace {
+constexpr base::Duration drainInterval = std::chrono::milliseconds(50);
+
+using OnRow = std::function<base::Result<void>(const WatchRow&)>;
+
+class Watch {
+public:
+    Watch(const device::Context& context, const WatchSpec& spec, WatchDecoder decoder,
+          const OnRow& onRow)
+        : m_context(context)
+        , m_spec(spec)
+        , m_decoder(std::move(decoder))
+        , m_onRow(onRow)
+    {}
+
+    base::Result<WatchReport> run()
+    {
+        const base::Duration start = m_context.bus.clock().now();
+        m_poll = m_context.bus.startPoll(m_decoder.plan());
+        const auto watched = drainUntilEnd(start);
+        m_context.bus.stopPoll(m_poll);
+        if (!watched)
+            return tl::unexpected(watched.error());
+        m_report.columns = m_decoder.columns();
+        m_report.elapsed = m_context.bus.clock().now() - start;
+        return std::move(m_report);
+    }
+
+private:
+    base::Result<void> drainUntilEnd(base::Duration start)
+    {
+        base::Clock& clock = m_context.bus.clock();
+        const bool endless = m_spec.length.count() == 0;
+        const base::Duration end = start + m_spec.length;
+        while (!m_report.stopped && (endless || clock.now() < end)) {
+            const base::Duration next = clock.now() + drainInterval;
+            const auto until = endless ? next : std::min(next, end);
+            m_report.stopped = !m_context.bus.pauseUntil(until, &m_context.stop);
+            if (const auto drained = drain(); !drained)
+                return drained;
+        }
+        return hand(m_decoder.flush());
+    }
+
+    base::Result<void> drain()
+    {
+        for (const bus::Sample& sample : m_context.bus.takeSamples(m_poll)) {
+            if (!sample.answered && sample.error == base::ErrorCode::LinkLost)
+                return base::fail(base::ErrorCode::LinkLost, QStringLiteral("watch"), {},
+                                  sample.id);
+            m_report.missed += sample.answered ? 0 : 1;
+            if (const auto handed = hand(m_decoder.add(sample)); !handed)
+                return handed;
+        }
+        return {};
+    }
+
+    base::Result<void> hand(const std::vector<WatchRow>& rows)
+    {
+        for (const WatchRow& row : rows) {
+            m_report.rows += row.answered ? 1 : 0;
+            if (const auto taken = m_onRow(row); !taken)
+                return taken;
+        }
+        return {};
+    }
+
+    const device::Context& m_context;
+    const WatchSpec& m_spec;
+    WatchDecoder m_decoder;
+    const OnRow& m_onRow;
+    bus::PollId m_poll = 0;
+    WatchReport m_report;
+};
+} // namespace
+
+base::Result<WatchReport> watch(const device::Context& context, const WatchSpec& spec,
+                                const std::function<base::Result<void>(const WatchRow&)>& onRow)
+{
+    auto decoder = WatchDecoder::make(spec);
+    if (!decoder)
+        return tl::unexpected(decoder.error());
+    return Watch(context, spec, std::move(*decoder), onRow).run();
+}
+} // namespace jobs

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/watch_decoder.h"
+
+#include "device/reader.h"
+
+#include <algorithm>
+
+namespace jobs {
+namespace {
+using base::ErrorCode;
+
+QStringList feedbackKeys(const std::vector<device::Servo>& servos)
+{
+    std::vector<std::pair<int, QString>> sorted;
+    for (const device::Servo& servo : servos) {
+        for (const catalog::Register& reg : servo.profile->registers) {
+            if (reg.area == catalog::Area::Feedback)
+                sorted.emplace_back(reg.address, reg.key);
+        }
+    }
+    std::sort(sorted.begin(), sorted.end());
+    QStringList keys;
+    for (const auto& [address, key] : sorted) {
+        if (!keys.contains(key))
+            keys.append(key);
+    }
+    return keys;
+}
+
+QStringList keysOf(const WatchSpec& spec)
+{
+    QStringList keys = spec.keys.isEmpty() ? feedbackKeys(spec.servos) : spec.keys;
+    keys.removeDuplicates();
+    return keys;
+}
+
+/// Servos of one number may share a sync read.
+std::map<std::pair<QString, base::ByteOrder>, int>
+families(const std::vector<device::Servo>& servos)
+{
+    std::map<std::pair<QString, base::ByteOrder>, int> numbers;
+    for (const device::Servo& servo : servos)
+        numbers.try_emplace({servo.profile->mapKey, servo.profile->byteOrder}, int(numbers.size()));
+    return numbers;
+}
+
+base::Result<void> check(const WatchSpec& spec)
+{
+    if (spec.servos.empty())
+        return base::fail(ErrorCode::BadArgument, QStringLiteral("watch"),
+                          QStringLiteral("no servo"));
+    for (const device::Servo& servo : spec.servos) {
+        if (!servo.profile)
+            return base::fail(ErrorCode::BadArgument, QStringLiteral("watch"),
+                              QStringLiteral("not identified"), servo.id);
+    }
+    for (const QString& key : spec.keys) {
+        const bool known =
+            std::any_of(spec.servos.begin(), spec.servos.end(), [&](const device::Servo& servo) {
+                return servo.profile->find(key) != nullptr;
+            });
+        if (!known)
+            return tl::unexpected(
+                base::Error{ErrorCode::UnknownRegister, QStringLiteral("watch"), key, -1, key});
+    }
+    return {};
+}
+} // namespace
+
+std::vector<WatchColumn> watchColumns(const WatchSpec& spec)
+{
+    std::vector<WatchColumn> columns;
+    if (!check(spec))
+        return columns;
+    for (const QString& key : keysOf(spec)) {
+        for (const device::Servo& servo : spec.servos) {
+            const catalog::Register* reg = servo.profile->find(key);
+            if (reg == nullptr)
+                continue;
+            const WatchColumn column{key, servo.meaning(*reg).unit};
+            if (std::find(columns.begin(), columns.end(), column) == columns.end())
+                columns.push_back(column);
+        }
+    }
+    return columns;
+}
+
+base::Result<WatchDecoder> WatchDecoder::make(const WatchSpec& spec)
+{
+    if (const auto good = check(spec); !good)
+        return tl::unexpected(good.error());
+    WatchDecoder decoder;
+    decoder.m_period = spec.period;
+    decoder.m_columns = watchColumns(spec);
+    const QStringList keys = keysOf(spec);
+    const auto groups = families(spec.servos);
+    for (const device::Servo& servo : spec.servos) {
+        if (const auto added = decoder.addServo(servo, keys); !added)
+            return tl::unexpected(added.error());
+        decoder.m_sources[servo.id].group =
+            groups.at({servo.profile->mapKey, servo.profile->byteOrder});
+    }
+    return decoder;
+}
+
+base::Result<void> WatchDecoder::addServo(const device::Servo& servo, const QStringList& keys)
+{
+    Source source;
+    source.profile = servo.profile;
+    std::vector<const catalog::Register*> registers;
+    for (const QString& key : keys) {
+        const catalog::Register* reg = servo.profile->find(key);
+        if (reg == nullptr)
+            continue;
+        const catalog::Meaning meaning = servo.meaning(*reg);
+        const auto column =
+            std::find(m_columns.begin(), m_columns.end(), WatchColumn{key, meaning.unit});
+        source.fields.push_back({reg, meaning, std::size_t(column - m_columns.begin())});
+        registers.push_back(reg);
+    }
+    if (registers.empty())
+        return base::fail(ErrorCode::UnknownRegister, QStringLiteral("watch"),
+                          keys.join(QLatin1Char(',')), servo.id);
+    source.spans = device::planSpans(registers);
+    source.row = emptyRow(servo.id);
+    m_sources[servo.id] = std::move(source);
+    return {};
+}
+
+bus::PollPlan WatchDecoder::plan() const
+{
+    bus::PollPlan plan;
+    plan.period = m_period;
+    for (const auto& [id, source] : m_sources)
+        plan.servos.push_back({id, source.spans, source.profile->syncRead, source.group});
+    return plan;
+}
+
+std::vector<WatchRow> WatchDecoder::add(const bus::Sample& sample)
+{
+    std::vector<WatchRow> rows;
+    const auto found = m_sources.find(sample.id);
+    if (found == m_sources.end())
+        return rows;
+    Source& source = found->second;
+    const bool again = std::any_of(source.seen.begin(), source.seen.end(), [&](const auto& span) {
+        return span.address == sample.address;
+    });
+    if (again) // a new round begins although the last one missed a block
+        rows.push_back(takeRow(source));
+    source.seen.push_back({sample.address, int(sample.data.size())});
+    source.row.at = sample.at;
+    if (sample.answered)
+        decode(source, sample, source.row);
+    if (complete(source))
+        rows.push_back(takeRow(source));
+    return rows;
+}
+
+std::vector<WatchRow> WatchDecoder::flush()
+{
+    std::vector<WatchRow> rows;
+    for (auto& [id, source] : m_sources) {
+        if (!source.seen.empty())
+            rows.push_back(takeRow(source));
+    }
+    return rows;
+}
+
+WatchRow WatchDecoder::emptyRow(int id) const
+{
+    WatchRow row;
+    row.id = id;
+    row.values.resize(m_columns.size());
+    return row;
+}
+
+WatchRow WatchDecoder::takeRow(Source& source) const
+{
+    source.seen.clear();
+    return std::exchange(source.row, emptyRow(source.row.id));
+}
+
+bool WatchDecoder::complete(const Source& source)
+{
+    // The bus may merge blocks, so a block counts for every span it reaches.
+    return std::all_of(source.spans.begin(), source.spans.end(), [&](const auto& span) {
+        return std::any_of(source.seen.begin(), source.seen.end(), [&](const auto& block) {
+            return block.address == span.address ||
+                   (block.address < span.address &&
+                    block.address + block.count >= span.address + span.count);
+        });
+    });
+}
+
+void WatchDecoder::decode(const Source& source, const bus::Sample& sample, WatchRow& row)
+{
+    row.answered = true;
+    row.status = sample.status;
+    for (const Field& field : source.fields) {
+        const int offset = field.reg->address - sample.address;
+        if (offset < 0 || offset + field.reg->size > int(sample.data.size()))
+            continue;
+        const auto wire =
+            base::ByteView(sample.data).subspan(std::size_t(offset), std::size_t(field.reg->size));
+        const std::int64_t raw =
+            catalog::decodeRaw(wire, *field.reg, field.meaning, source.profile->byteOrder);
+        row.values[field.column] = catalog::toPhysical(raw, field.meaning);
+    }
+}
+} // namespace jobs
