@@ -33,4 +33,21 @@ struct Context {
         notices.push_back({code, id, std::move(key), a, b});
     }
 };
+
+/// A context that owns its servos, and the hold that makes it so. A manoeuvre inside another one
+/// goes on in the outer hold: taking it twice would wait for itself.
+struct Owned {
+    bus::Hold hold;
+    Context context;
+};
+
+/// Empty `ids`: the whole bus.
+inline Owned own(const Context& outer, const std::vector<int>& ids)
+{
+    if (outer.hold != 0)
+        return {bus::Hold(), outer};
+    bus::Hold hold = outer.bus.hold(ids);
+    Context inner = outer.within(hold);
+    return {std::move(hold), inner};
+}
 } // namespace device

@@ -320,8 +320,8 @@ base::Result<void> sendMoves(const Context& outer, std::vector<MovePlan>& plans,
     std::vector<int> ids;
     for (const MovePlan& plan : plans)
         ids.push_back(plan.servo->id);
-    const bus::Hold hold = outer.bus.hold(ids);
-    const Context context = outer.within(hold);
+    const Owned owned = own(outer, ids);
+    const Context& context = owned.context;
     if (context.stop.requested())
         return base::fail(ErrorCode::Stopped, QStringLiteral("move"));
     const auto sent = how == MoveHow::Sync    ? sendBySync(context, plans)

@@ -88,8 +88,8 @@ base::Result<void> switchOn(const Context& context, Servo& servo, const catalog:
 
 base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
 {
-    const bus::Hold hold = outer.bus.hold({servo.id});
-    const Context context = outer.within(hold);
+    const Owned owned = own(outer, {servo.id});
+    const Context& context = owned.context;
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
     if (torque == nullptr || !servo.profile->writable)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));

@@ -297,8 +297,8 @@ base::Result<WriteReport> write(const Context& outer, Servo& servo,
     auto checked = checkItems(servo, items, options);
     if (!checked)
         return tl::unexpected(checked.error());
-    const bus::Hold hold = outer.hold == 0 ? outer.bus.hold({servo.id}) : bus::Hold();
-    const Context context = outer.hold == 0 ? outer.within(hold) : outer;
+    const Owned owned = own(outer, {servo.id});
+    const Context& context = owned.context;
     if (const auto fresh = readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
     if (const auto valid = checkValues(context, servo, *checked); !valid)

@@ -82,27 +82,6 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
     return base::fail(ErrorCode::Refused, operation, {}, oldId);
 }
 
-void judge(device::WriteResult& result, const base::Result<void>& followed)
-{
-    if (followed) {
-        result.outcome =
-            result.readBack == result.newRaw ? WriteOutcome::Kept : WriteOutcome::Mismatch;
-        return;
-    }
-    result.error = followed.error();
-    switch (followed.error().code) {
-    case ErrorCode::Refused:
-        result.outcome = WriteOutcome::Refused;
-        break;
-    case ErrorCode::NoAnswer:
-        result.outcome = WriteOutcome::NoAnswer;
-        break;
-    default:
-        result.outcome = WriteOutcome::Unknown;
-        break;
-    }
-}
-
 device::WriteReport changeUnlocked(const device::Context& context, device::Servo& servo, int newId)
 {
     const catalog::Register& reg = *servo.profile->byRole(Role::Id);
@@ -116,7 +95,12 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
         result.error = eprom.error();
         report.lock = device::closeLock(context, servo);
     } else {
-        judge(result, writeAndFollow(context, servo, newId, result));
+        const auto followed = writeAndFollow(context, servo, newId, result);
+        if (followed) {
+            result.outcome = result.readBack == newId ? WriteOutcome::Kept : WriteOutcome::Mismatch;
+        } else {
+            result = failedResult(result, followed.error());
+        }
         report.lock = eprom->close();
         if (servo.id != oldId)
             context.note(NoticeCode::IdChanged, oldId, reg.key, servo.id);
@@ -140,8 +124,8 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
         nothing.id = servo.id;
         return nothing;
     }
-    const bus::Hold hold = outer.bus.hold({servo.id, newId});
-    const device::Context context = outer.within(hold);
+    const device::Owned owned = device::own(outer, {servo.id, newId});
+    const device::Context& context = owned.context;
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
     if (const auto free = proveFree(context, newId); !free)
@@ -154,10 +138,7 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
     if (!uuid)
         return tl::unexpected(uuid.error());
     const device::WriteReport report = changeUnlocked(context, servo, newId);
-    const bool certain = report.lock == device::LockState::Closed &&
-                         report.writes.front().outcome != WriteOutcome::Unknown &&
-                         report.writes.front().outcome != WriteOutcome::NoAnswer;
-    if (const auto ended = endIntent(context, *uuid, certain, report.allGood()); !ended)
+    if (const auto ended = endIntent(context, *uuid, certainEnd(report), report.allGood()); !ended)
         return tl::unexpected(ended.error());
     return report;
 }

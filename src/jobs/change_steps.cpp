@@ -66,4 +66,31 @@ base::Result<void> requireWritable(const device::Servo& servo, const QString& op
     return base::fail(ErrorCode::UnknownModel, operation,
                       servo.profile ? servo.profile->identity.firmware() : QString(), servo.id);
 }
+
+device::WriteResult failedResult(device::WriteResult result, const base::Error& error)
+{
+    result.error = error;
+    switch (error.code) {
+    case ErrorCode::Refused:
+        result.outcome = device::WriteOutcome::Refused;
+        break;
+    case ErrorCode::NoAnswer:
+        result.outcome = device::WriteOutcome::NoAnswer;
+        break;
+    default:
+        result.outcome = device::WriteOutcome::Unknown;
+        break;
+    }
+    return result;
+}
+
+bool certainEnd(const device::WriteReport& report)
+{
+    for (const device::WriteResult& result : report.writes) {
+        if (result.outcome == device::WriteOutcome::Unknown ||
+            result.outcome == device::WriteOutcome::NoAnswer)
+            return false;
+    }
+    return report.lock == device::LockState::Closed || report.lock == device::LockState::None;
+}
 } // namespace jobs

@@ -24,4 +24,10 @@ base::Result<void> endIntent(const device::Context& context, const QString& uuid
                              bool good);
 
 base::Result<void> requireWritable(const device::Servo& servo, const QString& operation);
+
+/// The result of a write that ended with `error`.
+device::WriteResult failedResult(device::WriteResult result, const base::Error& error);
+
+/// True when nothing is owed any more: every outcome is known and the lock is proven closed.
+bool certainEnd(const device::WriteReport& report);
 } // namespace jobs

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/motion.h"
+#include "device/talk.h"
+#include "jobs/change_steps.h"
+
+#include <cstdlib>
+
+namespace jobs {
+using base::ErrorCode;
+using catalog::Centering;
+using catalog::Role;
+using device::NoticeCode;
+
+namespace {
+const QString operation = QStringLiteral("center");
+/// Register 40, SMS and STS: "make the present position 2048".
+constexpr std::int64_t centerCommand = 128;
+/// The free shaft may still settle by this much while it is centred.
+constexpr std::int64_t tolerance = 12;
+
+struct Place {
+    std::int64_t offset = 0;
+    std::int64_t position = 0;
+};
+
+base::Result<Place> readPlace(const device::Context& context, device::Servo& servo)
+{
+    const auto done =
+        device::readRoles(context, servo, {Role::PositionOffset, Role::PresentPosition});
+    if (!done)
+        return tl::unexpected(done.error());
+    return Place{servo.raw(Role::PositionOffset).value_or(0),
+                 servo.raw(Role::PresentPosition).value_or(0)};
+}
+
+bool centred(const device::Servo& servo, const Place& place)
+{
+    const std::int64_t turn = servo.profile->stepsPerTurn;
+    const std::int64_t inTurn = ((place.position % turn) + turn) % turn;
+    return std::abs(inTurn - turn / 2) <= tolerance;
+}
+
+protocol::Request calibration(const device::Servo& servo)
+{
+    if (servo.profile->centering == Centering::Instruction0B) {
+        auto request =
+            protocol::Request::calibrate(servo.id, std::nullopt, servo.profile->byteOrder);
+        request.acknowledged = servo.answersWrites();
+        return request;
+    }
+    const catalog::Register& torque = *servo.profile->byRole(Role::TorqueSwitch);
+    auto request = protocol::Request::write(servo.id, torque.address,
+                                            device::wireBytes(servo, torque, centerCommand),
+                                            protocol::Repeat::Never);
+    request.acknowledged = servo.answersWrites();
+    return request;
+}
+
+/// Sends the calibration; after a lost answer 31 and 56 are read and tell whether it happened.
+base::Result<Place> calibrate(const device::Context& context, device::Servo& servo,
+                              const Place& before)
+{
+    constexpr int sends = 2;
+    Place now = before;
+    for (int attempt = 0; attempt < sends; ++attempt) {
+        const auto sent = sendOnce(context, calibration(servo));
+        if (!sent)
+            return tl::unexpected(sent.error());
+        context.bus.clock().sleepFor(device::epromWriteTime);
+        const auto place = readPlace(context, servo);
+        if (!place)
+            return tl::unexpected(place.error());
+        now = *place;
+        if (centred(servo, now)) {
+            if (sent->lost)
+                context.note(NoticeCode::AnswerLostButDone, servo.id);
+            return now;
+        }
+        const bool proof = sent->lost || !servo.answersWrites();
+        if (!proof || now.offset != before.offset)
+            break;
+        if (attempt + 1 < sends)
+            context.note(NoticeCode::AnswerLostSentAgain, servo.id);
+    }
+    return base::fail(ErrorCode::Refused, operation, QString::number(now.position), servo.id);
+}
+
+base::Result<CenterReport> centerUnlocked(const device::Context& context, device::Servo& servo,
+                                          const Place& before, bool& certain)
+{
+    CenterReport report;
+    report.offsetBefore = before.offset;
+    report.positionBefore = before.position;
+    auto eprom = device::UnlockedEprom::open(context, servo);
+    if (!eprom) {
+        certain = device::closeLock(context, servo) == device::LockState::Closed;
+        return tl::unexpected(eprom.error());
+    }
+    const auto after = calibrate(context, servo, before);
+    report.lock = eprom->close();
+    certain = report.lock == device::LockState::Closed &&
+              (after || after.error().code == ErrorCode::Refused);
+    if (!after)
+        return tl::unexpected(after.error());
+    report.offsetAfter = after->offset;
+    report.positionAfter = after->position;
+    return report;
+}
+} // namespace
+
+base::Result<CenterReport> center(const device::Context& outer, device::Servo& servo)
+{
+    if (const auto writable = requireWritable(servo, operation); !writable)
+        return tl::unexpected(writable.error());
+    const catalog::Register* offset = servo.profile->byRole(Role::PositionOffset);
+    if (servo.profile->centering == Centering::None || offset == nullptr)
+        return base::fail(ErrorCode::NotSupported, operation, servo.profile->series, servo.id);
+    const device::Owned owned = device::own(outer, {servo.id});
+    const device::Context& context = owned.context;
+    if (const auto fresh = device::readSettings(context, servo); !fresh)
+        return tl::unexpected(fresh.error());
+    const auto before = readPlace(context, servo);
+    if (!before)
+        return tl::unexpected(before.error());
+    if (context.stop.requested())
+        return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
+    // With torque on, the moved origin would send the servo to its old goal at full speed.
+    if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
+        return tl::unexpected(off.error());
+    const auto uuid =
+        journalIntent(context, servo, base::IntentKind::Calibrate,
+                      {{offset->key, offset->address, before->offset, before->offset}});
+    if (!uuid)
+        return tl::unexpected(uuid.error());
+    bool certain = false;
+    auto report = centerUnlocked(context, servo, *before, certain);
+    if (const auto ended = endIntent(context, *uuid, certain, report.has_value()); !ended)
+        return tl::unexpected(ended.error());
+    if (report)
+        context.note(NoticeCode::TorqueStaysOff, servo.id);
+    return report;
+}
+} // namespace jobs

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/motion.h"
+#include "device/talk.h"
+#include "jobs/change_steps.h"
+
+#include <algorithm>
+
+namespace jobs {
+using base::ErrorCode;
+using catalog::Role;
+using namespace std::chrono_literals;
+
+namespace {
+const QString operation = QStringLiteral("restore-defaults");
+/// The whole EPROM is rewritten; no official time is known.
+constexpr base::Duration rewriteTime = 300ms;
+/// Some sources say that the ID goes back to this one, though the vendor's page exempts it.
+constexpr int factoryId = 1;
+
+std::vector<base::JournalItem> epromItems(const device::Servo& servo)
+{
+    std::vector<base::JournalItem> items;
+    for (const catalog::Register& reg : servo.profile->registers) {
+        const auto raw = servo.raw(reg);
+        if (reg.eprom() && reg.writable() && raw)
+            items.push_back({reg.key, reg.address, *raw, *raw});
+    }
+    return items;
+}
+
+std::vector<int> ratesOf(const device::Servo& servo, int present)
+{
+    std::vector<int> rates{present};
+    if (const catalog::Register* reg = servo.profile->byRole(Role::BaudRate)) {
+        for (const catalog::NamedValue& value : reg->values) {
+            const int rate = value.key.toInt();
+            if (rate > 0 && rate != present)
+                rates.push_back(rate);
+        }
+    }
+    return rates;
+}
+
+/// Looks at the old rate first, then at the family's others; there under the old ID, then under the
+/// factory one, which counts only if nobody had it before.
+base::Result<bool> findAgain(const device::Context& context, device::Servo& servo,
+                             bool factoryIdWasFree, const ProgressFn& progress)
+{
+    const int oldBaud = context.bus.baud();
+    std::vector<int> ids{servo.id};
+    if (servo.id != factoryId && factoryIdWasFree)
+        ids.push_back(factoryId);
+    const std::vector<int> rates =
+        context.bus.hasBaud() ? ratesOf(servo, oldBaud) : std::vector<int>{oldBaud};
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+        if (progress)
+            progress({double(i) / double(rates.size()), {}, 0, rates[i]});
+        if (context.bus.hasBaud() && !context.bus.setBaud(rates[i]))
+            continue; // a rate this adapter cannot run
+        for (const int id : ids) {
+            const auto here = answers(context, id, 50ms);
+            if (!here && here.error().code == ErrorCode::LinkLost)
+                return tl::unexpected(here.error());
+            if (here && *here) {
+                servo.id = id;
+                servo.baud = context.bus.baud();
+                return true;
+            }
+        }
+    }
+    if (context.bus.hasBaud()) {
+        if (const auto back = context.bus.setBaud(oldBaud); !back)
+            return tl::unexpected(back.error());
+    }
+    return false;
+}
+
+std::vector<QString> differences(const device::Servo& before, const device::Servo& after)
+{
+    std::vector<QString> keys;
+    for (const catalog::Register& reg : before.profile->registers) {
+        if (reg.eprom() && reg.writable() && before.raw(reg) != after.raw(reg))
+            keys.push_back(reg.key);
+    }
+    return keys;
+}
+
+/// 0x06, once; and a second time only when reading proved that the first one never arrived.
+base::Result<void> restore(const device::Context& context, device::Servo& servo,
+                           bool factoryIdWasFree, const ProgressFn& progress, RestoreReport& report)
+{
+    const device::Servo before = servo;
+    constexpr int sends = 2;
+    for (int attempt = 0; attempt < sends; ++attempt) {
+        auto request = protocol::Request::restore(servo.id);
+        request.acknowledged = before.answersWrites();
+        const auto sent = sendOnce(context, std::move(request));
+        if (!sent)
+            return tl::unexpected(sent.error());
+        context.bus.clock().sleepFor(rewriteTime);
+        const auto found = findAgain(context, servo, factoryIdWasFree, progress);
+        if (!found)
+            return tl::unexpected(found.error());
+        if (!*found)
+            return base::fail(ErrorCode::NoAnswer, operation, {}, servo.id);
+        servo.image.clear();
+        if (const auto fresh = device::readAll(context, servo); !fresh)
+            return fresh;
+        report.changed = differences(before, servo);
+        const bool lost = sent->lost || !before.answersWrites();
+        if (!lost || !report.changed.empty())
+            break;
+        if (attempt + 1 < sends)
+            context.note(device::NoticeCode::AnswerLostSentAgain, servo.id);
+    }
+    return {};
+}
+} // namespace
+
+base::Result<RestoreReport> restoreDefaults(const device::Context& outer, device::Servo& servo,
+                                            const ProgressFn& progress)
+{
+    if (const auto writable = requireWritable(servo, operation); !writable)
+        return tl::unexpected(writable.error());
+    const device::Owned owned = device::own(outer, {});
+    const device::Context& context = owned.context;
+    if (const auto fresh = device::readAll(context, servo); !fresh)
+        return tl::unexpected(fresh.error());
+    const auto factoryTaken =
+        servo.id == factoryId ? base::Result<bool>(true) : answers(context, factoryId, 50ms);
+    const bool factoryIdWasFree = factoryTaken && !*factoryTaken;
+    if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
+        return tl::unexpected(off.error());
+    if (context.stop.requested())
+        return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
+    const auto uuid = journalIntent(context, servo, base::IntentKind::Restore, epromItems(servo));
+    if (!uuid)
+        return tl::unexpected(uuid.error());
+
+    RestoreReport report;
+    report.oldId = servo.id;
+    report.oldBaud = context.bus.baud();
+    auto eprom = device::UnlockedEprom::open(context, servo);
+    base::Result<void> done;
+    if (eprom) {
+        done = restore(context, servo, factoryIdWasFree, progress, report);
+        report.lock = eprom->close();
+    } else {
+        done = tl::unexpected(eprom.error());
+        report.lock = device::closeLock(context, servo);
+    }
+    report.newId = servo.id;
+    report.newBaud = context.bus.baud();
+    const bool certain = done.has_value() && report.lock == device::LockState::Closed;
+    if (const auto ended = endIntent(context, *uuid, certain, done.has_value()); !ended)
+        return tl::unexpected(ended.error());
+    if (!done)
+        return tl::unexpected(done.error());
+    return report;
+}
+} // namespace jobs
