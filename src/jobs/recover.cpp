@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/recover.h"
+
+#include "device/motion.h"
+#include "device/talk.h"
+#include "jobs/change.h"
+#include "jobs/recover_look.h"
+
+namespace jobs {
+using base::ErrorCode;
+using base::IntentKind;
+
+namespace {
+struct Outcome {
+    base::Result<void> result;
+    std::optional<device::WriteReport> report;
+};
+
+/// The values the action asks for, of the registers that do not have them yet.
+std::vector<device::WriteItem> itemsToWrite(const base::Intent& intent, const device::Servo& servo,
+                                            RecoverAction action)
+{
+    std::vector<device::WriteItem> items;
+    for (const base::JournalItem& item : intent.items) {
+        const catalog::Register* reg = servo.profile->find(item.key);
+        if (reg == nullptr || !reg->eprom() || !reg->writable())
+            continue;
+        const std::int64_t wanted = action == RecoverAction::Finish ? item.newRaw : item.oldRaw;
+        if (servo.raw(*reg) != wanted)
+            items.push_back({item.key, wanted});
+    }
+    return items;
+}
+
+Outcome asOutcome(base::Result<device::WriteReport> written)
+{
+    if (!written)
+        return {tl::unexpected(written.error()), {}};
+    if (written->allGood())
+        return {{}, *written};
+    for (const device::WriteResult& result : written->writes) {
+        if (result.error)
+            return {tl::unexpected(*result.error), *written};
+    }
+    return {base::fail(ErrorCode::LockOpen, QStringLiteral("recover"), {}, written->id), *written};
+}
+
+Outcome writeItems(const device::Context& context, const base::Intent& intent, device::Servo& servo,
+                   const std::vector<device::WriteItem>& items)
+{
+    const int target = items.empty() ? 0 : static_cast<int>(items.front().raw);
+    if (items.empty())
+        return {};
+    if (intent.kind == IntentKind::SetId)
+        return asOutcome(changeId(context, servo, target));
+    if (intent.kind == IntentKind::SetBaud) {
+        const catalog::Register* reg = servo.profile->byRole(catalog::Role::BaudRate);
+        for (const catalog::NamedValue& value : reg->values) {
+            if (value.value == target)
+                return asOutcome(changeBaud(context, servo, value.key.toInt()));
+        }
+        return {base::fail(ErrorCode::OutOfRange, QStringLiteral("recover"), {}, servo.id), {}};
+    }
+    device::WriteOptions options;
+    options.dangerous = true; // consent was given when the intent was made
+    options.temporary = intent.temporary;
+    return asOutcome(device::write(context, servo, items, options));
+}
+
+bool changesMode(const base::Intent& intent, const device::Servo& servo)
+{
+    for (const base::JournalItem& item : intent.items) {
+        const catalog::Register* reg = servo.profile->find(item.key);
+        if (reg != nullptr &&
+            (reg->role == catalog::Role::OperatingMode || reg->role == catalog::Role::MinAngle ||
+             reg->role == catalog::Role::MaxAngle))
+            return true;
+    }
+    return false;
+}
+
+/// Brings the registers to the wanted side, then the lock, and proves both.
+Outcome settle(const device::Context& context, const base::Intent& intent, device::Servo& servo,
+               RecoverAction action)
+{
+    // Calibration and restore cannot be carried on: what was half done is known only afterwards.
+    const bool carryOn = action == RecoverAction::Undo || newValuesKnown(intent);
+    Outcome outcome;
+    if (carryOn)
+        outcome = writeItems(context, intent, servo, itemsToWrite(intent, servo, action));
+    if (outcome.result && changesMode(intent, servo))
+        outcome.result = device::quieten(context, servo);
+    const device::LockState lock = device::closeLock(context, servo);
+    if (outcome.result && lock != device::LockState::Closed && lock != device::LockState::None) {
+        outcome.result = tl::unexpected(
+            base::Error{ErrorCode::LockOpen, QStringLiteral("recover"), {}, servo.id});
+    }
+    return outcome;
+}
+
+base::Result<Recovered> recoverOne(const device::Context& context, const base::Intent& intent,
+                                   RecoverAction action)
+{
+    Recovered recovered;
+    device::Servo servo;
+    const auto before = look(context, intent, servo);
+    if (!before)
+        return tl::unexpected(before.error());
+    recovered.before = *before;
+    if (action == RecoverAction::Look)
+        return recovered;
+    if (before->finding == Finding::NoAnswer || before->finding == Finding::OtherServo) {
+        recovered.error = base::Error{
+            before->finding == Finding::NoAnswer ? ErrorCode::NoAnswer : ErrorCode::IdentityDiffers,
+            QStringLiteral("recover"),
+            {},
+            intent.servo.id};
+        return recovered;
+    }
+    Outcome outcome = settle(context, intent, servo, action);
+    recovered.report = std::move(outcome.report);
+    if (!outcome.result) {
+        if (outcome.result.error().code == ErrorCode::LinkLost)
+            return tl::unexpected(outcome.result.error());
+        recovered.error = outcome.result.error();
+        return recovered;
+    }
+    if (before->lockOpen.value_or(false))
+        context.note(device::NoticeCode::LockClosed, servo.id);
+    const QString word =
+        action == RecoverAction::Finish ? QStringLiteral("done") : QStringLiteral("undone");
+    if (const auto ended = context.journal.end(intent.uuid, {word, QString()}); !ended)
+        return tl::unexpected(ended.error());
+    recovered.done = true;
+    return recovered;
+}
+} // namespace
+
+base::Result<std::vector<Recovered>> recover(const device::Context& outer, RecoverAction action,
+                                             bool anyPort)
+{
+    const auto open = outer.journal.open();
+    if (!open)
+        return tl::unexpected(open.error());
+    const device::Owned owned = device::own(outer, {});
+    const device::Context& context = owned.context;
+    std::vector<Recovered> all;
+    const int baudBefore = context.bus.baud();
+    for (const base::Intent& intent : *open) {
+        if (!anyPort && intent.servo.port != context.bus.portName())
+            continue;
+        if (context.stop.requested())
+            return base::fail(ErrorCode::Stopped, QStringLiteral("recover"));
+        auto one = recoverOne(context, intent, action);
+        if (!one)
+            return tl::unexpected(one.error());
+        all.push_back(std::move(*one));
+        if (context.bus.hasBaud())
+            (void)context.bus.setBaud(baudBefore);
+    }
+    return all;
+}
+} // namespace jobs

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/recover_look.h"
+
+#include "device/talk.h"
+
+#include <algorithm>
+
+namespace jobs {
+using base::ErrorCode;
+using base::IntentKind;
+using catalog::Role;
+
+namespace {
+struct Place {
+    int id = -1;
+    int baud = 0;
+};
+
+void addPlace(std::vector<Place>& places, int id, int baud)
+{
+    const bool known = std::any_of(places.begin(), places.end(), [&](const Place& place) {
+        return place.id == id && place.baud == baud;
+    });
+    if (!known)
+        places.push_back({id, baud});
+}
+
+int baudOfCode(const device::Context& context, const base::Intent& intent)
+{
+    catalog::Identity who;
+    who.firmwareMajor = intent.servo.firmwareMajor;
+    who.firmwareMinor = intent.servo.firmwareMinor;
+    who.modelMajor = intent.servo.modelMajor;
+    who.modelMinor = intent.servo.modelMinor;
+    const auto profile = context.catalog.resolve(who);
+    const catalog::Register* reg = profile->byRole(Role::BaudRate);
+    if (reg == nullptr || intent.items.empty())
+        return 0;
+    for (const catalog::NamedValue& value : reg->values) {
+        if (value.value == intent.items.front().newRaw)
+            return value.key.toInt();
+    }
+    return 0;
+}
+
+/// Where the servo may be: where it was, where the write would have put it, and at today's rate.
+std::vector<Place> places(const device::Context& context, const base::Intent& intent)
+{
+    std::vector<int> ids{intent.servo.id};
+    if (intent.kind == IntentKind::SetId && !intent.items.empty())
+        ids.push_back(static_cast<int>(intent.items.front().newRaw));
+    std::vector<int> bauds{context.bus.baud()};
+    if (context.bus.hasBaud()) {
+        bauds.push_back(intent.servo.baud);
+        if (intent.kind == IntentKind::SetBaud)
+            bauds.push_back(baudOfCode(context, intent));
+    }
+    std::vector<Place> result;
+    for (const int baud : bauds) {
+        for (const int id : ids) {
+            if (baud > 0)
+                addPlace(result, id, baud);
+        }
+    }
+    return result;
+}
+
+/// The servos of the right kind among the places.
+base::Result<std::vector<device::Servo>> candidates(const device::Context& context,
+                                                    const base::Intent& intent, bool& othersAnswer)
+{
+    std::vector<device::Servo> found;
+    for (const Place& place : places(context, intent)) {
+        if (context.bus.hasBaud() && context.bus.baud() != place.baud &&
+            !context.bus.setBaud(place.baud))
+            continue; // this adapter cannot
+        auto servo = device::identify(context, place.id);
+        if (!servo) {
+            if (servo.error().code == ErrorCode::LinkLost)
+                return tl::unexpected(servo.error());
+            othersAnswer |= servo.error().code != ErrorCode::NoAnswer;
+            continue;
+        }
+        base::ServoIdentity who = servo->identity();
+        who.map = intent.servo.map.isEmpty() ? QString() : who.map;
+        if (who.sameKind(intent.servo))
+            found.push_back(*servo);
+        else
+            othersAnswer = true;
+    }
+    return found;
+}
+
+/// Registers that survive a power-off: the others say nothing about an interrupted write.
+bool comparable(const device::Servo& servo, const base::JournalItem& item)
+{
+    const catalog::Register* reg = servo.profile->find(item.key);
+    return reg != nullptr && reg->eprom();
+}
+
+Finding compare(const base::Intent& intent, const device::Servo& servo)
+{
+    int asOld = 0;
+    int asNew = 0;
+    for (const base::JournalItem& item : intent.items) {
+        if (!comparable(servo, item))
+            continue;
+        const auto raw = servo.raw(item.key);
+        if (!newValuesKnown(intent)) {
+            ++(raw == item.oldRaw ? asOld : asNew);
+            continue;
+        }
+        if (raw != item.oldRaw && raw != item.newRaw)
+            return Finding::OtherServo;
+        ++(raw == item.newRaw ? asNew : asOld);
+    }
+    if (asOld == 0)
+        return Finding::AllNew;
+    return asNew == 0 ? Finding::AllOld : Finding::Mixed;
+}
+} // namespace
+
+bool newValuesKnown(const base::Intent& intent)
+{
+    return intent.kind != IntentKind::Calibrate && intent.kind != IntentKind::Restore;
+}
+
+base::Result<OpenIntent> look(const device::Context& context, const base::Intent& intent,
+                              device::Servo& servo)
+{
+    OpenIntent result;
+    result.intent = intent;
+    const int baudBefore = context.bus.baud();
+    bool othersAnswer = false;
+    const auto found = candidates(context, intent, othersAnswer);
+    if (!found)
+        return tl::unexpected(found.error());
+    // Two servos of the kind: nothing tells which of them the intent means.
+    if (found->size() != 1) {
+        result.finding = !found->empty() || othersAnswer ? Finding::OtherServo : Finding::NoAnswer;
+        if (context.bus.hasBaud())
+            (void)context.bus.setBaud(baudBefore);
+        return result;
+    }
+    servo = found->front();
+    if (context.bus.hasBaud()) {
+        if (const auto set = context.bus.setBaud(servo.baud); !set)
+            return tl::unexpected(set.error());
+    }
+    if (const auto fresh = device::readSettings(context, servo); !fresh)
+        return tl::unexpected(fresh.error());
+    result.foundId = servo.id;
+    result.foundBaud = servo.baud;
+    result.finding = compare(intent, servo);
+    if (const auto flag = servo.raw(Role::Lock))
+        result.lockOpen = *flag == 0;
+    return result;
+}
+} // namespace jobs

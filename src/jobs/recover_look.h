@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the servo of an interrupted write and compares it with the journal. Reads only. Internal to
+// jobs.
+#pragma once
+
+#include "jobs/recover.h"
+
+namespace jobs {
+/// Items whose value after the write is not known beforehand (calibration, restore) carry the old
+/// value twice.
+bool newValuesKnown(const base::Intent& intent);
+
+/// Leaves the bus at the rate where the servo was found, else at the rate it had. `servo` is filled
+/// in unless nobody answered. LinkLost ends it.
+base::Result<OpenIntent> look(const device::Context& context, const base::Intent& intent,
+                              device::Servo& servo);
+} // namespace jobs
