@@ -24,6 +24,7 @@ struct Load {
     double springCentre = 0.0;     ///< rad
     std::optional<double> stopLow; ///< rad, hard stops
     std::optional<double> stopHigh;
+    bool operator==(const Load&) const = default;
 };
 
 /// Electrical and thermal surroundings.
@@ -94,7 +95,7 @@ public:
 
     /// Test and preset access, by register key; bypasses the wire but acts the same.
     std::int64_t raw(const QString& key) const;
-    void poke(const QString& key, std::int64_t raw);
+    void poke(const QString& key, std::int64_t raw); ///< not what it measures itself
     double shaftDegrees() const; ///< true output angle, unbounded, clockwise positive
     bool ledOn() const;
     Load& load();

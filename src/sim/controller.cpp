@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/controller.h"
+
+namespace sim {
+namespace {
+constexpr double rateShare = 0.25; ///< smoothing of the error's rate: time constant of 4 ticks
+constexpr double fullDuty = 1000.0;
+} // namespace
+
+void Controller::energise(double position)
+{
+    *this = Controller();
+    m_path.restart(position);
+}
+
+/// P with the startup force as the least it gives once it gives anything.
+double Controller::proportional(const Settings& s, double error) const
+{
+    const double duty = s.positionP * error;
+    return std::abs(duty) < s.startupForce ? std::copysign(s.startupForce, error) : duty;
+}
+
+double Controller::holdPosition(const Settings& s, double goal, double topSpeed, double position,
+                                double limit)
+{
+    m_path.advance(goal, topSpeed, s.acceleration, tick);
+    const double error = m_path.position - position;
+    m_errorRate += ((error - m_lastError) / tick - m_errorRate) * rateShare;
+    m_lastError = error;
+
+    double duty = m_integral;
+    if (error > s.cwDeadZone || error < -s.ccwDeadZone) {
+        duty += proportional(s, error) + s.positionD * m_errorRate;
+        // No winding up against a limit that is reached already.
+        if (std::abs(duty) < limit || duty * error < 0.0) {
+            const double most = s.integralLimit > 0.0 ? s.integralLimit : fullDuty;
+            m_integral = std::clamp(m_integral + s.positionI * error * tick, -most, most);
+        }
+    }
+    return std::clamp(duty, -limit, limit);
+}
+
+double Controller::holdSpeed(const Settings& s, double goal, double speed, double limit)
+{
+    const double change = s.acceleration > 0.0 ? s.acceleration * tick : HUGE_VAL;
+    m_speedGoal += std::clamp(goal - m_speedGoal, -change, change);
+    const double error = m_speedGoal - speed;
+    const double duty = s.speedP * error + m_integral;
+    if (std::abs(duty) < limit || duty * error < 0.0) {
+        m_integral = std::clamp(m_integral + s.speedI * error * tick, -fullDuty, fullDuty);
+    }
+    return std::clamp(duty, -limit, limit);
+}
+} // namespace sim

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The control loops of the servo's firmware, one call a millisecond: from goal and measured
+// position to the duty of the bridge. Plain class; its servo's thread. Steps, step/s, duty in 0.1
+// %; positive is towards larger positions.
+#pragma once
+
+#include "sim/settings.h"
+#include "sim/trajectory.h"
+
+namespace sim {
+class Controller {
+public:
+    static constexpr double tick = 0.001; ///< s
+
+    /// Torque has just come on at this position: hold here, forget the past.
+    void energise(double position);
+    /// Torque is off: the goal in use follows the shaft.
+    void follow(double position) { m_path.restart(position); }
+
+    /// Position and step mode. `limit` is the largest duty allowed now.
+    double holdPosition(const Settings& s, double goal, double topSpeed, double position,
+                        double limit);
+    /// Closed-loop speed.
+    double holdSpeed(const Settings& s, double goal, double speed, double limit);
+
+    const Trajectory& path() const { return m_path; }
+
+private:
+    double proportional(const Settings& s, double error) const;
+
+    Trajectory m_path;
+    double m_integral = 0;  ///< duty
+    double m_lastError = 0; ///< steps
+    double m_errorRate = 0; ///< step/s, smoothed
+    double m_speedGoal = 0; ///< step/s, after the acceleration limit
+};
+} // namespace sim

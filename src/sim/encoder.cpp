@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/encoder.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace sim {
+namespace {
+constexpr double lagShare = 1.0 / 3.0; ///< of the way to the true angle in one millisecond
+constexpr double noiseSteps = 0.4;     ///< largest deviation
+
+/// Triangular, −1…1 (splitmix64 of the instant).
+double noise(std::uint64_t seed, std::uint64_t tick)
+{
+    std::uint64_t z = seed + tick * 0x9E3779B97F4A7C15U;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
+    z ^= z >> 31;
+    const auto low = double(std::uint32_t(z));
+    const auto high = double(std::uint32_t(z >> 32));
+    return (low - high) / 4294967296.0;
+}
+} // namespace
+
+Encoder::Encoder(double stepsPerRadian, bool endless, std::uint64_t seed)
+    : m_stepsPerRadian(stepsPerRadian)
+    , m_endless(endless)
+    , m_seed(seed * 0xD1342543DE82EF95U)
+{}
+
+std::int64_t Encoder::sample(double angle, std::uint64_t tick)
+{
+    m_filtered += (angle - m_filtered) * lagShare;
+    return std::int64_t(
+        std::floor(m_filtered * m_stepsPerRadian + noiseSteps * noise(m_seed, tick) + 0.5));
+}
+
+int Encoder::potentiometer(std::int64_t counted) const
+{
+    constexpr int last = 1023;
+    const double turn = 2.0 * std::numbers::pi * m_stepsPerRadian;
+    const double steps = double(counted) - turn * std::floor(double(counted) / turn);
+    if (steps <= last) {
+        return int(steps);
+    }
+    return steps < 0.5 * (last + turn) ? last : 0;
+}
+} // namespace sim

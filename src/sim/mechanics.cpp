@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/mechanics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim {
+namespace {
+/// Semi-implicit: what grows with speed is taken at the end of the step, dry friction may stop a
+/// body but never turn it round.
+double nextSpeed(double speed, double torque, double damping, double friction, double stiction,
+                 double inertia, double seconds)
+{
+    const double gain = seconds / inertia;
+    const double limit = gain * (speed == 0.0 ? stiction : friction);
+    const double pushed = speed + gain * torque;
+    if (std::abs(pushed) <= limit) {
+        return 0.0;
+    }
+    return (pushed - std::copysign(limit, pushed)) / (1.0 + gain * damping);
+}
+} // namespace
+
+Mechanics::Mechanics(const Drive& drive, double playRadians, double angle, double restAngle)
+    : m_drive(drive)
+    , m_halfPlay(0.5 * playRadians)
+    , m_restAngle(restAngle)
+    , m_motor{angle, 0.0}
+    , m_shaft{angle, 0.0}
+    , m_supplyAmps(drive.idleAmps)
+{}
+
+double Mechanics::supplyVolts(const Surroundings& around) const
+{
+    return std::max(0.0, around.supplyVolts - around.supplyOhms * m_supplyAmps);
+}
+
+/// The winding settles far faster than a step, so its current follows at once; the sag of the
+/// supply under that current is solved for in the same breath: i = (d(U − R·I₀) − kω)/(R + r·d²).
+Mechanics::Torques Mechanics::motorTorques(Bridge bridge, double effort,
+                                           const Surroundings& around) const
+{
+    Torques torques{0.0, m_drive.viscous, m_drive.coulomb, m_drive.stiction};
+    if (bridge == Bridge::Driven) {
+        const double resistance = m_drive.resistance + around.supplyOhms * effort * effort;
+        const double volts = around.supplyVolts - around.supplyOhms * m_drive.idleAmps;
+        torques.drive = m_drive.torqueConstant * effort * volts / resistance;
+        torques.damping += m_drive.torqueConstant * m_drive.emfConstant / resistance;
+    } else if (bridge == Bridge::Shorted) {
+        torques.damping +=
+            effort * m_drive.torqueConstant * m_drive.emfConstant / m_drive.resistance;
+    }
+    return torques;
+}
+
+Mechanics::Torques Mechanics::shaftTorques(const Load& load, double seconds) const
+{
+    const double friction = m_drive.shaftFriction + load.coulombFriction;
+    Torques torques{0.0, load.viscousFriction, friction, 1.3 * friction};
+    if (load.gravityTorque != 0.0) {
+        torques.drive -= load.gravityTorque * std::sin(m_shaft.angle - m_restAngle);
+    }
+    if (load.springRate != 0.0) {
+        torques.drive -= load.springRate * (m_shaft.angle - load.springCentre);
+        torques.damping += load.springRate * seconds;
+    }
+    return torques;
+}
+
+void Mechanics::measureCurrent(Bridge bridge, double effort, const Surroundings& around)
+{
+    m_amps = 0.0;
+    m_supplyAmps = m_drive.idleAmps;
+    if (bridge == Bridge::Driven) {
+        const double resistance = m_drive.resistance + around.supplyOhms * effort * effort;
+        const double volts = around.supplyVolts - around.supplyOhms * m_drive.idleAmps;
+        m_amps = (effort * volts - m_drive.emfConstant * m_motor.speed) / resistance;
+        m_supplyAmps += std::max(0.0, effort * m_amps);
+    } else if (bridge == Bridge::Shorted) {
+        m_amps = -effort * m_drive.emfConstant * m_motor.speed / m_drive.resistance;
+    }
+}
+
+/// Both bodies move as one, the motor pushing (or being pushed) at one side of the play.
+void Mechanics::meet(double side, const Torques& motor, const Torques& shaft, double shaftInertia,
+                     double seconds)
+{
+    const double inertia = m_drive.inertia + shaftInertia;
+    const double speed = (m_drive.inertia * m_motor.speed + shaftInertia * m_shaft.speed) / inertia;
+    const double next = nextSpeed(speed, motor.drive + shaft.drive, motor.damping + shaft.damping,
+                                  motor.friction + shaft.friction, motor.stiction + shaft.stiction,
+                                  inertia, seconds);
+    m_motor.speed = m_shaft.speed = next;
+    m_motor.angle += next * seconds;
+    m_shaft.angle = m_motor.angle - side * m_halfPlay;
+}
+
+void Mechanics::stopAt(double limit, double sign)
+{
+    if (sign * (m_shaft.angle - limit) <= 0.0) {
+        return;
+    }
+    m_shaft.angle = limit;
+    m_shaft.speed = 0.0;
+    if (sign * (m_motor.angle - limit) >= m_halfPlay) {
+        m_motor.angle = limit + sign * m_halfPlay;
+        m_motor.speed = 0.0;
+    }
+}
+
+void Mechanics::step(Bridge bridge, double effort, const Load& load, const Surroundings& around,
+                     double seconds)
+{
+    const Torques motor = motorTorques(bridge, effort, around);
+    const Torques shaft = shaftTorques(load, seconds);
+    const double shaftInertia = m_drive.shaftInertia + std::max(0.0, load.inertia);
+    const Body motorBefore = m_motor;
+    const Body shaftBefore = m_shaft;
+
+    const double motorSpeed = nextSpeed(m_motor.speed, motor.drive, motor.damping, motor.friction,
+                                        motor.stiction, m_drive.inertia, seconds);
+    const double shaftSpeed = nextSpeed(m_shaft.speed, shaft.drive, shaft.damping, shaft.friction,
+                                        shaft.stiction, shaftInertia, seconds);
+    const double gap = m_motor.angle - m_shaft.angle + (motorSpeed - shaftSpeed) * seconds;
+    if (std::abs(gap) <= m_halfPlay) {
+        m_motor = {m_motor.angle + motorSpeed * seconds, motorSpeed};
+        m_shaft = {m_shaft.angle + shaftSpeed * seconds, shaftSpeed};
+    } else {
+        meet(gap > 0.0 ? 1.0 : -1.0, motor, shaft, shaftInertia, seconds);
+    }
+    if (load.stopLow) {
+        stopAt(*load.stopLow, -1.0);
+    }
+    if (load.stopHigh) {
+        stopAt(*load.stopHigh, 1.0);
+    }
+    m_atRest = m_motor.speed == 0.0 && m_shaft.speed == 0.0 && m_motor.angle == motorBefore.angle &&
+               m_shaft.angle == shaftBefore.angle;
+    measureCurrent(bridge, effort, around);
+}
+} // namespace sim

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/register_map.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace sim {
+namespace {
+Field fieldOf(const catalog::Register& reg)
+{
+    Field field{reg.address, reg.size};
+    if (reg.encoding == catalog::Encoding::SignBit) {
+        field.signBit = reg.signBit;
+    } else if (reg.encoding == catalog::Encoding::SignBit11Ext12) {
+        field.signBit = 11;
+        field.extended = true;
+    }
+    return field;
+}
+
+int decode(int word, const Field& field)
+{
+    if (field.signBit < 0) {
+        return word;
+    }
+    int magnitude = word & ((1 << field.signBit) - 1);
+    if (field.extended && (word & 0x1000) != 0) {
+        magnitude += 2048;
+    }
+    return (word >> field.signBit & 1) != 0 ? -magnitude : magnitude;
+}
+
+int encodeWord(int value, const Field& field)
+{
+    if (field.signBit < 0) {
+        return std::clamp(value, 0, (1 << (8 * field.size)) - 1);
+    }
+    const int sign = value < 0 ? 1 << field.signBit : 0;
+    if (field.extended) {
+        const int magnitude = std::min(std::abs(value), 4095);
+        return sign | (magnitude & 0x7FF) | (magnitude > 2047 ? 0x1000 : 0);
+    }
+    return sign | std::min(std::abs(value), (1 << field.signBit) - 1);
+}
+} // namespace
+
+RegisterMap::RegisterMap(const catalog::Profile& profile)
+    : m_order(profile.byteOrder)
+{
+    for (const catalog::Register& reg : profile.registers) {
+        if (reg.role != catalog::Role::None && reg.size <= 2 &&
+            reg.address + reg.size <= Memory::size) {
+            m_fields[std::size_t(reg.role)] = fieldOf(reg);
+        }
+    }
+}
+
+int RegisterMap::readUnsigned(const Memory& memory, catalog::Role role, int fallback) const
+{
+    const Field& field = at(role);
+    if (!field.exists()) {
+        return fallback;
+    }
+    if (field.size == 1) {
+        return memory.at(field.address);
+    }
+    const int first = memory.at(field.address);
+    const int second = memory.at(field.address + 1);
+    return m_order == base::ByteOrder::Little ? first | second << 8 : first << 8 | second;
+}
+
+int RegisterMap::read(const Memory& memory, catalog::Role role, int fallback) const
+{
+    return at(role).exists() ? decode(readUnsigned(memory, role), at(role)) : fallback;
+}
+
+base::Bytes RegisterMap::encode(catalog::Role role, int value) const
+{
+    const Field& field = at(role);
+    return base::writeUnsigned(std::uint64_t(encodeWord(value, field)), std::size_t(field.size),
+                               m_order);
+}
+
+void RegisterMap::put(Memory& memory, catalog::Role role, int value) const
+{
+    const Field& field = at(role);
+    if (!field.exists()) {
+        return;
+    }
+    const int word = encodeWord(value, field);
+    const bool little = m_order == base::ByteOrder::Little;
+    for (int i = 0; i < field.size; ++i) {
+        const int shift = 8 * (little ? i : field.size - 1 - i);
+        memory.set(field.address + i, std::uint8_t(word >> shift));
+    }
+}
+} // namespace sim

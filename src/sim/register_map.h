@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the registers of a servo lie, by role, resolved once so that nothing is looked up by name
+// while the servo runs. Immutable; its servo's thread. Numbers are signed as the register is.
+#pragma once
+
+#include "sim/memory.h"
+
+#include <array>
+
+namespace sim {
+struct Field {
+    int address = -1; ///< -1: this family has no such register
+    int size = 0;
+    int signBit = -1;      ///< -1: unsigned
+    bool extended = false; ///< newer STS offset: bit 12 adds 2048 to the magnitude
+    bool exists() const { return address >= 0; }
+    bool touches(int from, int count) const
+    {
+        return exists() && address < from + count && from < address + size;
+    }
+};
+
+class RegisterMap {
+public:
+    explicit RegisterMap(const catalog::Profile& profile);
+
+    const Field& at(catalog::Role role) const { return m_fields[std::size_t(role)]; }
+
+    /// `fallback` where the family has no such register.
+    int read(const Memory& memory, catalog::Role role, int fallback = 0) const;
+    int readUnsigned(const Memory& memory, catalog::Role role, int fallback = 0) const;
+
+    /// Wire bytes of a value; a magnitude that does not fit is limited to the largest that does.
+    base::Bytes encode(catalog::Role role, int value) const;
+    /// The servo itself changes a register of RAM or feedback; nothing where it does not exist.
+    void put(Memory& memory, catalog::Role role, int value) const;
+
+private:
+    std::array<Field, 256> m_fields{}; ///< by role
+    base::ByteOrder m_order;
+};
+} // namespace sim

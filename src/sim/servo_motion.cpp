@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One millisecond of a servo's life: measure, control, move, watch.
+#include "sim/servo_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim {
+namespace {
+constexpr base::Duration tickTime = std::chrono::milliseconds(1);
+constexpr double tickSeconds = Controller::tick;
+constexpr double speedShare = 0.2;      ///< smoothing over 5 ms
+constexpr double shownShare = 1.0 / 15; ///< and 15 ms more for the register
+constexpr double voltShare = 0.05;      ///< 20 ms
+constexpr int stillTime = 50;           ///< ms until the moving flag falls
+constexpr int restTime = 200;           ///< ms until an idle servo is left alone
+} // namespace
+
+void VirtualServo::State::advance(base::Duration dt)
+{
+    deafLeft = std::max(base::Duration(), deafLeft - dt);
+    if (rebootLeft.count() > 0) {
+        rebootLeft = std::max(base::Duration(), rebootLeft - dt);
+        if (rebootLeft.count() == 0) {
+            switchOn();
+        }
+    }
+    for (pending += dt; pending >= tickTime; pending -= tickTime) {
+        tick();
+    }
+}
+
+/// An idle servo at rest under the load it came to rest under cannot move; only time and heat pass.
+bool VirtualServo::State::sleeps() const
+{
+    return restTicks > restTime && settings.torqueSwitch != 1 && config.load == restLoad;
+}
+
+void VirtualServo::State::tick()
+{
+    ++ticks;
+    if (!sleeps()) {
+        measure();
+        control();
+        mechanics.step(bridge,
+                       bridge == Bridge::Driven ? duty / 1000.0 * settings.driveSign
+                                                : settings.torqueLimit / 1000.0,
+                       config.load, config.surroundings, tickSeconds);
+        restTicks = mechanics.atRest() && bridge != Bridge::Driven ? restTicks + 1 : 0;
+        if (restTicks > restTime) {
+            restLoad = config.load;
+            speed = shownSpeed = 0;
+        }
+    }
+    watch();
+}
+
+void VirtualServo::State::rebase()
+{
+    if (!encoder.endless()) {
+        position = readPosition();
+        return;
+    }
+    const auto turn = double(profile->stepsPerTurn);
+    const double before = readPosition();
+    turnBase += std::int64_t(std::floor(before / turn) * turn);
+    position = readPosition();
+    stepGoal += position - before;
+    controller.energise(position);
+}
+
+double VirtualServo::State::readPosition() const
+{
+    if (!encoder.endless()) {
+        return encoder.potentiometer(counted);
+    }
+    const std::int64_t steps = settings.reversed ? profile->stepsPerTurn - 1 - counted : counted;
+    return double(steps - settings.offset - turnBase);
+}
+
+void VirtualServo::State::measure()
+{
+    const std::int64_t before = counted;
+    counted = encoder.sample(mechanics.angle(), ticks);
+    const double direction = settings.reversed ? -1.0 : 1.0;
+    speed += (direction * double(counted - before) / tickSeconds - speed) * speedShare;
+    shownSpeed += (speed - shownSpeed) * shownShare;
+    position = readPosition();
+}
+
+double VirtualServo::State::positionGoal() const
+{
+    if (settings.mode == DriveMode::Step) {
+        return stepGoal;
+    }
+    if (settings.limitsZero) {
+        return settings.goalPosition;
+    }
+    return std::min(std::max(settings.goalPosition, settings.minAngle), settings.maxAngle);
+}
+
+double VirtualServo::State::topSpeed() const
+{
+    if (settings.goalSpeed != 0) {
+        return std::abs(settings.goalSpeed);
+    }
+    if (timedSpeed > 0.0) {
+        return std::min<double>(timedSpeed, settings.maxSpeed);
+    }
+    return settings.zeroSpeedIsMaximum ? settings.maxSpeed : 0.0;
+}
+
+void VirtualServo::State::control()
+{
+    const bool output = alive() && settings.torqueSwitch == 1 && !protection.unloads(settings);
+    if (!output) {
+        const bool damping = alive() && settings.torqueSwitch == 2 && !protection.unloads(settings);
+        bridge = damping ? Bridge::Shorted : Bridge::Open;
+        duty = 0;
+        moving = false;
+        controller.follow(position);
+        stepGoal = position;
+        return;
+    }
+    if (bridge != Bridge::Driven) {
+        bridge = Bridge::Driven;
+        if (!settings.limitsZero && settings.mode == DriveMode::Position) {
+            rebase();
+        }
+        controller.energise(position);
+    }
+    const double limit = protection.dutyLimit(settings);
+    switch (settings.mode) {
+    case DriveMode::Speed:
+        duty = controller.holdSpeed(settings, settings.goalSpeed, speed, limit);
+        break;
+    case DriveMode::Pwm:
+        duty = std::clamp<double>(-settings.pwm, -limit, limit);
+        break;
+    default:
+        duty = controller.holdPosition(settings, positionGoal(), topSpeed(), position, limit);
+    }
+    const bool still = std::abs(shownSpeed) < slowestShown && controller.path().speed == 0.0;
+    stillTicks = still ? stillTicks + 1 : 0;
+    const bool drivesSpeed = settings.mode == DriveMode::Speed || settings.mode == DriveMode::Pwm;
+    moving = drivesSpeed ? !still : moving && stillTicks < stillTime;
+}
+
+void VirtualServo::State::watch()
+{
+    celsius += (config.surroundings.ambientCelsius +
+                mechanics.copperWatts() * type.thermalResistance - celsius) *
+               (tickSeconds / type.thermalTime);
+    if (!alive()) {
+        return;
+    }
+    volts += (mechanics.supplyVolts(config.surroundings) * 10.0 - volts) * voltShare;
+    const bool watchVoltage = settings.maxVoltage != 0 || settings.minVoltage != 0;
+    protection.update(settings, {duty, std::abs(sensedCurrent()), volts, celsius}, watchVoltage);
+    if (protection.overcurrentTripped() && settings.torqueSwitch != 0) {
+        setTorque(0);
+    }
+}
+} // namespace sim

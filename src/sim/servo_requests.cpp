@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Instructions: what is done, and what is answered. Source: instruction and answer tables of the
+// Feetech protocol notes. Unknown instructions and malformed parameters stay unanswered.
+#include "sim/servo_state.h"
+
+namespace sim {
+namespace {
+enum Instruction : std::uint8_t {
+    Ping = 0x01,
+    Read = 0x02,
+    Write = 0x03,
+    RegWrite = 0x04,
+    Action = 0x05,
+    Restore = 0x06,
+    Reboot = 0x08,
+    Backup = 0x09,
+    StateReset = 0x0A,
+    Calibrate = 0x0B,
+    SyncRead = 0x82,
+    SyncWrite = 0x83,
+};
+constexpr int largestRead = 253; ///< LEN is one byte and counts two more
+} // namespace
+
+std::optional<ServoAnswer> VirtualServo::State::answer(base::ByteView data) const
+{
+    return ServoAnswer{settings.id, protection.status(), base::Bytes(data.begin(), data.end())};
+}
+
+std::optional<ServoAnswer> VirtualServo::State::readTable(base::ByteView params)
+{
+    const int address = params[0];
+    const int count = params[1];
+    if (count > largestRead || address + count > Memory::size) {
+        return std::nullopt;
+    }
+    publish();
+    return answer(memory.view(address, count));
+}
+
+std::optional<ServoAnswer> VirtualServo::State::handle(const ServoRequest& request)
+{
+    if (!alive() || deafLeft.count() > 0) {
+        return std::nullopt;
+    }
+    switch (request.instruction) {
+    case Ping:
+        return request.params.empty() ? answer() : std::nullopt;
+    case Read:
+        if (request.broadcast || request.params.size() != 2) {
+            return std::nullopt;
+        }
+        return readTable(request.params);
+    case SyncRead:
+        if (!profile->syncRead || request.syncReadIndex < 0 || request.params.size() < 3) {
+            return std::nullopt;
+        }
+        return readTable(request.params);
+    default:
+        break;
+    }
+    const int oldId = settings.id;
+    const int oldLevel = settings.responseLevel;
+    const base::Duration answerTime =
+        replyDelay() + base::Duration(60'000'000 / baud); // six bytes of ten bits
+    epromWritten = false;
+    if (!execute(request)) {
+        return std::nullopt;
+    }
+    const auto reply = acknowledge(request, oldId, oldLevel);
+    if (epromWritten) {
+        deafLeft = config.epromTime + (reply ? answerTime : base::Duration());
+    }
+    return reply;
+}
+
+std::optional<ServoAnswer> VirtualServo::State::acknowledge(const ServoRequest& request, int oldId,
+                                                            int oldLevel)
+{
+    if (request.broadcast || oldLevel == 0 || !alive() || request.instruction == SyncWrite) {
+        return std::nullopt;
+    }
+    auto reply = answer();
+    if (config.idAnswersOld) {
+        reply->id = oldId;
+    }
+    return reply;
+}
+
+/// False: not understood.
+bool VirtualServo::State::execute(const ServoRequest& request)
+{
+    const base::ByteView params = request.params;
+    switch (request.instruction) {
+    case Write:
+        if (params.size() < 2) {
+            return false;
+        }
+        write(params[0], params.subspan(1));
+        return true;
+    case RegWrite:
+        return hold(params);
+    case SyncWrite:
+        syncWrite(params);
+        return true;
+    case Calibrate:
+        return calibrate(params);
+    default:
+        break;
+    }
+    if (!params.empty()) {
+        return false;
+    }
+    switch (request.instruction) {
+    case Action:
+        carryOutHeld();
+        return true;
+    case Restore:
+        restore();
+        return true;
+    case Backup:
+        backup();
+        return true;
+    case StateReset:
+        rebase();
+        return true;
+    case Reboot:
+        switchOff();
+        rebootLeft = config.rebootTime;
+        return true;
+    default:
+        return false;
+    }
+}
+
+void VirtualServo::State::syncWrite(base::ByteView params)
+{
+    if (params.size() < 2) {
+        return;
+    }
+    const std::size_t count = params[1];
+    const base::ByteView list = params.subspan(2);
+    if (count == 0 || list.size() % (count + 1) != 0) {
+        return;
+    }
+    for (std::size_t at = 0; at < list.size(); at += count + 1) {
+        if (list[at] == settings.id) {
+            write(params[0], list.subspan(at + 1, count));
+            return;
+        }
+    }
+}
+
+bool VirtualServo::State::hold(base::ByteView params)
+{
+    if (params.size() < 2) {
+        return false;
+    }
+    held = Held{params[0], base::Bytes(params.begin() + 1, params.end())};
+    return true;
+}
+
+void VirtualServo::State::carryOutHeld()
+{
+    if (held) {
+        const Held now = std::move(*held);
+        held.reset();
+        write(now.address, now.data);
+    }
+}
+
+bool VirtualServo::State::calibrate(base::ByteView params)
+{
+    if (profile->centering != catalog::Centering::Instruction0B ||
+        (!params.empty() && params.size() != 2)) {
+        return false;
+    }
+    constexpr int middle = 2048;
+    makePresent(params.empty() ? middle
+                               : int(base::readUnsigned(params, profile->byteOrder)) % 4096);
+    return true;
+}
+} // namespace sim
