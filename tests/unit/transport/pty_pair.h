@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A pseudo-terminal for the transport tests: `path` is the port under test, `master` the far end of
+// its cable. POSIX only. hangUp() unplugs it.
+#pragma once
+
+#include <QString>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <string>
+#include <unistd.h>
+
+class PtyPair {
+public:
+    PtyPair()
+    {
+        master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+        grantpt(master);
+        unlockpt(master);
+        path = QString::fromLocal8Bit(ptsname(master));
+    }
+    ~PtyPair() { hangUp(); }
+    PtyPair(const PtyPair&) = delete;
+    PtyPair& operator=(const PtyPair&) = delete;
+
+    void hangUp()
+    {
+        if (master >= 0)
+            close(master);
+        master = -1;
+    }
+
+    void say(const std::string& bytes) const
+    {
+        if (write(master, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
+            qFatal("pty write");
+    }
+
+    /// Whatever has come through, at least `count` bytes.
+    std::string hear(std::size_t count) const
+    {
+        std::string all;
+        char chunk[256];
+        pollfd state{master, POLLIN, 0};
+        while (all.size() < count && poll(&state, 1, 5000) > 0) {
+            const ssize_t got = ::read(master, chunk, sizeof chunk);
+            if (got <= 0)
+                break;
+            all.append(chunk, static_cast<std::size_t>(got));
+        }
+        return all;
+    }
+
+    int master = -1;
+    QString path;
+};
