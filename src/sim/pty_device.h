@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A pseudo-terminal that other programs open like a serial adapter: raw, with the rate its client
+// has set, an optional symbolic link, and the knowledge whether a client has it open. POSIX; where
+// there is no inotify a client counts as always there. One thread, except wake().
+#pragma once
+
+#include "base/bytes.h"
+#include "base/clock.h"
+#include "base/error.h"
+
+#include <QString>
+
+#include <memory>
+
+namespace sim {
+class PtyDevice {
+public:
+    /// `baud` is what a client finds that sets no rate. PortFailed with the system's message.
+    static base::Result<std::unique_ptr<PtyDevice>> open(const QString& link, int baud);
+    ~PtyDevice();
+    PtyDevice(const PtyDevice&) = delete;
+    PtyDevice& operator=(const PtyDevice&) = delete;
+
+    QString path() const { return m_path; }
+    int baud() const; ///< as the client has set it; 0: unknown
+
+    /// Waits for bytes, a client's coming or going, or wake(), at most `span`.
+    void wait(base::Duration span);
+    void wake(); ///< any thread, also from a signal handler; stays in effect
+    bool woken() const { return m_woken; }
+
+    /// What the client has sent and not yet been read.
+    base::Bytes read();
+    /// In one piece. Lost if no client listens or it does not read, as on a closed port.
+    void write(base::ByteView bytes);
+
+private:
+    PtyDevice() = default;
+    base::Result<void> openTerminal(int baud);
+    base::Result<void> makeLink(const QString& link);
+    void watchClients();
+    void countClients();
+    void forgetLastClient();
+
+    int m_master = -1;
+    int m_slave = -1; ///< held open, so that a client's leaving does not hang the line up
+    int m_watch = -1;
+    int m_wakeRead = -1;
+    int m_wakeWrite = -1;
+    int m_clients = 0;
+    bool m_woken = false;
+    QString m_path;
+    QString m_link;
+};
+} // namespace sim
