@@ -31,6 +31,8 @@ QByteArray cell(std::optional<double> value)
 base::Result<std::unique_ptr<CsvWriter>> CsvWriter::create(const QString& path,
                                                            const std::vector<CsvColumn>& columns)
 {
+    if (path.isEmpty())
+        return tl::unexpected(noName(operation));
     std::unique_ptr<CsvWriter> writer(new CsvWriter(path));
     if (!writer->m_file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered))
         return tl::unexpected(fileError(operation, writer->m_file));

@@ -30,4 +30,9 @@ base::Error fileError(const QString& operation, const QFileDevice& file)
     return {full ? base::ErrorCode::DiskFull : base::ErrorCode::FileUnwritable, operation,
             file.fileName() + QStringLiteral(": ") + file.errorString()};
 }
+
+base::Error noName(const QString& operation)
+{
+    return {base::ErrorCode::FileUnwritable, operation, QStringLiteral("no file name")};
+}
 } // namespace record

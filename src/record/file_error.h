@@ -14,4 +14,7 @@ base::Error fileError(base::ErrorCode otherwise, const QString& operation, const
 
 /// For a QFile that has just failed to write, flush or commit.
 base::Error fileError(const QString& operation, const QFileDevice& file);
+
+/// For an empty path, which Qt would complain about on stderr.
+base::Error noName(const QString& operation);
 } // namespace record

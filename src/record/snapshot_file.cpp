@@ -15,7 +15,10 @@ base::Result<void> saveInOneStep(const QByteArray& text, const QString& path)
 {
     const QString operation = QStringLiteral("save-snapshot");
     QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
+    // flush(), because commit() does not notice when its own flushing fails.
+    const bool written =
+        file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.flush();
+    if (!written || !file.commit())
         return tl::unexpected(fileError(operation, file));
     return {};
 }
@@ -33,6 +36,8 @@ base::Result<void> saveInPlace(const QByteArray& text, const QString& path)
 
 base::Result<void> saveSnapshot(const Snapshot& snapshot, const QString& path)
 {
+    if (path.isEmpty())
+        return tl::unexpected(noName(QStringLiteral("save-snapshot")));
     const QFileInfo target(path);
     const bool special = target.exists() && !target.isFile() && !target.isDir();
     const QByteArray text = encodeSnapshot(snapshot);
