@@ -62,7 +62,7 @@ base::Result<void> CsvWriter::write(base::Duration at, int id,
 base::Result<void> CsvWriter::append(const QByteArray& line)
 {
     const QByteArray bytes = line + '\n';
-    if (m_file.write(bytes) == bytes.size()) {
+    if (writeAll(m_file, bytes)) {
         m_size += bytes.size();
         return {};
     }

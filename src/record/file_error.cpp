@@ -31,6 +31,18 @@ base::Error fileError(const QString& operation, const QFileDevice& file)
             file.fileName() + QStringLiteral(": ") + file.errorString()};
 }
 
+bool writeAll(QFileDevice& file, const QByteArray& bytes)
+{
+    qint64 done = 0;
+    while (done < bytes.size()) {
+        const qint64 put = file.write(bytes.constData() + done, bytes.size() - done);
+        if (put <= 0)
+            return false;
+        done += put;
+    }
+    return true;
+}
+
 base::Error noName(const QString& operation)
 {
     return {base::ErrorCode::FileUnwritable, operation, QStringLiteral("no file name")};

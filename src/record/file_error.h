@@ -12,8 +12,12 @@ namespace record {
 base::Error fileError(base::ErrorCode otherwise, const QString& operation, const QString& path,
                       int systemError);
 
-/// For a QFile that has just failed to write, flush or commit.
+/// For a QFile that has just failed to open, write or commit.
 base::Error fileError(const QString& operation, const QFileDevice& file);
+
+/// Writes to a file that was opened Unbuffered. Qt answers a short count without a reason when the
+/// disk becomes full half-way; the attempt to write the rest brings the reason.
+bool writeAll(QFileDevice& file, const QByteArray& bytes);
 
 /// For an empty path, which Qt would complain about on stderr.
 base::Error noName(const QString& operation);

@@ -9,27 +9,26 @@
 
 namespace record {
 namespace {
+const QString saving = QStringLiteral("save-snapshot");
+const QString loading = QStringLiteral("load-snapshot");
 constexpr qint64 largestFile = 4 * 1024 * 1024;
+
+const auto openMode = QIODevice::WriteOnly | QIODevice::Unbuffered;
 
 base::Result<void> saveInOneStep(const QByteArray& text, const QString& path)
 {
-    const QString operation = QStringLiteral("save-snapshot");
     QSaveFile file(path);
-    // flush(), because commit() does not notice when its own flushing fails.
-    const bool written =
-        file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.flush();
-    if (!written || !file.commit())
-        return tl::unexpected(fileError(operation, file));
+    if (!file.open(openMode) || !writeAll(file, text) || !file.commit())
+        return tl::unexpected(fileError(saving, file));
     return {};
 }
 
 // Renaming onto a pipe or device would replace it by a file.
 base::Result<void> saveInPlace(const QByteArray& text, const QString& path)
 {
-    const QString operation = QStringLiteral("save-snapshot");
     QFile file(path);
-    if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) || file.write(text) != text.size())
-        return tl::unexpected(fileError(operation, file));
+    if (!file.open(openMode) || !writeAll(file, text))
+        return tl::unexpected(fileError(saving, file));
     return {};
 }
 } // namespace
@@ -37,7 +36,7 @@ base::Result<void> saveInPlace(const QByteArray& text, const QString& path)
 base::Result<void> saveSnapshot(const Snapshot& snapshot, const QString& path)
 {
     if (path.isEmpty())
-        return tl::unexpected(noName(QStringLiteral("save-snapshot")));
+        return tl::unexpected(noName(saving));
     const QFileInfo target(path);
     const bool special = target.exists() && !target.isFile() && !target.isDir();
     const QByteArray text = encodeSnapshot(snapshot);
@@ -46,20 +45,19 @@ base::Result<void> saveSnapshot(const Snapshot& snapshot, const QString& path)
 
 base::Result<Snapshot> loadSnapshot(const QString& path)
 {
-    const QString operation = QStringLiteral("load-snapshot");
     const QFileInfo source(path);
     if (!source.exists())
-        return base::fail(base::ErrorCode::FileMissing, operation, path);
+        return base::fail(base::ErrorCode::FileMissing, loading, path);
     QFile file(path);
     if (source.isDir() || !file.open(QIODevice::ReadOnly))
-        return base::fail(base::ErrorCode::FileUnreadable, operation,
+        return base::fail(base::ErrorCode::FileUnreadable, loading,
                           path + QStringLiteral(": ") + file.errorString());
     const QByteArray text = file.read(largestFile + 1);
     if (file.error() != QFileDevice::NoError)
-        return base::fail(base::ErrorCode::FileUnreadable, operation,
+        return base::fail(base::ErrorCode::FileUnreadable, loading,
                           path + QStringLiteral(": ") + file.errorString());
     if (text.size() > largestFile)
-        return base::fail(base::ErrorCode::FileFormat, operation,
+        return base::fail(base::ErrorCode::FileFormat, loading,
                           path + QStringLiteral(": too large for a snapshot"));
     auto snapshot = decodeSnapshot(text);
     if (!snapshot) {
