@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One wire as jobs and windows see it. Implemented twice: BusCore runs on the caller's thread (tests,
-// fast simulation), BusThread owns a core on a thread of its own and adds queue and priorities.
-// Every call may block the caller until the wire has answered; none needs an event loop.
+// One wire as jobs and windows see it. Implemented twice: BusCore runs on the caller's thread
+// (tests, fast simulation), BusThread owns a core on a thread of its own and adds queue and
+// priorities. Every call may block the caller until the wire has answered; none needs an event
+// loop.
 #pragma once
-
-#include "bus/poll.h"
-#include "bus/statistics.h"
-#include "bus/trace.h"
 
 #include "base/clock.h"
 #include "base/error.h"
+#include "bus/poll.h"
+#include "bus/statistics.h"
+#include "bus/trace.h"
 #include "protocol/request.h"
 
 #include <functional>
@@ -17,8 +17,7 @@
 #include <optional>
 #include <vector>
 
-namespace bus
-{
+namespace bus {
 enum class Priority : std::uint8_t { Emergency, Interactive, Job, Poll };
 
 enum class FaultKind : std::uint8_t { TimeOut, BadCheck, Foreign, Late, Noise, WrongShape };
@@ -37,10 +36,16 @@ struct Transaction {
     /// 4 ms, a confirmation for a long one.
     base::Duration patience{};
     std::uint64_t hold = 0; ///< token of a Hold this transaction belongs to
+    /// Ends the transaction early with Stopped. A request that must not be repeated is waited for
+    /// to its deadline once it is sent, so that its fate is known. Null: nothing stops it (a lock
+    /// that must be closed after the user has stopped the job).
+    const base::Stop* stop = nullptr;
 };
 
 struct Outcome {
-    std::vector<protocol::Part> parts; ///< in order of arrival; sync reads may miss servos
+    /// In order of arrival; sync reads may miss servos; empty when nothing was to be answered. A
+    /// raw request has one part of ID -1 with all bytes that came, maybe none.
+    std::vector<protocol::Part> parts;
     std::vector<Fault> faults;
     int attempts = 0;
     base::Duration sentAt{};
@@ -62,11 +67,13 @@ class Bus;
 
 /// While it lives, the servos belong to the job that took it: polls skip them without counting
 /// errors, other transactions to them wait; only the emergency lane passes. Movable value.
-class Hold
-{
+class Hold {
 public:
     Hold() = default;
-    Hold(Bus* owner, std::uint64_t token) : m_owner(owner), m_token(token) {}
+    Hold(Bus* owner, std::uint64_t token)
+        : m_owner(owner)
+        , m_token(token)
+    {}
     Hold(Hold&& other) noexcept { swap(other); }
     Hold& operator=(Hold&& other) noexcept
     {
@@ -86,12 +93,13 @@ private:
     std::uint64_t m_token = 0;
 };
 
-class Bus
-{
+class Bus {
 public:
     virtual ~Bus() = default;
 
-    /// NoAnswer, Garbled, WrongAnswer, Uncertain, LinkLost, Stopped, Preempted, Held, BadArgument.
+    /// NoAnswer, Garbled, WrongAnswer, Uncertain, LinkLost, Stopped, Preempted, BadArgument. Waits
+    /// for servos another thread holds; Held at once when the calling thread holds them itself and
+    /// the transaction does not carry the token.
     virtual base::Result<Outcome> transact(const Transaction& transaction) = 0;
 
     /// Only listens for `span`; valid frames become strays.
@@ -107,18 +115,21 @@ public:
     /// Waits while polls run; false when `stop` is requested first.
     virtual bool pauseUntil(base::Duration instant, const base::Stop* stop) = 0;
 
-    /// Empty `ids`: all servos. Blocks until other holders have let go of them.
+    /// Empty `ids`: all servos. Blocks until other threads have let go of them; the same thread may
+    /// hold a servo more than once.
     virtual Hold hold(const std::vector<int>& ids) = 0;
 
     virtual PollId startPoll(const PollPlan& plan) = 0;
     virtual void stopPoll(PollId id) = 0;
+    /// Also after stopPoll, for what was not taken yet. At most 65536 are kept, the latest.
     virtual std::vector<Sample> takeSamples(PollId id) = 0;
 
     /// Ready-made frames that take torque off; see emergency().
     virtual void setStopFrames(std::vector<base::Bytes> frames) = 0;
 
     /// Sends the stop frames ahead of everything, from any thread, and returns at once. The running
-    /// transaction ends with Preempted.
+    /// transaction and those waiting end with Preempted, and so does the next one of every Hold, so
+    /// that a job between two steps notices.
     virtual void emergency() = 0;
 
     virtual void setRetries(int retries) = 0;
@@ -135,4 +146,4 @@ protected:
     friend class Hold;
     virtual void release(std::uint64_t token) = 0;
 };
-}
+} // namespace bus

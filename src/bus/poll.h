@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace bus
-{
+namespace bus {
 using PollId = std::uint64_t;
 
 struct PollSpan {
@@ -44,4 +43,4 @@ struct Sample {
     bool answered = false;
     base::ErrorCode error = base::ErrorCode::NoAnswer; ///< meaningful when not answered
 };
-}
+} // namespace bus

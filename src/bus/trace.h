@@ -6,8 +6,7 @@
 #include "base/bytes.h"
 #include "base/clock.h"
 
-namespace bus
-{
+namespace bus {
 enum class TraceKind : std::uint8_t { Sent, Received, Echo, Foreign, Late, BadCheck, Noise, Note };
 
 struct TraceEntry {
@@ -16,4 +15,4 @@ struct TraceEntry {
     base::Bytes bytes;
     std::uint64_t dropped = 0; ///< entries lost before this one
 };
-}
+} // namespace bus

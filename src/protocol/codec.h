@@ -25,7 +25,7 @@ enum class ScanKind : std::uint8_t {
     Incomplete, ///< nothing to decide yet
     Reply,      ///< the reply expected: `part`
     Foreign,    ///< a valid frame, but not the one expected: `part` (late, another master, echo)
-    BadCheck,   ///< a frame of the expected shape with a wrong checksum
+    BadCheck,   ///< a frame of the expected shape with a wrong checksum: `part.id` only
     Noise,      ///< bytes that belong to no frame
 };
 

@@ -69,7 +69,7 @@ ScanResult dropFront(ByteView buffer, const Expectation& expected, std::size_t r
     const std::size_t next = std::min(feetech::nextStart(buffer, 1), reply);
     if (feetech::shapeAt(buffer, 0) != Shape::Broken || !looksExpected(buffer, 0, expected))
         return {ScanKind::Noise, next, {}};
-    return {ScanKind::BadCheck, std::min(next, feetech::frameSize(buffer, 0)), {}};
+    return {ScanKind::BadCheck, std::min(next, feetech::frameSize(buffer, 0)), {buffer[2], 0, {}}};
 }
 } // namespace
 

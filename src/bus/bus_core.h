@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bus on the caller's thread: runs a transaction, and the polls that are due, while the caller
+// waits. For tests, fast simulation on a manual clock, and as the engine of BusThread. One thread,
+// except what fetches or sets plain values: emergency(), take…(), statistics(), setRetries(),
+// setPatience(), setReplyDelay(), setStopFrames(), lost() may be called from any.
+#pragma once
+
+#include "bus/exchange.h"
+#include "bus/hold_table.h"
+#include "bus/poll_runner.h"
+#include "bus/sample_store.h"
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+namespace bus {
+struct CoreOptions {
+    int bitsPerByte = 10;                 ///< 11 with parity
+    const base::Stop* shutdown = nullptr; ///< ends every wait with Stopped
+};
+
+class BusCore final : public Bus {
+public:
+    /// Takes the open link and finds out whether it echoes (about 50 ms if it does not).
+    BusCore(std::unique_ptr<transport::Link> link, const protocol::Codec& codec, base::Clock& clock,
+            CoreOptions options = {});
+
+    base::Result<Outcome> transact(const Transaction& transaction) override;
+    base::Result<void> listen(base::Duration span) override;
+    std::vector<Stray> takeStrays() override { return m_strays.take(); }
+
+    base::Result<void> setBaud(int baud) override;
+    int baud() const override { return m_line.baud(); }
+    bool hasBaud() const override { return m_line.hasBaud(); }
+    QString portName() const override { return m_line.name(); }
+    bool echoes() const override { return m_line.echoes(); }
+
+    bool pauseUntil(base::Duration instant, const base::Stop* stop) override;
+    Hold hold(const std::vector<int>& ids) override;
+
+    PollId startPoll(const PollPlan& plan) override;
+    void stopPoll(PollId id) override;
+    std::vector<Sample> takeSamples(PollId id) override { return m_samples.take(id); }
+
+    void setStopFrames(std::vector<base::Bytes> frames) override;
+    void emergency() override;
+
+    void setRetries(int retries) override { m_retries.store(retries); }
+    void setPatience(base::Duration patience) override { m_guard.setPatience(patience); }
+    void setReplyDelay(base::Duration delay) override { m_replyDelay.store(delay.count()); }
+
+    Statistics statistics() const override;
+    std::vector<TraceEntry> takeTrace() override { return m_trace.take(); }
+    base::Clock& clock() const override { return m_clock; }
+
+    // For BusThread, which queues, checks holds and waits by itself.
+
+    /// As transact, for a transaction that no hold keeps back.
+    base::Result<Outcome> execute(const Transaction& transaction);
+    HoldTable& holds() { return m_holds; }
+    PollId reservePoll() { return m_samples.open(); }
+    void beginPoll(PollId id, const PollPlan& plan);
+    std::optional<base::Duration> nextPoll() const { return m_polls.nextDue(); }
+    /// Runs one read that is due; false if there is none.
+    bool runPoll();
+    void requestEmergency(); ///< served by the bus' thread
+    bool serveEmergency();   ///< true if there was one
+    void lookAtLink();       ///< notices unplugging; what has come becomes strays
+    bool lost() const { return m_line.lost(); }
+    void closeLink() { m_line.close(); }
+
+protected:
+    void release(std::uint64_t token) override { m_holds.release(token); }
+
+private:
+    Interrupt interruptBy(const base::Stop* stop) const;
+    base::Duration replyDelay() const { return base::Duration(m_replyDelay.load()); }
+    base::Result<void> awaitTurn(const Transaction& transaction, const Interrupt& interrupt);
+    base::Result<Outcome> repeat(const Transaction& transaction, base::ByteView frame);
+    void sharePolls(Priority priority);
+    void storeSamples(const PollRead& read, Attempt attempt, base::ErrorCode error);
+    base::Error described(base::Error error, const protocol::Request& request, int attempts) const;
+
+    base::Clock& m_clock;
+    const protocol::Codec& m_codec;
+    CoreOptions m_options;
+    std::thread::id m_thread;
+    std::atomic<bool> m_emergency{false};
+    std::atomic<int> m_retries{2};
+    std::atomic<base::Duration::rep> m_replyDelay{508};
+    StatisticsCollector m_statistics;
+    TraceRing m_trace;
+    StrayList m_strays;
+    SampleStore m_samples;
+    HoldTable m_holds;
+    LateGuard m_guard;
+    Line m_line;
+    Exchange m_exchange;
+    PollRunner m_polls;
+    base::Duration m_lastPoll{};
+    std::mutex m_stopFramesMutex;
+    std::vector<base::Bytes> m_stopFrames;
+};
+} // namespace bus

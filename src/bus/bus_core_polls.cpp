@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The polling half of BusCore.
+#include "bus/bus_core.h"
+
+namespace bus {
+using base::Duration;
+using namespace std::chrono_literals;
+
+namespace {
+constexpr Duration pollShare = 20ms;
+/// A held servo is looked at again after this time.
+constexpr Duration heldPause = 5ms;
+} // namespace
+
+PollId BusCore::startPoll(const PollPlan& plan)
+{
+    const PollId id = reservePoll();
+    beginPoll(id, plan);
+    return id;
+}
+
+void BusCore::beginPoll(PollId id, const PollPlan& plan)
+{
+    m_polls.start(id, plan, m_clock.now());
+}
+
+void BusCore::stopPoll(PollId id)
+{
+    m_polls.stop(id);
+    m_samples.close(id);
+}
+
+/// Feedback must not stop while transactions keep the wire busy.
+void BusCore::sharePolls(Priority priority)
+{
+    if (priority != Priority::Emergency && m_clock.now() >= m_lastPoll + pollShare)
+        runPoll();
+}
+
+bool BusCore::runPoll()
+{
+    if (m_line.lost())
+        return false;
+    const Duration now = m_clock.now();
+    const auto read = m_polls.next(
+        now, [&](int id) { return m_holds.isHeld(id) ? now + heldPause : m_guard.quietUntil(id); });
+    if (!read)
+        return false;
+    const auto request =
+        read->ids.size() == 1
+            ? protocol::Request::read(read->ids.front(), read->block.address, read->block.count)
+            : protocol::Request::syncRead(read->block.address, read->block.count, read->ids);
+    const auto frame = m_codec.encode(request);
+    if (!frame) {
+        Attempt refused;
+        refused.missing = read->ids;
+        refused.endedAt = now;
+        storeSamples(*read, std::move(refused), frame.error().code);
+        return true;
+    }
+    auto attempt = m_exchange.run(request, *frame, {}, replyDelay(), interruptBy(nullptr));
+    m_lastPoll = m_clock.now();
+    if (!attempt)
+        return attempt.error().code != base::ErrorCode::LinkLost;
+    const auto error = attempt->fault ? errorFor(*attempt->fault) : base::ErrorCode::NoAnswer;
+    storeSamples(*read, std::move(*attempt), error);
+    return true;
+}
+
+void BusCore::storeSamples(const PollRead& read, Attempt attempt, base::ErrorCode error)
+{
+    m_polls.finished(read, attempt.missing, attempt.endedAt);
+    for (Arrival& arrival : attempt.arrivals) {
+        protocol::Part& part = arrival.part;
+        m_samples.add(read.plan, {part.id, read.block.address, std::move(part.data), part.status,
+                                  arrival.at, true, error});
+    }
+    for (const int id : attempt.missing)
+        m_samples.add(read.plan, {id, read.block.address, {}, 0, attempt.endedAt, false, error});
+}
+} // namespace bus

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/exchange.h"
+
+#include <algorithm>
+
+namespace bus {
+using base::Duration;
+using base::Result;
+using protocol::Expectation;
+using protocol::Part;
+using protocol::ScanKind;
+using Event = StatisticsCollector::Event;
+using namespace std::chrono_literals;
+
+namespace {
+/// No wait is longer before stop and emergency are looked at again.
+constexpr Duration slice = 10ms;
+constexpr std::size_t longestFrame = 256;
+
+bool has(const std::vector<int>& ids, int id)
+{
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+/// Broadcast and unknown servos count in the sum only.
+int countedId(int id)
+{
+    return id <= protocol::maxId ? id : -1;
+}
+
+/// Which of several troubles tells most about the cause.
+int rank(FaultKind kind)
+{
+    switch (kind) {
+    case FaultKind::BadCheck:
+        return 4;
+    case FaultKind::WrongShape:
+        return 3;
+    case FaultKind::Noise:
+        return 2;
+    default:
+        return 1;
+    }
+}
+} // namespace
+
+base::ErrorCode errorFor(FaultKind kind)
+{
+    switch (kind) {
+    case FaultKind::BadCheck:
+    case FaultKind::Noise:
+        return base::ErrorCode::Garbled;
+    case FaultKind::WrongShape:
+        return base::ErrorCode::WrongAnswer;
+    default:
+        return base::ErrorCode::NoAnswer;
+    }
+}
+
+/// A request under way.
+struct Exchange::Wait {
+    Expectation expected; ///< `ids` shrinks as the replies come
+    Attempt attempt;
+    Duration onTime{}; ///< when a prompt adapter would have shown the last reply
+    Duration deadline{};
+    std::vector<int> broken; ///< answered with a wrong checksum
+
+    bool asks(int id) const { return has(expected.ids, id); }
+    /// The servo that noise is counted for.
+    int blamed() const { return expected.ids.size() == 1 ? expected.ids.front() : -1; }
+    void trouble(FaultKind kind)
+    {
+        if (!attempt.fault || rank(kind) > rank(*attempt.fault))
+            attempt.fault = kind;
+    }
+    bool done() const
+    {
+        return std::all_of(expected.ids.begin(), expected.ids.end(),
+                           [this](int id) { return has(broken, id); });
+    }
+};
+
+Exchange::Exchange(Line& line, const protocol::Codec& codec, base::Clock& clock, LateGuard& guard,
+                   StatisticsCollector& statistics, TraceRing& trace, StrayList& strays)
+    : m_line(line)
+    , m_codec(codec)
+    , m_clock(clock)
+    , m_guard(guard)
+    , m_statistics(statistics)
+    , m_trace(trace)
+    , m_strays(strays)
+{}
+
+Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView frame,
+                              Duration patience, Duration replyDelay, const Interrupt& interrupt)
+{
+    if (const auto quiet = awaitSilence(); !quiet)
+        return tl::unexpected(quiet.error());
+    const bool raw = request.op == protocol::Op::Raw;
+    Wait wait;
+    wait.expected = m_codec.expect(request);
+    const std::size_t replies = wait.expected.ids.size();
+    m_guard.sending(request);
+    const auto sentAt = m_line.send(frame);
+    if (!sentAt)
+        return tl::unexpected(sentAt.error());
+    countSent(request, wait.expected);
+
+    wait.attempt.sentAt = *sentAt;
+    wait.onTime = m_line.freeAt() +
+                  m_line.wireTime(replies * static_cast<std::size_t>(wait.expected.replyBytes));
+    if (raw || replies > 0)
+        wait.onTime += replyDelay * std::max<std::size_t>(replies, 1);
+    wait.deadline = wait.onTime + (patience > 0us ? patience : m_guard.patience());
+    m_repliesUntil = wait.onTime;
+    m_unsettled = true;
+
+    Interrupt early = interrupt;
+    if (request.repeat == protocol::Repeat::Never)
+        early.caller = nullptr;
+    const auto received = raw           ? receiveRaw(wait, early)
+                          : replies > 0 ? receiveReplies(wait, early)
+                                        : listenUntil(m_line.freeAt(), {});
+    if (!received)
+        return tl::unexpected(received.error());
+    wait.attempt.endedAt = m_clock.now();
+    return std::move(wait.attempt);
+}
+
+void Exchange::countSent(const protocol::Request& request, const Expectation& expected)
+{
+    if (!expected.any())
+        m_statistics.count(Event::Sent, countedId(request.id));
+    for (const int id : expected.ids)
+        m_statistics.count(Event::Sent, countedId(id));
+}
+
+/// Receives until `ended`, asked after every arrival, says so; at most until the deadline and the
+/// end of a reply that is running then.
+template <typename Ended>
+Result<void> Exchange::receiveUntil(const Wait& wait, const Interrupt& interrupt, Ended&& ended)
+{
+    const Duration limit = wait.deadline + m_line.wireTime(longestFrame);
+    for (bool lastLook = false; !lastLook;) {
+        if (const auto reason = interrupt.due())
+            return base::fail(*reason);
+        const Duration now = m_clock.now();
+        const Duration silentAt =
+            m_line.received() > 0 ? m_line.lastByteAt() + m_line.silence() : Duration{};
+        const Duration until = std::max(wait.deadline, std::min(silentAt, limit));
+        // A thread that was not scheduled in time still finds what has come meanwhile.
+        lastLook = now >= until;
+        const auto came = m_line.receive(std::clamp(until - now, Duration{}, slice));
+        if (!came)
+            return tl::unexpected(came.error());
+        if (*came && ended())
+            return {};
+        lastLook = lastLook && !(*came && now < limit);
+    }
+    return {};
+}
+
+Result<void> Exchange::receiveReplies(Wait& wait, const Interrupt& interrupt)
+{
+    const auto replyBytes = static_cast<std::size_t>(wait.expected.replyBytes);
+    const bool anybody = wait.asks(protocol::broadcastId);
+    const auto received = receiveUntil(wait, interrupt, [&] {
+        if (m_line.received() >= m_line.echoOwed() + replyBytes)
+            m_line.giveUpEcho();
+        digest(wait, false);
+        return wait.expected.ids.empty() || (wait.done() && m_line.received() == 0);
+    });
+    if (!received) {
+        giveUp(wait, true);
+        return received;
+    }
+    if (!wait.expected.ids.empty()) {
+        m_line.giveUpEcho();
+        digest(wait, true);
+        giveUp(wait, false);
+    }
+    if (wait.attempt.missing.empty())
+        wait.attempt.fault.reset();
+    m_unsettled = anybody || !wait.attempt.missing.empty() || m_line.received() > 0;
+    return {};
+}
+
+Result<void> Exchange::receiveRaw(Wait& wait, const Interrupt& interrupt)
+{
+    const auto received = receiveUntil(wait, interrupt, [] { return false; });
+    // Nobody knows whom the bytes spoke to, nor whether all answers are in.
+    m_guard.quietAll(m_clock.now());
+    m_line.giveUpEcho();
+    base::Bytes bytes = m_line.takePending();
+    if (!bytes.empty())
+        m_trace.add(m_line.lastByteAt(), TraceKind::Received, bytes);
+    wait.attempt.arrivals.push_back({{-1, 0, std::move(bytes)}, m_line.lastByteAt()});
+    return received;
+}
+
+void Exchange::giveUp(Wait& wait, bool interrupted)
+{
+    const Duration now = m_clock.now();
+    for (const int id : wait.expected.ids) {
+        wait.attempt.missing.push_back(id);
+        if (has(wait.broken, id))
+            continue;
+        m_guard.timedOut(id, wait.onTime, now);
+        if (interrupted)
+            continue;
+        wait.trouble(FaultKind::TimeOut);
+        m_statistics.count(Event::TimeOut, countedId(id));
+        m_trace.note(now, QStringLiteral("time-out %1").arg(id));
+    }
+}
+
+void Exchange::digest(Wait& wait, bool atDeadline)
+{
+    while (!m_line.pending().empty()) {
+        protocol::ScanResult result = m_codec.scan(m_line.pending(), wait.expected, atDeadline);
+        if (result.kind == ScanKind::Incomplete)
+            return;
+        const base::ByteView bytes = m_line.pending().first(result.consumed);
+        switch (result.kind) {
+        case ScanKind::Reply:
+            m_trace.add(m_line.lastByteAt(), TraceKind::Received, bytes);
+            takeReply(wait, std::move(result.part));
+            break;
+        case ScanKind::Foreign:
+            takeForeign(wait, std::move(result.part), bytes);
+            break;
+        case ScanKind::BadCheck:
+            m_trace.add(m_line.lastByteAt(), TraceKind::BadCheck, bytes);
+            takeBadCheck(wait, result.part.id);
+            break;
+        case ScanKind::Noise:
+        case ScanKind::Incomplete:
+            m_trace.add(m_line.lastByteAt(), TraceKind::Noise, bytes);
+            m_statistics.noise(wait.blamed(), bytes.size());
+            wait.trouble(FaultKind::Noise);
+            break;
+        }
+        m_line.consume(result.consumed);
+    }
+}
+
+void Exchange::digestStrays(bool atDeadline)
+{
+    Wait nobody;
+    digest(nobody, atDeadline);
+}
+
+void Exchange::takeReply(Wait& wait, Part part)
+{
+    const Duration at = m_line.lastByteAt();
+    auto& ids = wait.expected.ids;
+    auto asked = std::find(ids.begin(), ids.end(), part.id);
+    if (asked == ids.end()) // broadcast PING, or an ID write acknowledged from the new ID
+        asked = ids.begin();
+    const int id = *asked == protocol::broadcastId ? part.id : *asked;
+    ids.erase(asked);
+    m_guard.answered(id, at);
+    m_guard.learn(at - wait.onTime);
+    m_statistics.answered(id, at - wait.attempt.sentAt);
+    wait.attempt.arrivals.push_back({std::move(part), at});
+}
+
+void Exchange::takeForeign(Wait& wait, Part part, base::ByteView frame)
+{
+    const Duration at = m_line.lastByteAt();
+    const int id = countedId(part.id);
+    if (const auto lateness = m_guard.settle(id, at)) {
+        m_guard.learn(*lateness);
+        m_statistics.count(Event::Late, id);
+        m_trace.add(at, TraceKind::Late, frame);
+    } else {
+        m_statistics.count(Event::Foreign, id);
+        m_trace.add(at, TraceKind::Foreign, frame);
+        if (wait.asks(part.id))
+            wait.trouble(FaultKind::WrongShape);
+    }
+    if (id >= 0)
+        m_strays.add({id, part.status, std::move(part.data), at});
+}
+
+void Exchange::takeBadCheck(Wait& wait, int id)
+{
+    m_statistics.count(Event::BadCheck, countedId(id));
+    wait.trouble(FaultKind::BadCheck);
+    wait.broken.push_back(wait.asks(id) ? id : wait.blamed());
+}
+} // namespace bus

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One request and what comes back for it, once: deadlines, classification of every frame, and the
+// rule that the host never speaks into a running reply. Bus thread only. Errors are LinkLost,
+// Stopped and Preempted; everything the servos do wrong is in the Attempt.
+#pragma once
+
+#include "bus/bus.h"
+#include "bus/interrupt.h"
+#include "bus/late_guard.h"
+#include "bus/line.h"
+#include "bus/stray_list.h"
+#include "protocol/codec.h"
+
+#include <optional>
+
+namespace bus {
+struct Arrival {
+    protocol::Part part;
+    base::Duration at{}; ///< when its last byte had come
+};
+
+/// What the user is told when this was the trouble.
+base::ErrorCode errorFor(FaultKind kind);
+
+/// What sending a request once brought.
+struct Attempt {
+    std::vector<Arrival> arrivals;
+    std::vector<int> missing;       ///< asked, but not answered
+    std::optional<FaultKind> fault; ///< the most telling trouble, if something is missing
+    base::Duration sentAt{};
+    base::Duration endedAt{};
+};
+
+class Exchange {
+public:
+    Exchange(Line& line, const protocol::Codec& codec, base::Clock& clock, LateGuard& guard,
+             StatisticsCollector& statistics, TraceRing& trace, StrayList& strays);
+
+    /// `frame` is the encoded request. `patience` 0: adaptive.
+    base::Result<Attempt> run(const protocol::Request& request, base::ByteView frame,
+                              base::Duration patience, base::Duration replyDelay,
+                              const Interrupt& interrupt);
+
+    /// Only listens; frames become strays. At least looks once.
+    base::Result<void> listenUntil(base::Duration instant, const Interrupt& interrupt);
+
+    /// Waits for the end of a reply that is still running.
+    base::Result<void> awaitSilence();
+
+    /// Sends ready-made frames with room for the replies nobody waits for.
+    base::Result<void> sendStopFrames(const std::vector<base::Bytes>& frames,
+                                      base::Duration replyDelay);
+
+    /// Finds out whether the adapter returns what is sent.
+    base::Result<bool> probeEcho(const Interrupt& interrupt);
+
+private:
+    struct Wait;
+    template <typename Ended>
+    base::Result<void> receiveUntil(const Wait& wait, const Interrupt& interrupt, Ended&& ended);
+    base::Result<void> receiveReplies(Wait& wait, const Interrupt& interrupt);
+    base::Result<void> receiveRaw(Wait& wait, const Interrupt& interrupt);
+    void countSent(const protocol::Request& request, const protocol::Expectation& expected);
+    void digest(Wait& wait, bool atDeadline);
+    void digestStrays(bool atDeadline);
+    void takeReply(Wait& wait, protocol::Part part);
+    void takeForeign(Wait& wait, protocol::Part part, base::ByteView frame);
+    void takeBadCheck(Wait& wait, int id);
+    void giveUp(Wait& wait, bool interrupted);
+    base::Result<bool> echoedOnce(base::ByteView probe, bool& heard, const Interrupt& interrupt);
+
+    Line& m_line;
+    const protocol::Codec& m_codec;
+    base::Clock& m_clock;
+    LateGuard& m_guard;
+    StatisticsCollector& m_statistics;
+    TraceRing& m_trace;
+    StrayList& m_strays;
+    base::Duration m_repliesUntil{}; ///< when the wire is free of the replies asked for
+    bool m_unsettled = true;         ///< the last exchange did not end with its reply's last byte
+};
+} // namespace bus

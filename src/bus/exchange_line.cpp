@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an Exchange does besides asking: listening, silence, stop frames, the echo probe.
+#include "bus/exchange.h"
+
+#include <algorithm>
+
+namespace bus {
+using base::Duration;
+using base::Result;
+using namespace std::chrono_literals;
+
+namespace {
+constexpr Duration slice = 10ms;
+constexpr int probeTries = 3;
+constexpr int silentTries = 2; ///< the first transaction after opening may be lost
+
+/// Room for the shortest reply after a stop frame, and for a servo that is slow to begin.
+constexpr std::size_t shortestReply = 6;
+constexpr Duration stopFrameMargin = 500us;
+} // namespace
+
+Result<void> Exchange::listenUntil(Duration instant, const Interrupt& interrupt)
+{
+    Duration now = m_clock.now();
+    do {
+        if (const auto reason = interrupt.due())
+            return base::fail(*reason);
+        const auto came = m_line.receive(std::clamp(instant - now, Duration{}, slice));
+        if (!came)
+            return tl::unexpected(came.error());
+        if (*came)
+            digestStrays(false);
+        now = m_clock.now();
+    } while (now < instant);
+    return {};
+}
+
+Result<void> Exchange::awaitSilence()
+{
+    const Duration limit = m_clock.now() + 20ms + m_line.wireTime(512);
+    Duration span{};
+    for (;;) {
+        const auto came = m_line.receive(span);
+        if (!came)
+            return tl::unexpected(came.error());
+        if (*came) {
+            digestStrays(false);
+            m_unsettled = true;
+        }
+        const Duration now = m_clock.now();
+        const Duration silentAt = std::min(m_line.lastByteAt() + m_line.silence(), limit);
+        const bool frameOpen = !m_line.pending().empty();
+        if ((!m_unsettled && !frameOpen) || now >= silentAt)
+            break;
+        span = std::min(silentAt - now, slice);
+    }
+    digestStrays(true);
+    m_unsettled = false;
+    return {};
+}
+
+Result<void> Exchange::sendStopFrames(const std::vector<base::Bytes>& frames, Duration replyDelay)
+{
+    // A frame that falls into a running reply is lost, but stopping must not wait for long either.
+    const Duration limit = m_clock.now() + slice;
+    Duration clearAt = m_repliesUntil;
+    while (m_clock.now() < std::min(clearAt, limit)) {
+        const auto heard = listenUntil(std::min(clearAt, limit), {});
+        if (!heard)
+            return heard;
+        clearAt = std::max(clearAt, m_line.lastByteAt() + m_line.silence());
+    }
+    const int rounds = clearAt > limit ? 2 : 1;
+    for (int round = 0; round < rounds; ++round) {
+        for (const base::Bytes& frame : frames) {
+            if (const auto sent = m_line.send(frame); !sent)
+                return tl::unexpected(sent.error());
+            const Duration room = replyDelay + m_line.wireTime(shortestReply) + stopFrameMargin;
+            if (const auto heard = listenUntil(m_line.freeAt() + room, {}); !heard)
+                return heard;
+        }
+    }
+    m_guard.quietAll(m_clock.now());
+    m_unsettled = true;
+    return {};
+}
+
+Result<bool> Exchange::probeEcho(const Interrupt& interrupt)
+{
+    const auto probe = m_codec.encode(m_codec.echoProbe());
+    if (!probe)
+        return tl::unexpected(probe.error());
+    int silent = 0;
+    for (int tries = 0; tries < probeTries && silent < silentTries; ++tries) {
+        if (const auto quiet = awaitSilence(); !quiet)
+            return tl::unexpected(quiet.error());
+        bool heard = false;
+        const auto echoed = echoedOnce(*probe, heard, interrupt);
+        if (!echoed || *echoed)
+            return echoed;
+        silent += heard ? 0 : 1;
+    }
+    return false;
+}
+
+Result<bool> Exchange::echoedOnce(base::ByteView probe, bool& heard, const Interrupt& interrupt)
+{
+    if (const auto sent = m_line.send(probe); !sent)
+        return tl::unexpected(sent.error());
+    m_unsettled = true;
+    const Duration deadline = m_line.freeAt() + m_guard.patience();
+    for (Duration now = m_clock.now(); now < deadline; now = m_clock.now()) {
+        if (const auto reason = interrupt.due())
+            return base::fail(*reason);
+        const auto came = m_line.receive(std::min(deadline - now, slice));
+        if (!came)
+            return came;
+        const base::ByteView seen = m_line.pending();
+        if (std::search(seen.begin(), seen.end(), probe.begin(), probe.end()) != seen.end()) {
+            m_trace.add(m_line.lastByteAt(), TraceKind::Echo, m_line.takePending());
+            return true;
+        }
+    }
+    heard = m_line.received() > 0;
+    return false;
+}
+} // namespace bus

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/hold_table.h"
+
+#include <algorithm>
+
+namespace bus {
+namespace {
+/// Whoever speaks to all servos, or to nobody knows whom, meets every hold.
+constexpr int anybody = -1;
+
+int addressee(const protocol::Request& request)
+{
+    return request.id == protocol::broadcastId ? anybody : request.id;
+}
+} // namespace
+
+bool HoldTable::Entry::covers(int id) const
+{
+    return id == anybody || ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+std::uint64_t HoldTable::take(const std::vector<int>& ids, std::thread::id owner)
+{
+    const std::lock_guard lock(m_mutex);
+    for (const Entry& entry : m_entries) {
+        const bool meets = ids.empty() || std::any_of(ids.begin(), ids.end(),
+                                                      [&](int id) { return entry.covers(id); });
+        if (meets && entry.owner != owner)
+            return 0;
+    }
+    m_entries.push_back({++m_lastToken, ids, owner, false});
+    return m_lastToken;
+}
+
+void HoldTable::release(std::uint64_t token)
+{
+    const std::lock_guard lock(m_mutex);
+    std::erase_if(m_entries, [token](const Entry& entry) { return entry.token == token; });
+}
+
+HoldTable::Access HoldTable::accessTo(int id, std::uint64_t token, std::thread::id caller) const
+{
+    Access access = Access::Pass;
+    for (const Entry& entry : m_entries) {
+        if (!entry.covers(id))
+            continue;
+        if (token != 0 && entry.token == token)
+            return Access::Pass;
+        access = entry.owner == caller ? Access::Refused : Access::Wait;
+    }
+    return access;
+}
+
+HoldTable::Access HoldTable::access(const protocol::Request& request, std::uint64_t token,
+                                    std::thread::id caller)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_entries.empty())
+        return Access::Pass;
+    for (Entry& entry : m_entries) {
+        if (entry.token == token && std::exchange(entry.preempted, false))
+            return Access::Preempted;
+    }
+    if (request.targets.empty())
+        return accessTo(addressee(request), token, caller);
+    for (const protocol::Target& target : request.targets) {
+        const Access access = accessTo(target.id, token, caller);
+        if (access != Access::Pass)
+            return access;
+    }
+    return Access::Pass;
+}
+
+bool HoldTable::isHeld(int id) const
+{
+    const std::lock_guard lock(m_mutex);
+    return std::any_of(m_entries.begin(), m_entries.end(),
+                       [id](const Entry& entry) { return entry.covers(id); });
+}
+
+void HoldTable::preemptAll()
+{
+    const std::lock_guard lock(m_mutex);
+    for (Entry& entry : m_entries)
+        entry.preempted = true;
+}
+
+void HoldTable::forgetPreemption(std::uint64_t token)
+{
+    const std::lock_guard lock(m_mutex);
+    for (Entry& entry : m_entries) {
+        if (entry.token == token)
+            entry.preempted = false;
+    }
+}
+} // namespace bus

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reasons to end a wait on the wire early, looked at in every slice. Bus thread only.
+#pragma once
+
+#include "base/error.h"
+#include "base/stop.h"
+
+#include <atomic>
+#include <optional>
+
+namespace bus {
+struct Interrupt {
+    const std::atomic<bool>* emergency = nullptr;
+    const base::Stop* shutdown = nullptr; ///< the bus itself is to end
+    const base::Stop* caller = nullptr;   ///< the user stopped the job
+
+    std::optional<base::ErrorCode> due() const
+    {
+        if (emergency != nullptr && emergency->load(std::memory_order_acquire))
+            return base::ErrorCode::Preempted;
+        if ((shutdown != nullptr && shutdown->requested()) ||
+            (caller != nullptr && caller->requested()))
+            return base::ErrorCode::Stopped;
+        return std::nullopt;
+    }
+};
+} // namespace bus

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What keeps a late reply from being taken for the answer to the next request. Replies carry no
+// address, so after a time-out the bus only listens for a while before it speaks to that servo
+// again; and it learns from every reply how patient it has to be. Bus thread only, except
+// patience() and setPatience().
+#pragma once
+
+#include "base/clock.h"
+#include "protocol/request.h"
+
+#include <array>
+#include <atomic>
+#include <optional>
+
+namespace bus {
+class LateGuard {
+public:
+    /// Patience of ordinary transactions beyond wire time and reply delay.
+    base::Duration patience() const;
+    void setPatience(base::Duration start);
+
+    /// A reply came `lateness` after the instant at which a prompt adapter would have shown it.
+    void learn(base::Duration lateness);
+
+    void timedOut(int id, base::Duration onTime, base::Duration now);
+    void answered(int id, base::Duration now);
+    void sending(const protocol::Request& request);
+    /// A frame from `id` that nobody waits for: its lateness if that servo owes a reply.
+    std::optional<base::Duration> settle(int id, base::Duration now);
+
+    /// From when on this servo, or all that the request speaks to, may be spoken to.
+    base::Duration quietUntil(int id) const;
+    base::Duration quietUntil(const protocol::Request& request) const;
+    /// Nobody is spoken to for a while: replies of unknown origin may be on their way.
+    void quietAll(base::Duration now);
+
+private:
+    enum class Debt : std::uint8_t {
+        None,
+        Owed,     ///< timed out, the reply may still come
+        Trailing, ///< a repetition was answered, the first answer may still come
+    };
+    struct Servo {
+        base::Duration quietUntil{};
+        base::Duration onTime{};
+        Debt debt = Debt::None;
+    };
+    base::Duration window() const;
+    template <typename Visit>
+    void visit(const protocol::Request& request, Visit&& visitor);
+    bool known(int id) const { return id >= 0 && id <= protocol::maxId; }
+
+    std::array<Servo, protocol::maxId + 1> m_servos{};
+    base::Duration m_allQuietUntil{};
+    base::Duration m_latestQuiet{}; ///< of any servo
+    std::atomic<base::Duration::rep> m_start{25'000};
+    std::atomic<base::Duration::rep> m_learnt{0};
+};
+} // namespace bus

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The link with what it lacks: the time bytes take on the wire, the echo of what was sent, and the
+// bytes that have come but are not understood yet. Counts and traces what it sends. Bus thread
+// only. The first error of the link is final: LinkLost from then on.
+#pragma once
+
+#include "base/clock.h"
+#include "bus/statistics_collector.h"
+#include "bus/trace_ring.h"
+#include "transport/link.h"
+
+#include <atomic>
+#include <memory>
+
+namespace bus {
+class Line {
+public:
+    Line(std::unique_ptr<transport::Link> link, base::Clock& clock, int bitsPerByte,
+         StatisticsCollector& statistics, TraceRing& trace);
+
+    base::Duration wireTime(std::size_t bytes) const;
+    /// So long without a byte, and a reply that was running has ended.
+    base::Duration silence() const;
+
+    /// Waits until earlier bytes have left the wire, then sends. When the sending began.
+    base::Result<base::Duration> send(base::ByteView frame);
+    /// Waits for bytes, at most `span`; true if some came.
+    base::Result<bool> receive(base::Duration span);
+
+    /// Bytes not understood yet, without echo. Empty while an echo is still being received.
+    base::ByteView pending() const { return m_echo.empty() ? m_buffer : base::ByteView{}; }
+    std::size_t received() const { return m_buffer.size(); } ///< echo included
+    void consume(std::size_t bytes);
+    base::Bytes takePending();
+    /// The echo did not come as it was sent: as many bytes as were sent are dropped.
+    void giveUpEcho();
+    std::size_t echoOwed() const { return m_echo.size(); }
+
+    base::Duration lastByteAt() const { return m_lastByteAt; }
+    base::Duration freeAt() const { return m_freeAt; } ///< when what was sent has left the wire
+
+    bool echoes() const { return m_echoes.load(std::memory_order_relaxed); }
+    void setEchoes(bool echoes) { m_echoes.store(echoes, std::memory_order_relaxed); }
+
+    base::Result<void> setBaud(int baud);
+    int baud() const { return m_baud.load(std::memory_order_relaxed); }
+    bool hasBaud() const { return m_hasBaud; }
+    const QString& name() const { return m_name; }
+    bool lost() const { return m_lost.load(std::memory_order_relaxed); }
+    base::Result<void> alive() const; ///< LinkLost once it is
+
+    /// The link must be destroyed on the thread that owns it, the line may live on.
+    void close();
+
+private:
+    tl::unexpected<base::Error> loss(const base::Error& error);
+    void stripEcho();
+
+    std::unique_ptr<transport::Link> m_link;
+    base::Clock& m_clock;
+    int m_bitsPerByte;
+    StatisticsCollector& m_statistics;
+    TraceRing& m_trace;
+    QString m_name;
+    bool m_hasBaud;
+    std::atomic<int> m_baud;
+    std::atomic<bool> m_echoes{false};
+    std::atomic<bool> m_lost{false};
+    base::Bytes m_buffer;
+    base::Bytes m_echo; ///< sent, and still to come back
+    base::Duration m_freeAt{};
+    base::Duration m_lastByteAt{};
+};
+} // namespace bus

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Counts what happens on one wire. Fed by the bus, copied out by any thread. An event without a
+// servo (broadcast, noise while nobody was asked) has ID -1 and counts in the sum only.
+#pragma once
+
+#include "bus/round_trips.h"
+#include "bus/statistics.h"
+
+#include <map>
+#include <mutex>
+
+namespace bus {
+class StatisticsCollector {
+public:
+    enum class Event : std::uint8_t { Sent, TimeOut, BadCheck, Foreign, Late, Retried };
+
+    explicit StatisticsCollector(base::Duration start);
+
+    void count(Event event, int id);
+    void answered(int id, base::Duration roundTrip);
+    void noise(int id, std::size_t bytes);
+    void bytesSent(std::size_t bytes, base::Duration wireTime);
+    void bytesReceived(std::size_t bytes, base::Duration wireTime);
+
+    /// Patience and lost samples are the caller's to fill in.
+    Statistics snapshot(base::Duration now) const;
+
+private:
+    struct Entry {
+        Counters counters;
+        RoundTrips roundTrips;
+    };
+    template <typename Change>
+    void change(int id, Change&& apply);
+
+    mutable std::mutex m_mutex;
+    base::Duration m_start;
+    Entry m_total;
+    std::map<int, Entry> m_byId;
+    std::uint64_t m_bytesOut = 0;
+    std::uint64_t m_bytesIn = 0;
+    base::Duration m_wireTime{};
+};
+} // namespace bus
