@@ -65,15 +65,14 @@ std::optional<Heard> UartReceiver::exact(const WireLine& line, const Burst& burs
 
 std::optional<Heard> UartReceiver::sampled(const WireLine& line, const Burst& burst) const
 {
-    Nanos from = std::max(m_cursor, burst.start);
-    if (m_awaitIdle) {
-        while (!line.high(from)) {
-            const auto next = line.nextBoundary(from);
-            if (!next)
-                return std::nullopt;
-            from = *next;
-        }
+    Nanos from = m_cursor;
+    while (m_awaitIdle && !line.high(from)) {
+        const auto next = line.nextBoundary(from);
+        if (!next)
+            return std::nullopt;
+        from = *next;
     }
+    from = std::max(from, burst.start);
     const auto start = findStartBit(line, from, burst.end());
     if (!start)
         return std::nullopt;
