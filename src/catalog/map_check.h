@@ -8,7 +8,7 @@
 #include <functional>
 
 namespace catalog {
-/// Removes the rows that cannot stay and reports each with its place among the rows and the reason.
+/// Removes the rows that cannot stay and reports each with the reason.
 void dropConflicts(MapDef& map,
                    const std::function<void(const QString& key, const QString& reason)>& report);
 } // namespace catalog
