@@ -88,8 +88,12 @@ int typicalValue(Role role, const ServoType& type)
 }
 
 /// Read-only figures of the factory area, shown but not used by the simulation.
-int factoryValue(const QString& key, int maxSpeed)
+int factoryValue(const catalog::Register& reg, int maxSpeed)
 {
+    const QString& key = reg.key;
+    if (reg.writable()) {
+        return 0;
+    }
     if (key == QLatin1String("max_speed_limit")) {
         return std::min(255, maxSpeed / 50);
     }
@@ -127,9 +131,8 @@ void VirtualServo::State::fillFactoryValues()
 {
     const int maxSpeed = maximumSpeed(type, *profile);
     for (const catalog::Register& reg : profile->registers) {
-        std::int64_t value =
-            reg.defaultRaw.value_or(reg.role == Role::None ? factoryValue(reg.key, maxSpeed)
-                                                           : typicalValue(reg.role, type));
+        std::int64_t value = reg.defaultRaw.value_or(
+            reg.role == Role::None ? factoryValue(reg, maxSpeed) : typicalValue(reg.role, type));
         value = ownValue(reg.role, *profile, config).value_or(int(value));
         const base::Bytes bytes =
             base::writeUnsigned(std::uint64_t(std::max<std::int64_t>(0, value)),

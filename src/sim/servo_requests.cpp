@@ -19,6 +19,16 @@ enum Instruction : std::uint8_t {
     SyncRead = 0x82,
     SyncWrite = 0x83,
 };
+
+/// 0x0B came to the STS with firmware 3.10, beside the 128 they all know.
+bool knowsCalibration(const catalog::Profile& profile)
+{
+    const catalog::Identity& id = profile.identity;
+    const bool sts = profile.series == QLatin1String("STS") && id.firmwareMajor == 3;
+    return profile.centering == catalog::Centering::Instruction0B ||
+           (sts && id.firmwareMinor >= 10);
+}
+
 constexpr int largestRead = 253; ///< LEN is one byte and counts two more
 } // namespace
 
@@ -171,8 +181,7 @@ void VirtualServo::State::carryOutHeld()
 
 bool VirtualServo::State::calibrate(base::ByteView params)
 {
-    if (profile->centering != catalog::Centering::Instruction0B ||
-        (!params.empty() && params.size() != 2)) {
+    if (!knowsCalibration(*profile) || (!params.empty() && params.size() != 2)) {
         return false;
     }
     constexpr int middle = 2048;

@@ -77,7 +77,7 @@ void VirtualServo::State::switchTorque()
     constexpr int centre = 128;
     constexpr int middle = 2048;
     const int wanted = map.read(memory, Role::TorqueSwitch);
-    if (wanted == centre && profile->centering != catalog::Centering::None) {
+    if (wanted == centre && profile->centering == catalog::Centering::Write128) {
         makePresent(middle);
         setTorque(0);
     } else if (wanted > (profile->damping ? 2 : 1)) {

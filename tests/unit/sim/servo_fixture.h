@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One simulated servo on a table, for the tests of this layer: made by model name, spoken to with
+// the instructions of the protocol notes, watched through its own registers. Test thread only.
+#pragma once
+
+#include "catalog/catalog.h"
+#include "sim/virtual_servo.h"
+
+#include <QString>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <initializer_list>
+
+namespace fixture {
+using std::chrono::milliseconds;
+
+inline QString key(const char* name)
+{
+    return QString::fromLatin1(name);
+}
+
+inline const catalog::Catalog& models()
+{
+    static const catalog::Catalog catalog = catalog::Catalog::load().catalog;
+    return catalog;
+}
+
+/// The firmware each family was seen with: STS 3.10, SMS 2.48, SCS 0.4.
+inline catalog::ProfilePtr profileOf(const QString& modelName)
+{
+    const catalog::ModelEntry* entry = models().model(modelName);
+    if (entry == nullptr) {
+        qFatal("no model %s", qPrintable(modelName));
+    }
+    if (entry->series == QLatin1String("SCS")) {
+        return models().profileFor(*entry, 0, 4);
+    }
+    return entry->series == QLatin1String("SMS") ? models().profileFor(*entry, 2, 48)
+                                                 : models().profileFor(*entry, 3, 10);
+}
+
+inline sim::ServoConfig configOf(const QString& modelName)
+{
+    sim::ServoConfig config;
+    if (modelName.startsWith(QLatin1String("SM")) || modelName == QLatin1String("STS3250")) {
+        config.surroundings.supplyVolts = 12.0;
+    } else if (modelName.startsWith(QLatin1String("SCS"))) {
+        config.surroundings.supplyVolts = 6.0;
+    }
+    return config;
+}
+
+class Servo : public sim::VirtualServo {
+public:
+    explicit Servo(const QString& model)
+        : Servo(model, configOf(model))
+    {}
+    Servo(const QString& model, const sim::ServoConfig& config)
+        : VirtualServo(profileOf(model), config)
+    {}
+
+    std::optional<sim::ServoAnswer> ask(std::uint8_t instruction,
+                                        std::initializer_list<std::uint8_t> params = {})
+    {
+        return handle({false, instruction, base::Bytes(params), -1});
+    }
+    std::optional<sim::ServoAnswer> shout(std::uint8_t instruction,
+                                          std::initializer_list<std::uint8_t> params = {})
+    {
+        return handle({true, instruction, base::Bytes(params), -1});
+    }
+    std::optional<sim::ServoAnswer> write(std::initializer_list<std::uint8_t> params)
+    {
+        return ask(0x03, params);
+    }
+    base::Bytes read(std::uint8_t address, std::uint8_t count)
+    {
+        const auto answer = ask(0x02, {address, count});
+        return answer ? answer->data : base::Bytes{};
+    }
+    int at(const char* name) const { return int(raw(key(name))); }
+    void set(const char* name, int value) { poke(key(name), value); }
+    std::uint8_t lockAddress() const
+    {
+        return std::uint8_t(profile().byRole(catalog::Role::Lock)->address);
+    }
+    /// An EPROM write as it should be done: unlock, write, wait until it hears again, lock.
+    void keep(const char* name, int value)
+    {
+        set("lock", 0);
+        set(name, value);
+        set("lock", 1);
+    }
+    void powerCycle()
+    {
+        powerOff();
+        run(20);
+        powerOn();
+    }
+    void run(int ms)
+    {
+        for (int i = 0; i < ms; ++i) {
+            step(milliseconds(1));
+        }
+    }
+    /// Runs and hands every millisecond to `look`.
+    template <typename Look>
+    void run(int ms, Look&& look)
+    {
+        for (int i = 0; i < ms; ++i) {
+            step(milliseconds(1));
+            look();
+        }
+    }
+    /// Steps of the sensor the shaft has truly turned, independent of what the servo says.
+    double shaftSteps() const { return shaftDegrees() / 360.0 * 4096.0; }
+};
+} // namespace fixture
