@@ -29,8 +29,9 @@ void stall(VirtualServo& servo)
 // The supply is above what this servo allows, and stays so.
 void overVoltage(VirtualServo& servo)
 {
-    servo.poke(QStringLiteral("max_voltage"), 70);
-    servo.surroundings().supplyVolts = 7.6;
+    constexpr double tooMuch = 0.6;
+    const auto limit = static_cast<double>(servo.raw(QStringLiteral("max_voltage"))) / 10;
+    servo.surroundings().supplyVolts = limit + tooMuch;
     letTimePass(servo, std::chrono::milliseconds(500));
 }
 

@@ -25,7 +25,9 @@ inline std::unique_ptr<sim::VirtualBus> bus(const char* list, std::optional<int>
 
 inline base::Bytes frame(std::uint8_t id, std::uint8_t instruction, const base::Bytes& params = {})
 {
-    base::Bytes bytes{0xFF, 0xFF, id, static_cast<std::uint8_t>(params.size() + 2), instruction};
+    base::Bytes bytes;
+    bytes.reserve(params.size() + 6);
+    bytes.assign({0xFF, 0xFF, id, static_cast<std::uint8_t>(params.size() + 2), instruction});
     bytes.insert(bytes.end(), params.begin(), params.end());
     const unsigned sum = std::accumulate(bytes.begin() + 2, bytes.end(), 0U);
     bytes.push_back(static_cast<std::uint8_t>(~sum));

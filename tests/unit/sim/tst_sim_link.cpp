@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The simulated bus as a link, on a clock that jumps and on the real one.
+#include "sim/sim_link.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include "wire_bench.h"
+
+using namespace std::chrono_literals;
+using base::Bytes;
+using base::Duration;
+using base::ErrorCode;
+
+class tst_SimLink : public QObject {
+    Q_OBJECT
+
+    static std::shared_ptr<sim::SharedBus> shared(const char* list,
+                                                  const sim::WireConfig& wire = {})
+    {
+        return std::make_shared<sim::SharedBus>(wire::bus(list, {}, wire));
+    }
+
+    static auto linkTo(const std::shared_ptr<sim::SharedBus>& bus, base::Clock& clock)
+    {
+        return sim::makeSimLink(bus, QStringLiteral("sim:test"), clock, 1'000'000);
+    }
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void waitingJumpsToTheWholeReply()
+    {
+        base::ManualClock clock;
+        const auto bus = shared("sts3215@1");
+        const auto link = linkTo(bus, clock);
+        const Duration delay = bus->with([](auto& wire) { return wire.servo(1)->replyDelay(); });
+        QVERIFY(link->write(wire::ping(1)));
+        QVERIFY(link->waitReadable(10ms).value());
+        QCOMPARE(clock.now(), 120us + delay);
+        Bytes reply{0x77};
+        QCOMPARE(link->read(reply).value(), std::size_t{6});
+        QCOMPARE(int{reply.front()}, 0x77);
+        QVERIFY(wire::isStatusOf({reply.begin() + 1, reply.end()}, 1));
+        QCOMPARE(link->name(), QStringLiteral("sim:test"));
+        QVERIFY(link->hasBaud());
+    }
+
+    void waitingForNothingEndsAtTheDeadline()
+    {
+        base::ManualClock clock;
+        const auto link = linkTo(shared("sts3215@1"), clock);
+        QVERIFY(!link->waitReadable(7ms).value());
+        QCOMPARE(clock.now(), Duration(7ms));
+        QVERIFY(link->write(wire::ping(9)));
+        QVERIFY(!link->waitReadable(0us).value());
+        QCOMPARE(clock.now(), Duration(7ms));
+        QVERIFY(!link->waitReadable(25ms).value());
+        QCOMPARE(clock.now(), Duration(32ms));
+    }
+
+    // A deadline inside the reply: what has come by then is there, the rest follows.
+    void aShortWaitSeesPartOfAReply()
+    {
+        base::ManualClock clock;
+        const auto bus = shared("sts3215@1");
+        const auto link = linkTo(bus, clock);
+        const Duration delay = bus->with([](auto& wire) { return wire.servo(1)->replyDelay(); });
+        QVERIFY(link->write(wire::ping(1)));
+        QVERIFY(link->waitReadable(60us + delay + 25us).value());
+        Bytes reply;
+        QCOMPARE(link->read(reply).value(), std::size_t{2});
+        QVERIFY(link->waitReadable(1ms).value());
+        QVERIFY(link->read(reply));
+        QVERIFY(wire::isStatusOf(reply, 1));
+    }
+
+    void theRateCounts()
+    {
+        base::ManualClock clock;
+        const auto link = linkTo(shared("sts3215@1:115200"), clock);
+        QVERIFY(link->write(wire::ping(1)));
+        QVERIFY(!link->waitReadable(50ms).value());
+        QVERIFY(link->setBaud(115'200));
+        QCOMPARE(link->baud(), 115'200);
+        QVERIFY(link->write(wire::ping(1)));
+        QVERIFY(link->waitReadable(50ms).value());
+        QCOMPARE(link->setBaud(0).error().code, ErrorCode::RateUnsupported);
+        QCOMPARE(link->baud(), 115'200);
+    }
+
+    void aCutLinkStaysLost()
+    {
+        base::ManualClock clock;
+        const auto bus = shared("sts3215@1");
+        const auto link = linkTo(bus, clock);
+        bus->with([](auto& wire) { wire.cutLink(); });
+        Bytes buffer;
+        QCOMPARE(link->waitReadable(10ms).error().code, ErrorCode::LinkLost);
+        bus->with([](auto& wire) { wire.restoreLink(); });
+        QCOMPARE(link->write(wire::ping(1)).error().code, ErrorCode::LinkLost);
+        QCOMPARE(link->read(buffer).error().code, ErrorCode::LinkLost);
+        QCOMPARE(link->setBaud(9600).error().code, ErrorCode::LinkLost);
+        const auto next = linkTo(bus, clock);
+        QVERIFY(next->write(wire::ping(1)));
+        QVERIFY(next->waitReadable(10ms).value());
+    }
+
+    void theWriteThatCutsIsNoticedByReading()
+    {
+        base::ManualClock clock;
+        const auto bus = shared("sts3215@1");
+        const auto link = linkTo(bus, clock);
+        bus->with([](auto& wire) { wire.cutAfterHostBytes(3); });
+        QVERIFY(link->write(wire::ping(1)));
+        Bytes buffer;
+        QCOMPARE(link->read(buffer).error().code, ErrorCode::LinkLost);
+    }
+
+    void realTimePassesAsOnTheWire()
+    {
+        base::SystemClock clock;
+        sim::WireConfig config;
+        config.adapterLatency = 16ms;
+        const auto link = linkTo(shared("sts3215@1", config), clock);
+        const Duration start = clock.now();
+        QVERIFY(link->write(wire::ping(1)));
+        QVERIFY(link->waitReadable(5s).value());
+        QVERIFY(clock.now() - start >= 16'120us);
+        Bytes reply;
+        QCOMPARE(link->read(reply).value(), std::size_t{6});
+    }
+
+    void anHourPassesOnTheManualClock()
+    {
+        base::ManualClock clock;
+        const auto bus = shared("sts3215@1");
+        const auto link = linkTo(bus, clock);
+        clock.advance(1h);
+        QVERIFY(link->write(wire::ping(1)));
+        QVERIFY(link->waitReadable(10ms).value());
+        QVERIFY(clock.now() < 1h + 1ms);
+    }
+};
+
+QTEST_GUILESS_MAIN(tst_SimLink)
+#include "tst_sim_link.moc"
