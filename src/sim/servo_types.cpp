@@ -120,7 +120,7 @@ Drive driveOf(const ServoType& type)
 
 int maximumSpeed(const ServoType& type, const catalog::Profile& profile)
 {
-    return int(0.9 * type.noLoadSpeed() * stepsPerRadian(profile) / 50.0) * 50;
+    return int(0.78 * type.noLoadSpeed() * stepsPerRadian(profile) / 50.0) * 50;
 }
 
 double stepsPerRadian(const catalog::Profile& profile)

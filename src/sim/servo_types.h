@@ -49,7 +49,8 @@ struct Drive {
 
 Drive driveOf(const ServoType& type);
 
-/// Fastest goal speed the firmware accepts, step/s.
+/// Fastest goal speed the firmware accepts, step/s: what it can keep up at nominal volts with a
+/// duty below the usual overload threshold.
 int maximumSpeed(const ServoType& type, const catalog::Profile& profile);
 
 /// Steps of the position sensor for one radian of the shaft.

@@ -65,12 +65,12 @@ void readPhase(Settings& s, const Reader& read, bool scs, const ServoType& type,
 }
 
 /// P counts a quarter and D an eighth (register sheet); D looks at the change of the error over the
-/// 20 ms of the firmware's D control time; I adds a hundredth of the error every millisecond.
+/// 20 ms of the firmware's D control time. What I counts is not published: 4 duty/s for each step.
 void readGains(Settings& s, const Reader& read)
 {
     s.positionP = read(Role::PositionP) / 4.0;
     s.positionD = read(Role::PositionD) / 8.0 * 0.020;
-    s.positionI = read(Role::PositionI) * 10.0;
+    s.positionI = read(Role::PositionI) * 4.0;
     s.integralLimit = read(Role::IntegralLimit) * 4.0;
     s.startupForce = read(Role::StartupForce);
     s.cwDeadZone = read(Role::CwDeadZone);
