@@ -2,8 +2,8 @@
 # :/i18n/NAME.qm. `cmake --build build --target update_translations` brings the .ts files up to
 # date with the sources; a test fails while they are not, or while an entry is unfinished.
 set(SERVODESK_TS_FILES ${CMAKE_SOURCE_DIR}/translations/servodesk_zh_CN.ts)
-set(SERVODESK_TEXT_FOLDERS ${CMAKE_SOURCE_DIR}/src)
-set(SERVODESK_LUPDATE_OPTIONS -no-obsolete -locations none -silent)
+set(SERVODESK_LUPDATE ${CMAKE_SOURCE_DIR}/src -no-obsolete -locations none -silent
+    CACHE INTERNAL "What lupdate reads and how; the test of the translations does the same")
 
 set(qm_files)
 foreach(ts IN LISTS SERVODESK_TS_FILES)
@@ -21,7 +21,6 @@ qt_add_resources(sd_text translations PREFIX /i18n BASE ${CMAKE_BINARY_DIR}/i18n
     FILES ${qm_files})
 
 add_custom_target(update_translations
-    COMMAND Qt6::lupdate ${SERVODESK_LUPDATE_OPTIONS} ${SERVODESK_TEXT_FOLDERS}
-            -ts ${SERVODESK_TS_FILES}
+    COMMAND Qt6::lupdate ${SERVODESK_LUPDATE} -ts ${SERVODESK_TS_FILES}
     COMMENT "Updating the .ts files from the sources"
     VERBATIM)
