@@ -19,7 +19,7 @@ public:
         : m_bus(std::move(bus))
     {}
     template <typename Function>
-    auto with(Function&& function)
+    decltype(auto) with(Function&& function)
     {
         const std::lock_guard lock(m_mutex);
         return function(*m_bus);
