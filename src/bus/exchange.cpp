@@ -259,7 +259,7 @@ void Exchange::takeReply(Wait& wait, Part part)
         asked = ids.begin();
     const int id = *asked == protocol::broadcastId ? part.id : *asked;
     ids.erase(asked);
-    m_guard.answered(id, at);
+    m_guard.answered(id, wait.onTime, at);
     m_guard.learn(at - wait.onTime);
     m_statistics.answered(id, at - wait.attempt.sentAt);
     wait.attempt.arrivals.push_back({std::move(part), at});

@@ -50,18 +50,28 @@ void LateGuard::timedOut(int id, Duration onTime, Duration now)
         quietAll(now);
         return;
     }
-    m_servos[std::size_t(id)] = {now + window(), onTime, Debt::Owed};
-    m_latestQuiet = std::max(m_latestQuiet, now + window());
+    Servo& servo = m_servos[std::size_t(id)];
+    if (servo.debt != Debt::Owed || onTime - servo.onTime > believable)
+        servo.onTime = onTime;
+    servo.debt = Debt::Owed;
+    beQuiet(servo, now + window());
 }
 
-void LateGuard::answered(int id, Duration now)
+void LateGuard::answered(int id, Duration onTime, Duration now)
 {
     if (!known(id) || m_servos[std::size_t(id)].debt != Debt::Owed)
         return;
+    // If this was the reply to the first request, that to the last one comes just as late.
     Servo& servo = m_servos[std::size_t(id)];
+    beQuiet(servo, now + std::min(onTime - servo.onTime, believable) + window());
     servo.debt = Debt::Trailing;
-    servo.quietUntil = now + window();
-    m_latestQuiet = std::max(m_latestQuiet, servo.quietUntil);
+    servo.onTime = onTime;
+}
+
+void LateGuard::beQuiet(Servo& servo, Duration until)
+{
+    servo.quietUntil = until;
+    m_latestQuiet = std::max(m_latestQuiet, until);
 }
 
 template <typename Visit>

@@ -23,7 +23,8 @@ public:
     void learn(base::Duration lateness);
 
     void timedOut(int id, base::Duration onTime, base::Duration now);
-    void answered(int id, base::Duration now);
+    /// `onTime` is that of the request which was answered.
+    void answered(int id, base::Duration onTime, base::Duration now);
     void sending(const protocol::Request& request);
     /// A frame from `id` that nobody waits for: its lateness if that servo owes a reply.
     std::optional<base::Duration> settle(int id, base::Duration now);
@@ -38,14 +39,15 @@ private:
     enum class Debt : std::uint8_t {
         None,
         Owed,     ///< timed out, the reply may still come
-        Trailing, ///< a repetition was answered, the first answer may still come
+        Trailing, ///< answered, maybe by the reply to an earlier request: its own may follow
     };
     struct Servo {
         base::Duration quietUntil{};
-        base::Duration onTime{};
+        base::Duration onTime{}; ///< of the oldest request whose reply may still come
         Debt debt = Debt::None;
     };
     base::Duration window() const;
+    void beQuiet(Servo& servo, base::Duration until);
     template <typename Visit>
     void visit(const protocol::Request& request, Visit&& visitor);
     bool known(int id) const { return id >= 0 && id <= protocol::maxId; }

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Late replies and echoes: nothing that came for an earlier request, or from the host itself, is
+// ever taken for an answer.
+#include <QRegularExpression>
+#include <QTest>
+
+#include "bench_bus.h"
+
+using namespace bus;
+using base::ErrorCode;
+using protocol::Repeat;
+using protocol::Request;
+using namespace std::chrono_literals;
+
+Q_DECLARE_METATYPE(protocol::Request)
+Q_DECLARE_METATYPE(Duration)
+
+class TestBusLate : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void slowAdapterNeverGivesTheWrongRegister_data()
+    {
+        QTest::addColumn<Duration>("latency");
+        QTest::addColumn<Duration>("patience");
+        QTest::addColumn<int>("lostEvery");
+        QTest::newRow("16 ms, 5 ms patience") << Duration(16ms) << Duration(5ms) << 0;
+        QTest::newRow("16 ms, 4 ms patience, losses") << Duration(16ms) << Duration(4ms) << 5;
+        QTest::newRow("20 ms") << Duration(20ms) << Duration(1ms) << 0;
+        QTest::newRow("40 ms, default patience") << Duration(40ms) << Duration(25ms) << 7;
+        QTest::newRow("60 ms: later than the pause") << Duration(60ms) << Duration(25ms) << 0;
+    }
+
+    void slowAdapterNeverGivesTheWrongRegister()
+    {
+        QFETCH(const Duration, latency);
+        QFETCH(const Duration, patience);
+        QFETCH(const int, lostEvery);
+        for (const bool adaptive : {true, false}) {
+            Bench bench;
+            bench.open();
+            bench.script.latency = latency;
+            bench.core->setPatience(patience);
+            int count = 0;
+            bench.script.intercept = [&](const Bytes&) {
+                return lostEvery > 0 && ++count % lostEvery == 0;
+            };
+            int wrong = 0;
+            int right = 0;
+            for (int i = 0; i < 400; ++i) {
+                const int address = i % 2 == 0 ? 56 : 62;
+                const auto outcome = bench.transact(Request::read(1, address, 2), 2,
+                                                    adaptive ? Duration{} : patience);
+                if (!outcome)
+                    continue;
+                (outcome->data() == tableBytes(1, address, 2) ? right : wrong) += 1;
+            }
+            QCOMPARE(wrong, 0);
+            if (adaptive)
+                QVERIFY2(right >= 390, "the bus learns how patient it has to be");
+        }
+    }
+
+    void sameServoIsLeftInPeaceAfterATimeOut_data()
+    {
+        QTest::addColumn<Request>("next");
+        QTest::addColumn<bool>("waits");
+        QTest::newRow("same servo") << Request::ping(9) << true;
+        QTest::newRow("another servo") << Request::ping(1) << false;
+        QTest::newRow("broadcast") << Request::action() << true;
+        QTest::newRow("raw") << Request::raw({0xFF}) << true;
+        QTest::newRow("sync read with it") << Request::syncRead(56, 2, {1, 9}) << true;
+        QTest::newRow("sync read without") << Request::syncRead(56, 2, {1, 2}) << false;
+        QTest::newRow("sync write with it") << Request::syncWrite(42, {{9, {0, 8}}}) << true;
+        QTest::newRow("sync write without") << Request::syncWrite(42, {{1, {0, 8}}}) << false;
+    }
+
+    void sameServoIsLeftInPeaceAfterATimeOut()
+    {
+        QFETCH(const Request, next);
+        QFETCH(const bool, waits);
+        for (const Duration patience : {Duration(5ms), Duration(60ms)}) {
+            Bench bench;
+            bench.open();
+            bench.core->setPatience(patience);
+            QVERIFY(!bench.transact(Request::read(9, 56, 2), 0));
+            const Duration timedOut = bench.script.clock.now();
+            static_cast<void>(bench.transact(next, 0));
+            const Duration pause = bench.script.sent.at(1).at - timedOut;
+            QCOMPARE(pause, waits ? std::max<Duration>(20ms, patience) : Duration{});
+        }
+    }
+
+    void lateReplyIsCountedKeptAndLearntFrom()
+    {
+        Bench bench;
+        bench.open();
+        bench.core->setReplyDelay(0us);
+        bench.core->setPatience(5ms);
+        bench.script.latency = 16ms;
+        QVERIFY(!bench.transact(Request::ping(1), 0));
+        QVERIFY(bench.core->listen(20ms));
+        QCOMPARE(bench.counters(1).late, std::uint64_t(1));
+        QCOMPARE(bench.counters(1).foreign, std::uint64_t(0));
+        const auto strays = bench.core->takeStrays();
+        QCOMPARE(strays.size(), std::size_t(1));
+        QCOMPARE(strays.front().id, 1);
+        QCOMPARE(bench.core->statistics().patience, Duration(24ms));
+        QVERIFY2(bench.transact(Request::ping(1), 0), "now patient enough");
+    }
+
+    void repliesInTimeTeachToo()
+    {
+        Bench bench;
+        bench.open();
+        bench.core->setReplyDelay(0us);
+        bench.script.latency = 20ms;
+        QVERIFY(bench.transact(Request::ping(1)));
+        QCOMPARE(bench.core->statistics().patience, Duration(30ms));
+        bench.script.latency = 0ms;
+        QVERIFY(bench.transact(Request::ping(1)));
+        QCOMPARE(bench.core->statistics().patience, Duration(30ms));
+    }
+
+    void explicitPatienceStaysAsGiven()
+    {
+        Bench bench;
+        bench.open();
+        bench.core->setReplyDelay(0us);
+        bench.script.latency = 20ms;
+        QVERIFY(bench.transact(Request::ping(1)));
+        QCOMPARE(bench.timed(Request::ping(9), 0, 4ms), Duration(120us + 4ms));
+    }
+
+    void unbelievableLatenessIsNotLearnt()
+    {
+        Bench bench;
+        bench.open();
+        QVERIFY(!bench.transact(Request::ping(9), 0));
+        bench.script.deliver(bench.script.clock.now() + 900ms, frameOf(9, 0, {}));
+        QVERIFY(bench.core->listen(1s));
+        QCOMPARE(bench.counters(9).late, std::uint64_t(1));
+        QCOMPARE(bench.core->statistics().patience, Duration(25ms));
+    }
+
+    void lateRepliesOfAScanNameTheirServo()
+    {
+        Bench bench;
+        bench.open();
+        bench.script.latency = 16ms;
+        int answered = 0;
+        for (int id = 0; id <= 20; ++id)
+            answered += bench.transact(Request::ping(id), 0, 4ms) ? 1 : 0;
+        QVERIFY(bench.core->listen(40ms));
+        QCOMPARE(answered, 0);
+        std::vector<int> ids;
+        for (const Stray& stray : bench.core->takeStrays())
+            ids.push_back(stray.id);
+        QCOMPARE(ids, (std::vector{1, 2, 3}));
+        QCOMPARE(bench.core->statistics().total.late, std::uint64_t(3));
+    }
+
+    void afterRawBytesNobodyIsSpokenToForAWhile()
+    {
+        Bench bench;
+        bench.open();
+        bench.script.latency = 40ms;
+        // The answer to a raw READ comes after the raw transaction has ended.
+        QVERIFY(bench.transact(Request::raw(frameOf(1, 2, {56, 2}))));
+        const auto outcome = bench.transact(Request::read(1, 62, 2));
+        QVERIFY(!outcome || outcome->data() == tableBytes(1, 62, 2));
+    }
+
+    void echoIsFoundOut_data()
+    {
+        QTest::addColumn<bool>("echo");
+        QTest::addColumn<int>("lostFirst");
+        QTest::addColumn<bool>("garbleFirst");
+        QTest::addColumn<Duration>("latency");
+        QTest::newRow("no echo") << false << 0 << false << Duration{};
+        QTest::newRow("echo") << true << 0 << false << Duration{};
+        QTest::newRow("echo, 16 ms adapter") << true << 0 << false << Duration(16ms);
+        QTest::newRow("echo, first frame lost") << true << 1 << false << Duration{};
+        QTest::newRow("echo, first one garbled") << true << 0 << true << Duration{};
+        QTest::newRow("no echo, noise at first") << false << 0 << true << Duration{};
+    }
+
+    void echoIsFoundOut()
+    {
+        QFETCH(const bool, echo);
+        QFETCH(const int, lostFirst);
+        QFETCH(const bool, garbleFirst);
+        QFETCH(const Duration, latency);
+        Bench bench;
+        bench.script.latency = latency;
+        bench.script.echo = echo && lostFirst == 0 && !garbleFirst;
+        int frames = 0;
+        bench.script.intercept = [&](const Bytes& frame) {
+            if (garbleFirst && frames == 0)
+                bench.script.reply(Bytes(frame.begin(), frame.begin() + 4));
+            bench.script.echo = echo;
+            ++frames;
+            return true;
+        };
+        bench.open();
+        QCOMPARE(bench.core->echoes(), echo);
+    }
+
+    void echoIsNeverAnAnswer_data()
+    {
+        QTest::addColumn<Request>("request");
+        QTest::addColumn<bool>("present");
+        QTest::newRow("ping 1, whose echo is a valid reply") << Request::ping(1) << false;
+        QTest::newRow("ping 1, answered") << Request::ping(1) << true;
+        QTest::newRow("read of 2, echo of equal length") << Request::read(1, 56, 2) << false;
+        QTest::newRow("read of 2, answered") << Request::read(1, 56, 2) << true;
+        QTest::newRow("sync read") << Request::syncRead(56, 2, {1, 2}) << true;
+        QTest::newRow("write of nothing much")
+            << Request::write(1, 42, {0, 8}, Repeat::Safe) << true;
+    }
+
+    void echoIsNeverAnAnswer()
+    {
+        QFETCH(const Request, request);
+        QFETCH(const bool, present);
+        for (const Duration latency : {Duration{}, Duration(16ms)}) {
+            Bench bench;
+            bench.script.echo = true;
+            bench.script.latency = latency;
+            bench.open();
+            QVERIFY(bench.core->echoes());
+            if (!present)
+                bench.script.tables.clear();
+            const auto outcome = bench.transact(request, 0);
+            QCOMPARE(outcome.has_value(), present);
+            if (present)
+                QCOMPARE(int(outcome->status()), 0);
+            if (request.op == protocol::Op::Read && present)
+                QCOMPARE(outcome->data(), tableBytes(1, 56, 2));
+        }
+    }
+
+    void echoesOfUnansweredFramesAreDroppedLater()
+    {
+        Bench bench;
+        bench.script.echo = true;
+        bench.script.latency = 16ms;
+        bench.open();
+        for (int i = 0; i < 3; ++i)
+            QVERIFY(bench.transact(Request::syncWrite(42, {{1, {0, 8}}})));
+        const auto outcome = bench.transact(Request::read(1, 56, 2), 0);
+        QVERIFY(outcome);
+        QCOMPARE(outcome->data(), tableBytes(1, 56, 2));
+        QCOMPARE(bench.core->statistics().total.foreign, std::uint64_t(0));
+    }
+
+    void damagedEchoIsDroppedByItsLength()
+    {
+        Bench bench;
+        bench.script.echo = true;
+        bench.open();
+        bench.script.echo = false;
+        bench.script.intercept = [&](const Bytes& frame) {
+            Bytes damaged = frame;
+            damaged[3] ^= 0x40;
+            bench.script.deliver(bench.script.wireFree, damaged);
+            return false;
+        };
+        const auto outcome = bench.transact(Request::read(1, 56, 15), 0);
+        QVERIFY(outcome);
+        QCOMPARE(outcome->data(), tableBytes(1, 56, 15));
+    }
+
+    void lateFrameAheadOfAnEchoDoesNotShiftIt()
+    {
+        Bench bench;
+        bench.script.echo = true;
+        bench.open();
+        bench.script.tables.erase(1);
+        // Six bytes of another servo come just after the host has begun to send PING 1.
+        bench.script.intercept = [&](const Bytes&) {
+            bench.script.deliver(bench.script.clock.now() + 10us, frameOf(7, 0, {}));
+            return true;
+        };
+        QVERIFY(!bench.transact(Request::ping(1), 0));
+        QCOMPARE(bench.counters(7).foreign, std::uint64_t(1));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestBusLate)
+#include "tst_bus_late.moc"
