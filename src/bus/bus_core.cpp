@@ -87,9 +87,15 @@ Interrupt BusCore::interruptBy(const base::Stop* stop) const
 
 Result<Outcome> BusCore::transact(const Transaction& transaction)
 {
-    switch (m_holds.access(transaction.request, transaction.hold, std::this_thread::get_id())) {
+    return execute(transaction, m_holds.access(transaction.request, transaction.hold,
+                                               std::this_thread::get_id()));
+}
+
+Result<Outcome> BusCore::execute(const Transaction& transaction, HoldTable::Access access)
+{
+    switch (access) {
     case HoldTable::Access::Pass:
-        return execute(transaction);
+        return run(transaction);
     case HoldTable::Access::Preempted:
         serveEmergency();
         return tl::unexpected(described({ErrorCode::Preempted}, transaction.request, 0));
@@ -100,7 +106,7 @@ Result<Outcome> BusCore::transact(const Transaction& transaction)
     return tl::unexpected(described({ErrorCode::Held}, transaction.request, 0));
 }
 
-Result<Outcome> BusCore::execute(const Transaction& transaction)
+Result<Outcome> BusCore::run(const Transaction& transaction)
 {
     const protocol::Request& request = transaction.request;
     const auto frame = m_codec.encode(request);

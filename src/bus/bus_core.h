@@ -56,8 +56,8 @@ public:
 
     // For BusThread, which queues, checks holds and waits by itself.
 
-    /// As transact, for a transaction that no hold keeps back.
-    base::Result<Outcome> execute(const Transaction& transaction);
+    /// As transact, after the holds were asked. Access::Wait ends with Held.
+    base::Result<Outcome> execute(const Transaction& transaction, HoldTable::Access access);
     HoldTable& holds() { return m_holds; }
     PollId reservePoll() { return m_samples.open(); }
     void beginPoll(PollId id, const PollPlan& plan);
@@ -76,6 +76,7 @@ protected:
 private:
     Interrupt interruptBy(const base::Stop* stop) const;
     base::Duration replyDelay() const { return base::Duration(m_replyDelay.load()); }
+    base::Result<Outcome> run(const Transaction& transaction);
     base::Result<void> awaitTurn(const Transaction& transaction, const Interrupt& interrupt);
     base::Result<Outcome> repeat(const Transaction& transaction, base::ByteView frame);
     void sharePolls(Priority priority);

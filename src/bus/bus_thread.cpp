@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/bus_thread.h"
+
+#include <algorithm>
+
+namespace bus {
+using base::Duration;
+using base::ErrorCode;
+using base::Result;
+using namespace std::chrono_literals;
+
+namespace {
+/// Unplugging is noticed within this time although nothing is said on the wire.
+constexpr Duration lookInterval = 200ms;
+/// A caller whose turn has not come yet looks at its stop this often.
+constexpr auto stopInterval = 20ms;
+} // namespace
+
+/// A transaction, or other work for the bus thread, on its way through the queue.
+struct BusThread::Pending {
+    Transaction transaction;
+    std::function<Result<void>(BusCore&)> work; ///< instead of the transaction
+    Done done;                                  ///< instead of a caller who waits
+    std::thread::id caller;
+    bool preempted = false; ///< an emergency came while it waited
+    std::condition_variable finished;
+    std::optional<Result<Outcome>> result;
+};
+
+/// Keeps the object alive until the callers inside have left it. Constructed and destroyed with the
+/// mutex held.
+struct BusThread::Visit {
+    explicit Visit(BusThread& thread)
+        : bus(thread)
+    {
+        ++bus.m_visitors;
+    }
+    ~Visit()
+    {
+        if (--bus.m_visitors == 0)
+            bus.m_changed.notify_all();
+    }
+    BusThread& bus;
+};
+
+BusThread::BusThread(const protocol::Codec& codec, base::Clock& clock, int bitsPerByte)
+    : m_codec(codec)
+    , m_clock(clock)
+    , m_bitsPerByte(bitsPerByte)
+{}
+
+Result<std::unique_ptr<BusThread>> BusThread::open(Opener opener, const protocol::Codec& codec,
+                                                   base::Clock& clock, int bitsPerByte)
+{
+    std::unique_ptr<BusThread> bus(new BusThread(codec, clock, bitsPerByte));
+    if (const auto started = bus->start(std::move(opener)); !started)
+        return tl::unexpected(started.error());
+    return bus;
+}
+
+Result<void> BusThread::start(Opener opener)
+{
+    m_thread.reset(QThread::create([this, opener = std::move(opener)] { run(opener); }));
+    m_thread->setObjectName(QStringLiteral("bus"));
+    m_thread->start();
+    std::unique_lock lock(m_mutex);
+    m_changed.wait(lock, [this] { return m_opened.has_value(); });
+    return *m_opened;
+}
+
+BusThread::~BusThread()
+{
+    m_shutdown.request();
+    wake();
+    {
+        std::unique_lock lock(m_mutex);
+        m_changed.wait(lock, [this] { return m_ended && m_visitors == 0; });
+    }
+    m_thread->wait();
+}
+
+void BusThread::run(const Opener& opener)
+{
+    auto link = opener();
+    if (link)
+        m_core = std::make_unique<BusCore>(std::move(*link), m_codec, m_clock,
+                                           CoreOptions{m_bitsPerByte, &m_shutdown});
+    {
+        const std::lock_guard lock(m_mutex);
+        m_opened = link ? Result<void>{} : tl::unexpected(link.error());
+        m_changed.notify_all();
+    }
+    if (m_core)
+        serve();
+    finishAll();
+}
+
+void BusThread::serve()
+{
+    while (!m_shutdown.requested()) {
+        m_core->serveEmergency();
+        if (!runNext() && !m_core->runPoll())
+            idle();
+    }
+    m_core->closeLink();
+}
+
+void BusThread::finishAll()
+{
+    for (;;) {
+        std::shared_ptr<Pending> pending;
+        {
+            const std::lock_guard lock(m_mutex);
+            if (m_queue.empty()) {
+                m_ended = true;
+                m_changed.notify_all();
+                return;
+            }
+            pending = m_queue.front();
+            m_queue.pop_front();
+        }
+        finish(*pending, base::fail(ErrorCode::Stopped));
+    }
+}
+
+/// Runs the most urgent thing that no hold keeps back; false if there is none.
+bool BusThread::runNext()
+{
+    std::shared_ptr<Pending> next;
+    auto access = HoldTable::Access::Pass;
+    {
+        std::unique_lock lock(m_mutex);
+        m_signal = false;
+        if (!m_commands.empty()) {
+            const Command command = std::move(m_commands.front());
+            m_commands.pop_front();
+            lock.unlock();
+            command(*m_core);
+            return true;
+        }
+        const auto place = std::find_if(m_queue.begin(), m_queue.end(), [&](const auto& pending) {
+            access = accessOf(*pending);
+            return access != HoldTable::Access::Wait;
+        });
+        if (place == m_queue.end())
+            return false;
+        next = *place;
+        m_queue.erase(place);
+    }
+    finish(*next, next->work ? next->work(*m_core).map([] { return Outcome{}; })
+                             : m_core->execute(next->transaction, access));
+    return true;
+}
+
+HoldTable::Access BusThread::accessOf(const Pending& pending)
+{
+    const Transaction& transaction = pending.transaction;
+    if (pending.work)
+        return HoldTable::Access::Pass;
+    if (pending.preempted) {
+        m_core->holds().forgetPreemption(transaction.hold);
+        return HoldTable::Access::Preempted;
+    }
+    return m_core->holds().access(transaction.request, transaction.hold, pending.caller);
+}
+
+void BusThread::finish(Pending& pending, Result<Outcome> result)
+{
+    if (pending.done) {
+        pending.done(std::move(result));
+        return;
+    }
+    {
+        const std::lock_guard lock(m_mutex);
+        pending.result = std::move(result);
+    }
+    pending.finished.notify_one();
+}
+
+void BusThread::idle()
+{
+    const Duration now = m_clock.now();
+    if (now >= m_lastLook + lookInterval) {
+        m_lastLook = now;
+        m_core->lookAtLink();
+    }
+    Duration until = m_lastLook + lookInterval;
+    if (!isLost())
+        until = std::min(until, m_core->nextPoll().value_or(until));
+    std::unique_lock lock(m_mutex);
+    m_work.wait_for(lock, std::max(until - now, Duration{}), [this] { return m_signal; });
+}
+
+void BusThread::wake()
+{
+    const std::lock_guard lock(m_mutex);
+    m_signal = true;
+    m_work.notify_one();
+}
+
+void BusThread::post(Command command)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_commands.push_back(std::move(command));
+    }
+    wake();
+}
+
+/// With the mutex held. Equal priorities keep their order.
+void BusThread::enqueue(std::shared_ptr<Pending> pending)
+{
+    const auto place =
+        std::upper_bound(m_queue.begin(), m_queue.end(), pending, [](const auto& a, const auto& b) {
+            return a->transaction.priority < b->transaction.priority;
+        });
+    m_queue.insert(place, std::move(pending));
+    m_signal = true;
+    m_work.notify_one();
+}
+
+Result<Outcome> BusThread::await(const std::shared_ptr<Pending>& pending)
+{
+    const base::Stop* const stop = pending->transaction.stop;
+    std::unique_lock lock(m_mutex);
+    const Visit visit(*this);
+    if (m_ended)
+        return base::fail(ErrorCode::Stopped);
+    enqueue(pending);
+    const auto finished = [&] { return pending->result.has_value(); };
+    if (stop == nullptr)
+        pending->finished.wait(lock, finished);
+    while (!pending->finished.wait_for(lock, stopInterval, finished)) {
+        const auto place = std::find(m_queue.begin(), m_queue.end(), pending);
+        if (stop->requested() && place != m_queue.end()) {
+            m_queue.erase(place);
+            return base::fail(ErrorCode::Stopped);
+        }
+    }
+    return std::move(*pending->result);
+}
+
+Result<Outcome> BusThread::transact(const Transaction& transaction)
+{
+    const auto pending = std::make_shared<Pending>();
+    pending->transaction = transaction;
+    pending->caller = std::this_thread::get_id();
+    return await(pending);
+}
+
+void BusThread::submit(Transaction transaction, Done done)
+{
+    const auto pending = std::make_shared<Pending>();
+    pending->transaction = std::move(transaction);
+    pending->done = std::move(done);
+    pending->caller = std::this_thread::get_id();
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!m_ended) {
+            enqueue(pending);
+            return;
+        }
+    }
+    pending->done(base::fail(ErrorCode::Stopped));
+}
+
+Result<void> BusThread::onBusThread(std::function<Result<void>(BusCore&)> work)
+{
+    const auto pending = std::make_shared<Pending>();
+    pending->work = std::move(work);
+    return await(pending).map([](const Outcome&) {});
+}
+
+Result<void> BusThread::listen(Duration span)
+{
+    return onBusThread([span](BusCore& core) { return core.listen(span); });
+}
+
+Result<void> BusThread::setBaud(int baud)
+{
+    return onBusThread([baud](BusCore& core) { return core.setBaud(baud); });
+}
+
+bool BusThread::pauseUntil(Duration instant, const base::Stop* stop)
+{
+    return m_clock.sleepUntil(instant, stop);
+}
+
+Hold BusThread::hold(const std::vector<int>& ids)
+{
+    std::uint64_t token = 0;
+    std::unique_lock lock(m_mutex);
+    const Visit visit(*this);
+    m_changed.wait(lock, [&] {
+        if (!m_shutdown.requested())
+            token = m_core->holds().take(ids, std::this_thread::get_id());
+        return token != 0 || m_shutdown.requested();
+    });
+    return {this, token};
+}
+
+void BusThread::release(std::uint64_t token)
+{
+    m_core->holds().release(token);
+    const std::lock_guard lock(m_mutex);
+    m_signal = true;
+    m_work.notify_one();
+    m_changed.notify_all();
+}
+
+PollId BusThread::startPoll(const PollPlan& plan)
+{
+    const PollId id = m_core->reservePoll();
+    post([id, plan](BusCore& core) { core.beginPoll(id, plan); });
+    return id;
+}
+
+void BusThread::stopPoll(PollId id)
+{
+    post([id](BusCore& core) { core.stopPoll(id); });
+}
+
+void BusThread::setStopFrames(std::vector<base::Bytes> frames)
+{
+    m_core->setStopFrames(std::move(frames));
+}
+
+void BusThread::emergency()
+{
+    m_core->requestEmergency();
+    const std::lock_guard lock(m_mutex);
+    for (const auto& pending : m_queue)
+        pending->preempted = pending->transaction.priority != Priority::Emergency;
+    m_signal = true;
+    m_work.notify_one();
+}
+} // namespace bus

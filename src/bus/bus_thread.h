@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bus on a thread of its own: opens the port there, keeps the queue (emergency > interactive >
+// job, polls in between) and notices unplugging. All calls from any thread but the bus' own, except
+// emergency(). A blocking call blocks its caller only. Needs a clock that runs by itself.
+#pragma once
+
+#include "bus/bus_core.h"
+
+#include <QThread>
+
+#include <condition_variable>
+#include <deque>
+
+namespace bus {
+class BusThread final : public Bus {
+public:
+    using Opener = std::function<base::Result<std::unique_ptr<transport::Link>>()>;
+    using Done = std::function<void(base::Result<Outcome>)>;
+
+    /// Blocks until the port is open (about 50 ms more to find out about echo) or failed to.
+    static base::Result<std::unique_ptr<BusThread>>
+    open(Opener opener, const protocol::Codec& codec, base::Clock& clock, int bitsPerByte = 10);
+
+    /// Ends the thread; whoever still waits gets Stopped.
+    ~BusThread() override;
+
+    /// Does not block; `done` is called once, on the bus thread, and must be quick. A transaction
+    /// still waiting when the bus ends is done with Stopped.
+    void submit(Transaction transaction, Done done);
+    bool isLost() const { return m_core->lost(); }
+
+    base::Result<Outcome> transact(const Transaction& transaction) override;
+    base::Result<void> listen(base::Duration span) override;
+    std::vector<Stray> takeStrays() override { return m_core->takeStrays(); }
+
+    base::Result<void> setBaud(int baud) override;
+    int baud() const override { return m_core->baud(); }
+    bool hasBaud() const override { return m_core->hasBaud(); }
+    QString portName() const override { return m_core->portName(); }
+    bool echoes() const override { return m_core->echoes(); }
+
+    bool pauseUntil(base::Duration instant, const base::Stop* stop) override;
+    Hold hold(const std::vector<int>& ids) override;
+
+    PollId startPoll(const PollPlan& plan) override;
+    void stopPoll(PollId id) override;
+    std::vector<Sample> takeSamples(PollId id) override { return m_core->takeSamples(id); }
+
+    void setStopFrames(std::vector<base::Bytes> frames) override;
+    void emergency() override;
+
+    void setRetries(int retries) override { m_core->setRetries(retries); }
+    void setPatience(base::Duration patience) override { m_core->setPatience(patience); }
+    void setReplyDelay(base::Duration delay) override { m_core->setReplyDelay(delay); }
+
+    Statistics statistics() const override { return m_core->statistics(); }
+    std::vector<TraceEntry> takeTrace() override { return m_core->takeTrace(); }
+    base::Clock& clock() const override { return m_clock; }
+
+protected:
+    void release(std::uint64_t token) override;
+
+private:
+    using Command = std::function<void(BusCore&)>;
+    struct Pending;
+    struct Visit; ///< a caller inside the object
+
+    BusThread(const protocol::Codec& codec, base::Clock& clock, int bitsPerByte);
+    base::Result<void> start(Opener opener);
+    void run(const Opener& opener);
+    void serve();
+    void finishAll();
+    bool runNext();
+    void idle();
+    void post(Command command);
+    void wake();
+    HoldTable::Access accessOf(const Pending& pending);
+    void finish(Pending& pending, base::Result<Outcome> result);
+    void enqueue(std::shared_ptr<Pending> pending);
+    base::Result<Outcome> await(const std::shared_ptr<Pending>& pending);
+    base::Result<void> onBusThread(std::function<base::Result<void>(BusCore&)> work);
+
+    const protocol::Codec& m_codec;
+    base::Clock& m_clock;
+    int m_bitsPerByte;
+    base::Stop m_shutdown;
+    std::unique_ptr<BusCore> m_core; ///< made on the bus thread, never replaced
+    std::unique_ptr<QThread> m_thread;
+
+    std::mutex m_mutex; ///< guards what follows
+    std::condition_variable m_work;
+    std::condition_variable m_changed;            ///< opened, a hold released, ended, a caller left
+    std::deque<std::shared_ptr<Pending>> m_queue; ///< oldest first
+    std::deque<Command> m_commands;
+    bool m_signal = false; ///< there may be something to do
+    std::optional<base::Result<void>> m_opened;
+    bool m_ended = false;
+    int m_visitors = 0;
+    base::Duration m_lastLook{}; ///< bus thread only
+};
+} // namespace bus
