@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One register of a servo's memory table, as data. Immutable once loaded; any thread.
+// One register of a servo's memory table, as data (resources/models). Immutable; any thread.
 // "raw" is always the number after sign decoding; physical value = raw × scale, in unit.
-// Source: the register sheets of the families (see resources/models).
 #pragma once
 
 #include <QString>
@@ -142,7 +141,6 @@ struct Register {
     bool dangerous = false;
     bool motion = false; ///< writing it may move or energise the servo
     TorqueOff torqueOff = TorqueOff::NotNeeded;
-
     bool writable() const { return access == Access::ReadWrite; }
     bool eprom() const { return area == Area::Eprom; }
 };

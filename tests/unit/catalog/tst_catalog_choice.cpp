@@ -287,8 +287,8 @@ void TestCatalogChoice::startupForceAndIntegralLimit()
 
 void TestCatalogChoice::returnDelayOnlyOnSms()
 {
-    const Register* sms =
-        m_catalog.resolve({2, 53, 0, 8, 42})->find(QStringLiteral("return_delay"));
+    const ProfilePtr smsProfile = m_catalog.resolve({2, 53, 0, 8, 42});
+    const Register* sms = smsProfile->find(QStringLiteral("return_delay"));
     QVERIFY(sms->writable());
     QCOMPARE(sms->role, Role::ReturnDelay);
     QCOMPARE(sms->unit, QStringLiteral("us"));
