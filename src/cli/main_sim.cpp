@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/exit_code.h"
+#include "cli/sim_options.h"
+#include "cli/utf8_locale.h"
+#include "text/error_words.h"
+
+#include <QCoreApplication>
+
+#include <iostream>
+
+int main(int argc, char** argv)
+{
+    cli::useUtf8();
+    QCoreApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("servodesk"));
+    const auto line = cli::parseSimCommandLine(argc, argv);
+    if (!line.options) {
+        (line.exitCode == 0 ? std::cout : std::cerr) << line.message;
+        return line.exitCode;
+    }
+    const auto announce = [](const QString& path) {
+        std::cout << "port: " << path.toStdString() << std::endl;
+    };
+    if (const auto run = session::runSimulator(*line.options, announce); !run) {
+        const auto words = text::describe(run.error());
+        std::cerr << "servodesk-sim: " << words.what.toStdString() << '\n'
+                  << words.remedy.toStdString() << '\n';
+        return cli::exitCode(run.error().code);
+    }
+    return 0;
+}
