@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scripted client that knows nothing of ours: opens a terminal with POSIX calls, writes bytes,
+// polls, reads bytes. And servodesk-sim as a program under test. POSIX only.
+#pragma once
+
+#include <QProcess>
+#include <QStringList>
+
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+namespace raw {
+constexpr int patienceMs = 20'000;
+
+inline QByteArray bytes(const char* hex)
+{
+    return QByteArray::fromHex(hex);
+}
+
+class Client {
+public:
+    explicit Client(const QString& path, speed_t rate = B1000000)
+    {
+        m_port = open(qPrintable(path), O_RDWR | O_NOCTTY | O_CLOEXEC);
+        setRate(rate);
+    }
+    ~Client() { leave(); }
+    Client(const Client&) = delete;
+    Client& operator=(const Client&) = delete;
+
+    bool isOpen() const { return m_port >= 0; }
+    void leave()
+    {
+        if (m_port >= 0)
+            close(m_port);
+        m_port = -1;
+    }
+
+    void setRate(speed_t rate)
+    {
+        termios settings{};
+        tcgetattr(m_port, &settings);
+        cfmakeraw(&settings);
+        cfsetspeed(&settings, rate);
+        tcsetattr(m_port, TCSANOW, &settings);
+    }
+
+    void say(const QByteArray& frame) const
+    {
+        if (write(m_port, frame.constData(), static_cast<std::size_t>(frame.size())) !=
+            frame.size())
+            qFatal("write");
+    }
+
+    bool readable(int waitMs) const
+    {
+        pollfd state{m_port, POLLIN, 0};
+        return poll(&state, 1, waitMs) > 0;
+    }
+
+    /// Exactly `count` bytes, or what there is when patience ends.
+    QByteArray hear(qsizetype count) const
+    {
+        QByteArray all;
+        while (all.size() < count && readable(patienceMs)) {
+            char chunk[512];
+            const auto room =
+                std::min<std::size_t>(sizeof chunk, static_cast<std::size_t>(count - all.size()));
+            const ssize_t got = read(m_port, chunk, room);
+            if (got <= 0)
+                break;
+            all.append(chunk, got);
+        }
+        return all;
+    }
+
+    QByteArray ask(const char* requestHex, qsizetype replyBytes) const
+    {
+        say(bytes(requestHex));
+        return hear(replyBytes);
+    }
+
+    /// Repeats a harmless request while nobody answers: a servo is deaf while it writes or starts.
+    QByteArray askUntilAnswered(const char* requestHex, qsizetype replyBytes) const
+    {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(patienceMs);
+        while (std::chrono::steady_clock::now() < end) {
+            say(bytes(requestHex));
+            if (readable(200))
+                return hear(replyBytes);
+        }
+        return {};
+    }
+
+private:
+    int m_port = -1;
+};
+
+class Simulator {
+public:
+    explicit Simulator(const QStringList& arguments)
+    {
+        m_process.start(QStringLiteral(BIN_DIR "/servodesk-sim"), arguments);
+        while (m_process.waitForReadyRead(patienceMs) && !m_process.canReadLine()) {
+        }
+        m_firstLine = QString::fromLocal8Bit(m_process.readLine());
+    }
+    ~Simulator() { end(); }
+
+    QString firstLine() const { return m_firstLine; }
+    QString port() const { return m_firstLine.mid(6).trimmed(); }
+    qint64 pid() const { return m_process.processId(); }
+
+    /// SIGTERM unless it has ended already; the exit code, -1 for a crash.
+    int end(int signal = SIGTERM)
+    {
+        if (m_process.state() != QProcess::NotRunning)
+            kill(static_cast<pid_t>(m_process.processId()), signal);
+        return wait();
+    }
+    int wait()
+    {
+        if (m_process.state() != QProcess::NotRunning && !m_process.waitForFinished(patienceMs))
+            return -1;
+        return m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
+    }
+    QString complaint() { return QString::fromUtf8(m_process.readAllStandardError()); }
+
+private:
+    QProcess m_process;
+    QString m_firstLine;
+};
+} // namespace raw
