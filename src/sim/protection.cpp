@@ -34,8 +34,10 @@ void Protection::update(const Settings& s, const Measured& now, bool watchVoltag
 {
     watchOverload(s, now.duty);
     watchCurrent(s, now.current);
-    mark(VoltageBit, watchVoltage && (now.volts > s.maxVoltage || now.volts < s.minVoltage));
-    mark(TemperatureBit, now.celsius > s.maxTemperature);
+    // What is judged is what is shown.
+    const long volts = std::lround(now.volts);
+    mark(VoltageBit, watchVoltage && (volts > s.maxVoltage || volts < s.minVoltage));
+    mark(TemperatureBit, std::lround(now.celsius) > s.maxTemperature);
 }
 
 bool Protection::commanded(double direction)

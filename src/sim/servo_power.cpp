@@ -38,12 +38,11 @@ std::optional<int> ownValue(Role role, const catalog::Profile& profile, const Se
         return profile.identity.modelMinor;
     case Role::Id:
         return config.id;
-    case Role::BaudRate:
-        if (const auto code =
-                baudCode(config.baud.value_or(profile.defaultBaud.value_or(1000000)))) {
-            return code;
-        }
-        return std::nullopt;
+    case Role::BaudRate: {
+        const int factory = profile.defaultBaud.value_or(1000000);
+        const auto code = baudCode(config.baud.value_or(factory));
+        return code ? code : baudCode(factory);
+    }
     case Role::ReturnDelay:
         return config.returnDelayRaw;
     default:

@@ -3,6 +3,8 @@
 // Feetech protocol notes. Unknown instructions and malformed parameters stay unanswered.
 #include "sim/servo_state.h"
 
+#include <algorithm>
+
 namespace sim {
 namespace {
 enum Instruction : std::uint8_t {
@@ -136,7 +138,7 @@ bool VirtualServo::State::execute(const ServoRequest& request)
         return true;
     case Reboot:
         switchOff();
-        rebootLeft = config.rebootTime;
+        rebootLeft = std::max(config.rebootTime, base::Duration(1));
         return true;
     default:
         return false;

@@ -31,7 +31,8 @@ void readMode(Settings& s, const Reader& read, bool scs)
     if (scs) {
         s.mode = s.limitsZero ? DriveMode::Pwm : DriveMode::Position;
     } else {
-        s.mode = DriveMode(std::clamp(read(Role::OperatingMode), 0, 3));
+        const int mode = read(Role::OperatingMode);
+        s.mode = mode <= int(DriveMode::Step) ? DriveMode(mode) : DriveMode::Position;
     }
     const bool hasPwm = read.map.at(Role::GoalPwm).exists();
     switch (s.mode) {
@@ -89,7 +90,8 @@ void readProtection(Settings& s, const Reader& read)
     s.overloadDuty = read(Role::OverloadTorque) * 10;
     s.overloadTime = read(Role::ProtectionTime) * 10;
     s.holdDuty = std::min(read(Role::ProtectionTorque) * 10, 1000);
-    s.overcurrent = read(Role::ProtectionCurrent);
+    constexpr int never = 1 << 20; // SCS has no overcurrent protection
+    s.overcurrent = read(Role::ProtectionCurrent, never);
     s.overcurrentTime = read(Role::OvercurrentTime) * 10;
 }
 } // namespace

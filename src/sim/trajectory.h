@@ -16,7 +16,6 @@ struct Trajectory {
         position = at;
         speed = 0;
     }
-    bool arrived(double goal) const { return position == goal && speed == 0.0; }
 
     /// acceleration 0: the speed changes at once.
     void advance(double goal, double topSpeed, double acceleration, double seconds)

@@ -34,12 +34,15 @@ private Q_SLOTS:
     void resolutionMultipliesTheGoalOnly();
     void offsetShiftsThePosition_data();
     void offsetShiftsThePosition();
+    void offsetCodingOfNewerSts_data();
+    void offsetCodingOfNewerSts();
     void reversedServoTurnsTheOtherWay();
     void speedUnitFollowsPhase_data();
     void speedUnitFollowsPhase();
     void goalSpeedZero_data();
     void goalSpeedZero();
     void speedAndAccelerationShapeTheMove();
+    void aNewGoalOnTheWayTurnsRound();
     void scsRunningTimeIsMilliseconds();
     void scsMotorModeTurnsOnAndOn();
     void movingFlagFollowsTheMove();
@@ -366,6 +369,33 @@ void TestServoModes::offsetShiftsThePosition()
     QVERIFY(std::abs(servo.at("present_position") - shown) <= 1);
 }
 
+void TestServoModes::offsetCodingOfNewerSts_data()
+{
+    QTest::addColumn<QString>("model");
+    QTest::addColumn<int>("low");
+    QTest::addColumn<int>("high");
+    QTest::addColumn<int>("shown"); // of the sensor's step 2100
+    QTest::newRow("STS +100") << QStringLiteral("STS3215") << 0x64 << 0x00 << 2000;
+    QTest::newRow("STS -100") << QStringLiteral("STS3215") << 0x64 << 0x08 << 2200;
+    QTest::newRow("STS +2048+10") << QStringLiteral("STS3215") << 0x0A << 0x10 << 42;
+    QTest::newRow("STS -2048-10") << QStringLiteral("STS3215") << 0x0A << 0x18 << 62;
+    QTest::newRow("SMS has no bit 12") << QStringLiteral("SM40BLHV") << 0x64 << 0x10 << 2000;
+}
+
+void TestServoModes::offsetCodingOfNewerSts()
+{
+    QFETCH(QString, model);
+    QFETCH(int, low);
+    QFETCH(int, high);
+    QFETCH(int, shown);
+    auto config = fixture::configOf(model);
+    config.initialDegrees = 2100 * 360.0 / 4096;
+    Servo servo(model, config);
+    servo.write({31, std::uint8_t(low), std::uint8_t(high)});
+    servo.run(5);
+    QVERIFY(std::abs(servo.at("present_position") - shown) <= 1);
+}
+
 void TestServoModes::reversedServoTurnsTheOtherWay()
 {
     Servo servo(QStringLiteral("STS3215"));
@@ -441,6 +471,21 @@ void TestServoModes::speedAndAccelerationShapeTheMove()
     QVERIFY(std::abs(servo.at("present_position") - 4000) <= 8);
 }
 
+void TestServoModes::aNewGoalOnTheWayTurnsRound()
+{
+    Servo servo(QStringLiteral("STS3215"));
+    servo.set("acceleration", 20);
+    servo.set("goal_position", 4000);
+    servo.run(800);
+    QVERIFY(servo.at("present_speed") > 1000);
+    servo.set("goal_position", 2100); // behind it: it has to brake first
+    double furthest = 0;
+    servo.run(4000, [&] { furthest = std::max(furthest, servo.shaftSteps()); });
+    QVERIFY(furthest > 2700 && furthest < 3900);
+    QVERIFY(std::abs(servo.at("present_position") - 2100) <= 8);
+    QCOMPARE(servo.at("moving"), 0);
+}
+
 void TestServoModes::scsRunningTimeIsMilliseconds()
 {
     // Worked frame: position 512 in 1000 ms, speed 0.
@@ -470,6 +515,9 @@ void TestServoModes::scsMotorModeTurnsOnAndOn()
     QVERIFY(servo.shaftDegrees() - start > 720);
     const int position = servo.at("present_position");
     QVERIFY(position >= 0 && position <= 1023);
+    servo.set("max_torque", 90); // 16 limits at once: SCS has no torque limit of its own
+    servo.run(50);
+    QCOMPARE(servo.at("present_load"), -90);
     servo.write({44, 0, 0});
     servo.run(500);
     QCOMPARE(servo.at("present_speed"), 0);

@@ -204,26 +204,34 @@ void TestServoProtection::overcurrentSwitchesTorqueOff()
 
 void TestServoProtection::overcurrentNeedsASensor_data()
 {
+    QTest::addColumn<QString>("model");
     QTest::addColumn<int>("phase");
     QTest::addColumn<bool>("senses");
-    QTest::newRow("current feedback") << 12 << true;
-    QTest::newRow("phase bit 5: none") << 44 << false;
+    QTest::newRow("STS with current feedback") << QStringLiteral("STS3215") << 12 << true;
+    QTest::newRow("STS, phase bit 5: none") << QStringLiteral("STS3215") << 44 << false;
+    QTest::newRow("SMS, bit 5 is its divider") << QStringLiteral("SM40BLHV") << 44 << true;
+    QTest::newRow("SCS15 has none") << QStringLiteral("SCS15") << 8 << false;
+    QTest::newRow("SCS40 has one") << QStringLiteral("SCS40") << 8 << true;
 }
 
 void TestServoProtection::overcurrentNeedsASensor()
 {
+    QFETCH(QString, model);
     QFETCH(int, phase);
     QFETCH(bool, senses);
-    Servo servo = blockedServo();
+    auto config = fixture::configOf(model);
+    config.load.coulombFriction = 100; // rusted in
+    Servo servo(model, config);
     servo.set("phase", phase);
-    servo.set("protection_current", 150);
+    servo.set("protection_current", 100);
     servo.set("overcurrent_time", 10);
-    servo.set("unload_condition", current);
-    stall(servo);
-    QCOMPARE(servo.at("servo_status"), senses ? current : 0);
-    servo.set("goal_position", 3600);
-    servo.run(50);
-    QCOMPARE(servo.at("present_current") != 0, senses);
+    servo.set("goal_position", 50);
+    servo.run(80);
+    QCOMPARE(servo.at("present_current") > 100, senses);
+    servo.run(200);
+    const bool protects = senses && !model.startsWith(QLatin1String("SCS"));
+    QCOMPARE(servo.at("servo_status"), protects ? current : 0);
+    QCOMPARE(servo.at("torque_switch"), protects ? 0 : 1);
 }
 
 void TestServoProtection::currentTimerRestarts()

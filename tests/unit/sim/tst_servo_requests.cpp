@@ -5,6 +5,8 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <random>
+
 using fixture::Servo;
 
 class TestServoRequests : public QObject {
@@ -33,12 +35,15 @@ private Q_SLOTS:
     void replyDelay();
     void calibration_data();
     void calibration();
+    void olderFirmwareCannotCalibrate();
     void centringBy128_data();
     void centringBy128();
     void calibrationSurvivesOnlyUnlocked();
     void stateResetClearsTheTurns();
     void offNothingIsHeard();
     void broadcastIdWriteRenumbers();
+    void noRequestBreaksIt_data();
+    void noRequestBreaksIt();
 };
 
 void TestServoRequests::init()
@@ -214,6 +219,13 @@ void TestServoRequests::ratesByCode()
 void TestServoRequests::rebootIsSilentAndReloads()
 {
     auto config = fixture::configOf(QStringLiteral("STS3215"));
+    config.rebootTime = fixture::milliseconds(0); // even the quickest one is a restart
+    Servo quick(QStringLiteral("STS3215"), config);
+    quick.write({41, 20});
+    QVERIFY(!quick.ask(0x08));
+    quick.run(1);
+    QCOMPARE(quick.read(41, 1), base::Bytes{0});
+
     config.rebootTime = fixture::milliseconds(800);
     Servo servo(QStringLiteral("STS3215"), config);
     servo.write({13, 61});
@@ -345,6 +357,14 @@ void TestServoRequests::calibration()
     QVERIFY(std::abs(servo.at("present_position") - position) <= 1);
 }
 
+void TestServoRequests::olderFirmwareCannotCalibrate()
+{
+    const catalog::ModelEntry* model = fixture::models().model(QStringLiteral("STS3215"));
+    sim::VirtualServo servo(fixture::models().profileFor(*model, 3, 9), {});
+    QVERIFY(!servo.handle({false, 0x0B, {}, -1}));
+    QVERIFY(servo.handle({false, 0x01, {}, -1}));
+}
+
 void TestServoRequests::centringBy128_data()
 {
     QTest::addColumn<QString>("model");
@@ -424,6 +444,44 @@ void TestServoRequests::broadcastIdWriteRenumbers()
     Servo servo(QStringLiteral("STS3215"), config);
     QVERIFY(!servo.shout(0x03, {5, 1}));
     QCOMPARE(servo.id(), 1);
+}
+
+void TestServoRequests::noRequestBreaksIt_data()
+{
+    QTest::addColumn<QString>("model");
+    for (const char* model : {"STS3215", "SM40BLHV", "SCS15"}) {
+        QTest::newRow(model) << QString::fromLatin1(model);
+    }
+}
+
+void TestServoRequests::noRequestBreaksIt()
+{
+    QFETCH(QString, model);
+    Servo servo(model);
+    std::mt19937 random(4711);
+    const auto byte = [&] { return std::uint8_t(random()); };
+    constexpr std::uint8_t codes[] = {0x01, 0x02, 0x03, 0x03, 0x03, 0x04, 0x05, 0x06,
+                                      0x09, 0x0A, 0x0B, 0x82, 0x83, 0x08, 0xFF};
+    for (int i = 0; i < 20000; ++i) {
+        sim::ServoRequest request{
+            byte() < 20, codes[random() % std::size(codes)], {}, int(byte() % 3) - 1};
+        request.params.resize(random() % 12);
+        std::generate(request.params.begin(), request.params.end(), byte);
+        if (!request.params.empty()) {
+            request.params[0] %= 70; // mostly where registers are
+        }
+        const bool deaf = servo.deaf();
+        const auto answer = servo.handle(request);
+        QVERIFY(!(deaf && answer));
+        servo.run(int(random() % 3));
+        QVERIFY(std::isfinite(servo.shaftDegrees()));
+    }
+    // Switched off and told who it is, it works as on its first day.
+    servo.powerOff();
+    servo.powerOn();
+    QCOMPARE(servo.ask(0x01).has_value(), true);
+    QCOMPARE(servo.read(3, 2), Servo(model).read(3, 2));
+    QCOMPARE(servo.at("lock"), 1);
 }
 
 QTEST_GUILESS_MAIN(TestServoRequests)
