@@ -93,6 +93,12 @@ void Loader::addFile(const QString& path)
 
 void Loader::addFolder(const QString& path)
 {
+    const QFileInfo info(path);
+    if (info.exists() && !(info.isDir() && info.isReadable())) {
+        m_file = path;
+        m_fileWarnings = 0;
+        return warn({}, QStringLiteral("not a readable folder"));
+    }
     const QDir folder(path);
     // QDir::System lists dangling links and pipes too: they deserve a warning, not silence.
     const auto entries = folder.entryInfoList(

@@ -23,7 +23,7 @@ int decimalsFor(double scale)
     return decimals;
 }
 
-/// A value's word: blanks and underscores do not matter, nor does the case.
+/// A value's word: neither blanks nor the case matter.
 QString folded(const QString& word)
 {
     QString plain = word.toLower();

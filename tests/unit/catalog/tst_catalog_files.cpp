@@ -311,6 +311,11 @@ void TestCatalogFiles::absentFolderIsEmpty()
     const auto loaded = Catalog::load({m_dir->filePath(QStringLiteral("nowhere"))});
     QVERIFY(loaded.warnings.empty());
     QVERIFY(loaded.catalog.models().size() > 100);
+
+    write(QStringLiteral("file"), "{}");
+    const auto noFolder = Catalog::load({m_dir->filePath(QStringLiteral("file"))});
+    QCOMPARE(noFolder.warnings.size(), std::size_t(1));
+    QVERIFY(noFolder.warnings.front().detail.contains(QStringLiteral("folder")));
 }
 
 void TestCatalogFiles::addsAModel()
