@@ -115,6 +115,20 @@ base::Result<void> settleMode(const Context& context, Servo& servo, const ModeCh
     return torqueOff(context, servo);
 }
 
+base::Result<void> quieten(const Context& context, Servo& servo)
+{
+    if (const auto off = torqueOff(context, servo); !off)
+        return off;
+    if (const auto fresh = readSettings(context, servo); !fresh)
+        return fresh;
+    const catalog::Mode* mode = servo.mode();
+    if (mode == nullptr || mode->command == Role::GoalPosition)
+        return {};
+    if (const auto zeroed = zeroCommand(context, servo, mode->command); !zeroed)
+        return zeroed;
+    return torqueOff(context, servo);
+}
+
 namespace {
 base::Result<void> addLimits(const Context& context, const Servo& servo,
                              const catalog::Mode& target, std::vector<WriteItem>& items)

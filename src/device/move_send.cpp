@@ -89,7 +89,7 @@ base::Result<Taken> wasTaken(const Context& context, const MovePlan& plan,
 /// A relative move whose answer was lost (or never comes, at response level 0): the state is read,
 /// then decided. Never sent twice on suspicion.
 base::Result<void> settleStep(const Context& context, MovePlan& plan, const Block& block,
-                              const StepEvidence& before, bool answerLost)
+                              const StepEvidence& before, bool lost)
 {
     constexpr int sends = 3;
     for (int sent = 1;; ++sent) {
@@ -97,7 +97,7 @@ base::Result<void> settleStep(const Context& context, MovePlan& plan, const Bloc
         if (!taken)
             return tl::unexpected(taken.error());
         if (*taken == Taken::Yes) {
-            if (answerLost)
+            if (lost)
                 context.note(NoticeCode::AnswerLostButDone, plan.servo->id);
             return {};
         }
@@ -115,34 +115,16 @@ base::Result<void> settleStep(const Context& context, MovePlan& plan, const Bloc
             writeBlock(context, *plan.servo, block.address, block.data, protocol::Repeat::Never);
         if (again && plan.servo->answersWrites())
             return {};
-        if (!again && again.error().code != ErrorCode::Uncertain)
+        if (!again && !answerLost(again.error()))
             return again;
     }
-}
-
-/// At response level 0 only reading tells whether an absolute goal arrived; sending it again is
-/// safe.
-base::Result<void> proveGoal(const Context& context, MovePlan& plan)
-{
-    const catalog::Register& reg = *plan.servo->profile->byRole(plan.goalRole);
-    const auto back = readRegister(context, *plan.servo, reg);
-    if (!back)
-        return tl::unexpected(back.error());
-    if (*back == plan.goalRaw)
-        return {};
-    return writeVerified(context, *plan.servo, reg, plan.goalRaw);
 }
 
 base::Result<void> sendGoalBlock(const Context& context, MovePlan& plan, const Block& block)
 {
     Servo& servo = *plan.servo;
-    if (!plan.relative) {
-        const auto sent =
-            writeBlock(context, servo, block.address, block.data, protocol::Repeat::Safe);
-        if (!sent || servo.answersWrites())
-            return sent;
-        return proveGoal(context, plan);
-    }
+    if (!plan.relative)
+        return writeProven(context, servo, block.address, block.data);
     const auto before = prepareStep(context, plan);
     if (!before)
         return tl::unexpected(before.error());
@@ -150,7 +132,7 @@ base::Result<void> sendGoalBlock(const Context& context, MovePlan& plan, const B
         writeBlock(context, servo, block.address, block.data, protocol::Repeat::Never);
     if (sent && servo.answersWrites())
         return {};
-    if (!sent && sent.error().code != ErrorCode::Uncertain)
+    if (!sent && !answerLost(sent.error()))
         return sent;
     return settleStep(context, plan, block, *before, !sent);
 }
@@ -161,8 +143,7 @@ base::Result<void> sendSettings(const Context& context, MovePlan& plan,
     for (const Block& block : blocks) {
         if (block.goal)
             continue;
-        const auto sent =
-            writeBlock(context, *plan.servo, block.address, block.data, protocol::Repeat::Safe);
+        const auto sent = writeProven(context, *plan.servo, block.address, block.data);
         if (!sent)
             return sent;
     }
@@ -218,7 +199,24 @@ base::Result<void> sendSyncPackets(const Context& context, std::vector<MovePlan>
     return {};
 }
 
-/// Nobody acknowledges a sync write, so each servo is read afterwards.
+/// Nobody acknowledges a sync write: reading tells; a servo that missed it gets its own write.
+base::Result<void> proveBlocks(const Context& context, MovePlan& plan)
+{
+    for (const Block& block : blocksOf(plan)) {
+        if (block.goal && plan.relative)
+            continue;
+        const int count = static_cast<int>(block.data.size());
+        if (const auto back = readBlock(context, *plan.servo, block.address, count); !back)
+            return back;
+        if (plan.servo->image.bytes(block.address, count) == block.data)
+            continue;
+        const auto sent = writeProven(context, *plan.servo, block.address, block.data);
+        if (!sent)
+            return sent;
+    }
+    return {};
+}
+
 base::Result<void> sendBySync(const Context& context, std::vector<MovePlan>& plans)
 {
     std::vector<StepEvidence> before(plans.size());
@@ -235,12 +233,14 @@ base::Result<void> sendBySync(const Context& context, std::vector<MovePlan>& pla
             return sent;
     }
     for (std::size_t i = 0; i < plans.size(); ++i) {
-        const Block goal = blocksOf(plans[i]).back();
-        const auto proven = plans[i].relative
-                                ? settleStep(context, plans[i], goal, before[i], false)
-                                : proveGoal(context, plans[i]);
-        if (!proven)
+        if (const auto proven = proveBlocks(context, plans[i]); !proven)
             return proven;
+        if (!plans[i].relative)
+            continue;
+        const Block goal = blocksOf(plans[i]).back();
+        const auto settled = settleStep(context, plans[i], goal, before[i], false);
+        if (!settled)
+            return settled;
     }
     return {};
 }
@@ -251,7 +251,9 @@ base::Result<void> holdGoal(const Context& context, MovePlan& plan, const Block&
     auto request =
         protocol::Request::regWrite(servo.id, block.address, block.data, protocol::Repeat::Safe);
     request.acknowledged = servo.answersWrites();
-    if (const auto held = transactPlain(context, std::move(request)); !held)
+    // The flag below tells whether it is held, so a lost answer does not matter.
+    const auto held = transactPlain(context, std::move(request));
+    if (!held && !answerLost(held.error()))
         return held;
     const catalog::Register* flag = servo.profile->byRole(Role::AsyncFlag);
     if (flag == nullptr)

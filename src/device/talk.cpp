@@ -52,6 +52,36 @@ base::Result<void> writeBlock(const Context& context, Servo& servo, int address,
     return {};
 }
 
+bool answerLost(const base::Error& error)
+{
+    switch (error.code) {
+    case base::ErrorCode::Uncertain:
+    case base::ErrorCode::NoAnswer:
+    case base::ErrorCode::Garbled:
+    case base::ErrorCode::WrongAnswer:
+        return true;
+    default:
+        return false;
+    }
+}
+
+base::Result<void> writeProven(const Context& context, Servo& servo, int address,
+                               const base::Bytes& data)
+{
+    constexpr int tries = 2;
+    const int count = static_cast<int>(data.size());
+    for (int attempt = 0; attempt < tries; ++attempt) {
+        const auto sent = writeBlock(context, servo, address, data, protocol::Repeat::Safe);
+        if (sent ? servo.answersWrites() : !answerLost(sent.error()))
+            return sent;
+        if (const auto back = readBlock(context, servo, address, count); !back)
+            return back;
+        if (servo.image.bytes(address, count) == data)
+            return {};
+    }
+    return base::fail(base::ErrorCode::Refused, QStringLiteral("write"), {}, servo.id);
+}
+
 base::Result<void> writeVerified(const Context& context, Servo& servo, const catalog::Register& reg,
                                  std::int64_t raw)
 {

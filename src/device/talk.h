@@ -22,6 +22,14 @@ base::Bytes wireBytes(const Servo& servo, const catalog::Register& reg, std::int
 base::Result<void> writeBlock(const Context& context, Servo& servo, int address, base::Bytes data,
                               protocol::Repeat repeat);
 
+/// True when a request went out and only its answer is missing: reading tells what happened.
+bool answerLost(const base::Error& error);
+
+/// A WRITE that may be repeated; where its answer is lost, or never comes (response level 0), the
+/// block is read back and decides. Refused when it does not show what was written.
+base::Result<void> writeProven(const Context& context, Servo& servo, int address,
+                               const base::Bytes& data);
+
 /// Writes and reads back, once more if the servo still shows the old value. Ends in Mismatch when
 /// it shows anything else than `raw`. For registers that may be repeated.
 base::Result<void> writeVerified(const Context& context, Servo& servo, const catalog::Register& reg,

@@ -46,7 +46,12 @@ UnlockedEprom::~UnlockedEprom()
 LockState UnlockedEprom::close()
 {
     Servo* servo = std::exchange(m_servo, nullptr);
-    return servo != nullptr ? closeLock(*m_context, *servo) : LockState::Closed;
+    if (servo == nullptr)
+        return LockState::Closed;
+    const catalog::Register& lock = *servo->profile->byRole(Role::Lock);
+    const auto flag = readRegister(*m_context, *servo, lock);
+    m_stayedOpen = flag.has_value() && *flag == 0;
+    return closeLock(*m_context, *servo);
 }
 
 LockState closeLock(const Context& context, Servo& servo)

@@ -48,7 +48,8 @@ QString lockName(LockState lock)
 bool WriteReport::allGood() const
 {
     const bool written = std::all_of(writes.begin(), writes.end(), [](const WriteResult& result) {
-        return result.outcome == WriteOutcome::Kept || result.outcome == WriteOutcome::Temporary;
+        return !result.error &&
+               (result.outcome == WriteOutcome::Kept || result.outcome == WriteOutcome::Temporary);
     });
     return written && lock != LockState::Open && lock != LockState::Unknown;
 }
@@ -95,6 +96,7 @@ private:
     void writeGroup(std::size_t first, std::size_t last);
     base::Result<void> sendGroup(std::size_t first, std::size_t last);
     void judge(std::size_t index, const base::Result<void>& sent);
+    void denyKept();
     void refuseRest(std::size_t first, const base::Error& why);
 
     const Context& m_context;
@@ -171,7 +173,21 @@ WriteReport WriteRun::go()
     m_kept = true;
     writeAll();
     m_report.lock = eprom->close();
+    if (m_report.lock == LockState::Closed && !eprom->stayedOpen())
+        denyKept();
     return m_report;
+}
+
+/// The lock had closed by itself before the end, so nobody knows what the EPROM took.
+void WriteRun::denyKept()
+{
+    for (WriteResult& result : m_report.writes) {
+        if (result.outcome != WriteOutcome::Kept)
+            continue;
+        result.outcome = WriteOutcome::Temporary;
+        result.error = base::Error{ErrorCode::Refused, QStringLiteral("keep"),
+                                   QStringLiteral("restarted"), m_servo.id, result.key};
+    }
 }
 
 void WriteRun::writeAll()

@@ -62,6 +62,10 @@ public:
     /// Locks at `servo` (whose ID may have changed meanwhile) and proves it by reading.
     LockState close();
 
+    /// After close(): the lock was still open until then. If not, the servo has restarted meanwhile
+    /// (a brown-out closes it), and what was written may be lost at power-off.
+    bool stayedOpen() const { return m_stayedOpen; }
+
 private:
     UnlockedEprom(const Context& context, Servo& servo)
         : m_context(&context)
@@ -69,6 +73,7 @@ private:
     {}
     const Context* m_context = nullptr; ///< outlives this
     Servo* m_servo = nullptr;
+    bool m_stayedOpen = false;
 };
 
 /// Closes the lock if its flag reads open; LockState::None where the map has no lock.

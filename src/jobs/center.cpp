@@ -102,6 +102,9 @@ base::Result<CenterReport> centerUnlocked(const device::Context& context, device
               (after || after.error().code == ErrorCode::Refused);
     if (!after)
         return tl::unexpected(after.error());
+    if (certain && !eprom->stayedOpen())
+        return base::fail(ErrorCode::Refused, QStringLiteral("keep"), QStringLiteral("restarted"),
+                          servo.id);
     report.offsetAfter = after->offset;
     report.positionAfter = after->position;
     return report;

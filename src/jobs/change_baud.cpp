@@ -107,6 +107,8 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
         else
             result = failedResult(result, followed.error());
         report.lock = eprom->close();
+        if (report.lock == device::LockState::Closed && !eprom->stayedOpen())
+            denyKept(result);
         if (context.bus.baud() != oldBaud)
             context.note(NoticeCode::RateChanged, servo.id, reg.key, context.bus.baud());
     }

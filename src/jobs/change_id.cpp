@@ -102,6 +102,8 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
             result = failedResult(result, followed.error());
         }
         report.lock = eprom->close();
+        if (report.lock == device::LockState::Closed && !eprom->stayedOpen())
+            denyKept(result);
         if (servo.id != oldId)
             context.note(NoticeCode::IdChanged, oldId, reg.key, servo.id);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/change_steps.h"
 
+#include "device/talk.h"
+
 namespace jobs {
 using base::ErrorCode;
 
@@ -28,15 +30,9 @@ base::Result<Sent> sendOnce(const device::Context& context, protocol::Request re
     const auto outcome = context.bus.transact(transaction);
     if (outcome)
         return Sent{};
-    switch (outcome.error().code) {
-    case ErrorCode::Uncertain:
-    case ErrorCode::NoAnswer:
-    case ErrorCode::Garbled:
-    case ErrorCode::WrongAnswer:
+    if (device::answerLost(outcome.error()))
         return Sent{true};
-    default:
-        return tl::unexpected(outcome.error());
-    }
+    return tl::unexpected(outcome.error());
 }
 
 base::Result<QString> journalIntent(const device::Context& context, const device::Servo& servo,
@@ -82,6 +78,15 @@ device::WriteResult failedResult(device::WriteResult result, const base::Error& 
         break;
     }
     return result;
+}
+
+void denyKept(device::WriteResult& result)
+{
+    if (result.outcome != device::WriteOutcome::Kept)
+        return;
+    result.outcome = device::WriteOutcome::Temporary;
+    result.error = base::Error{ErrorCode::Refused, QStringLiteral("keep"),
+                               QStringLiteral("restarted"), -1, result.key};
 }
 
 bool certainEnd(const device::WriteReport& report)

@@ -28,6 +28,9 @@ base::Result<void> requireWritable(const device::Servo& servo, const QString& op
 /// The result of a write that ended with `error`.
 device::WriteResult failedResult(device::WriteResult result, const base::Error& error);
 
+/// Takes "kept" back where the lock had closed by itself: the servo restarted in the middle.
+void denyKept(device::WriteResult& result);
+
 /// True when nothing is owed any more: every outcome is known and the lock is proven closed.
 bool certainEnd(const device::WriteReport& report);
 } // namespace jobs

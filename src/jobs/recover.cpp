@@ -16,18 +16,24 @@ struct Outcome {
     std::optional<device::WriteReport> report;
 };
 
-/// The values the action asks for, of the registers that do not have them yet.
-std::vector<device::WriteItem> itemsToWrite(const base::Intent& intent, const device::Servo& servo,
-                                            RecoverAction action)
+/// The values the action asks for, split into those still to be written and those already there.
+struct Todo {
+    std::vector<device::WriteItem> write;
+    std::vector<device::WriteItem> reassert;
+};
+
+Todo todo(const base::Intent& intent, const device::Servo& servo, RecoverAction action)
 {
-    std::vector<device::WriteItem> items;
+    Todo items;
     for (const base::JournalItem& item : intent.items) {
         const catalog::Register* reg = servo.profile->find(item.key);
-        if (reg == nullptr || !reg->eprom() || !reg->writable())
+        const auto present = reg != nullptr ? servo.raw(*reg) : std::nullopt;
+        if (!present || !reg->eprom() || !reg->writable())
             continue;
-        const std::int64_t wanted = action == RecoverAction::Finish ? item.newRaw : item.oldRaw;
-        if (servo.raw(*reg) != wanted)
-            items.push_back({item.key, wanted});
+        // What calibration and restore lead to is not known beforehand: finishing takes what is.
+        const std::int64_t finished = newValuesKnown(intent) ? item.newRaw : *present;
+        const std::int64_t wanted = action == RecoverAction::Finish ? finished : item.oldRaw;
+        (present == wanted ? items.reassert : items.write).push_back({item.key, wanted});
     }
     return items;
 }
@@ -79,15 +85,35 @@ bool changesMode(const base::Intent& intent, const device::Servo& servo)
     return false;
 }
 
+/// A value that reads right may stand in RAM only, if the servo restarted in the middle of the
+/// write. Written once more with the lock open it is certainly kept.
+base::Result<void> reassert(const device::Context& context, const base::Intent& intent,
+                            device::Servo& servo, const std::vector<device::WriteItem>& items)
+{
+    if (items.empty() || intent.temporary)
+        return {};
+    auto eprom = device::UnlockedEprom::open(context, servo);
+    if (!eprom)
+        return tl::unexpected(eprom.error());
+    for (const device::WriteItem& item : items) {
+        const catalog::Register& reg = *servo.profile->find(item.key);
+        if (const auto again = device::writeVerified(context, servo, reg, item.raw); !again)
+            return again;
+    }
+    const device::LockState lock = eprom->close();
+    if (lock == device::LockState::Closed && eprom->stayedOpen())
+        return {};
+    return base::fail(ErrorCode::LockOpen, QStringLiteral("recover"), {}, servo.id);
+}
+
 /// Brings the registers to the wanted side, then the lock, and proves both.
 Outcome settle(const device::Context& context, const base::Intent& intent, device::Servo& servo,
                RecoverAction action)
 {
-    // Calibration and restore cannot be carried on: what was half done is known only afterwards.
-    const bool carryOn = action == RecoverAction::Undo || newValuesKnown(intent);
-    Outcome outcome;
-    if (carryOn)
-        outcome = writeItems(context, intent, servo, itemsToWrite(intent, servo, action));
+    const Todo items = todo(intent, servo, action);
+    Outcome outcome = writeItems(context, intent, servo, items.write);
+    if (outcome.result)
+        outcome.result = reassert(context, intent, servo, items.reassert);
     if (outcome.result && changesMode(intent, servo))
         outcome.result = device::quieten(context, servo);
     const device::LockState lock = device::closeLock(context, servo);
