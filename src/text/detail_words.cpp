@@ -68,6 +68,9 @@ QString notSupported(const base::Error& error)
 
 QString badArgument(const base::Error& error)
 {
+    // Words of the command line are complained about in full sentences already.
+    if (error.operation == QLatin1String("arguments"))
+        return error.detail;
     if (isMoveTime(error))
         return translate("text", "time and speed cannot be given together");
     if (error.operation == QLatin1String("move") && error.detail.startsWith(QLatin1String("unit ")))

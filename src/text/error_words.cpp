@@ -209,7 +209,7 @@ QString whatHappened(const base::Error& error, const Entry& entry)
     if (!who.isEmpty())
         sentence = translate("text", "%1: %2", "subject: sentence").arg(who, sentence);
     if (error.attempts > 1)
-        sentence += translate("text", ", %n attempt(s)", nullptr, error.attempts);
+        sentence += translate("text", ", tried %1 times").arg(error.attempts);
     return translate("text", "%1.", "full stop").arg(capitalised(sentence));
 }
 

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+
+#include "cli/translate.h"
+#include "protocol/request.h"
+#include "transport/port_opener.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cli {
+using base::ErrorCode;
+
+namespace {
+std::optional<int> wholeNumber(const QString& word)
+{
+    static const QRegularExpression digits(QStringLiteral("^-?[0-9]{1,9}$"));
+    return digits.match(word).hasMatch() ? std::optional(word.toInt()) : std::nullopt;
+}
+
+/// Edit distance (Levenshtein).
+int distance(const QString& a, const QString& b)
+{
+    std::vector<int> row(static_cast<std::size_t>(b.size()) + 1);
+    for (std::size_t j = 0; j < row.size(); ++j)
+        row[j] = static_cast<int>(j);
+    for (int i = 0; i < a.size(); ++i) {
+        int diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 1; j < row.size(); ++j) {
+            const int change = diagonal + (a[i] == b[static_cast<int>(j) - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
+        }
+    }
+    return row.back();
+}
+} // namespace
+
+tl::unexpected<base::Error> badArgument(const QString& detail)
+{
+    return base::fail(ErrorCode::BadArgument, QStringLiteral("arguments"), detail);
+}
+
+base::Result<int> parseId(const QString& word)
+{
+    const auto id = wholeNumber(word);
+    if (!id || *id < 0 || *id > protocol::maxId)
+        return badArgument(translate("cli", "\"%1\" is no ID; IDs are 0 to 253").arg(word));
+    return *id;
+}
+
+base::Result<IdRange> parseIdRange(const QString& word)
+{
+    const qsizetype dash = word.indexOf(QLatin1Char('-'));
+    const auto first = parseId(dash < 0 ? word : word.left(dash));
+    const auto last = parseId(dash < 0 ? word : word.mid(dash + 1));
+    if (!first || !last || *first > *last)
+        return badArgument(
+            translate("cli", "\"%1\" is no range of IDs; write for example 1-20").arg(word));
+    return IdRange{*first, *last};
+}
+
+base::Result<std::vector<int>> parseIds(const QStringList& words)
+{
+    std::vector<int> ids;
+    for (const QString& part : words.join(QLatin1Char(',')).split(QLatin1Char(','))) {
+        const auto range = parseIdRange(part);
+        if (!range)
+            return tl::unexpected(range.error());
+        for (int id = range->first; id <= range->last; ++id) {
+            if (std::find(ids.begin(), ids.end(), id) == ids.end())
+                ids.push_back(id);
+        }
+    }
+    return ids;
+}
+
+base::Result<int> parseWhole(const QString& word, int min, int max)
+{
+    const auto number = wholeNumber(word);
+    if (!number || *number < min || *number > max)
+        return badArgument(translate("cli", "\"%1\" is no whole number from %2 to %3")
+                               .arg(word)
+                               .arg(min)
+                               .arg(max));
+    return *number;
+}
+
+base::Result<double> parsePositive(const QString& word)
+{
+    bool good = false;
+    const double number = word.toDouble(&good);
+    if (!good || !std::isfinite(number) || number <= 0 || number > 1e6)
+        return badArgument(translate("cli", "\"%1\" is no number above 0").arg(word));
+    return number;
+}
+
+base::Result<std::vector<int>> parseBauds(const QString& word)
+{
+    const std::vector<int>& known = transport::knownRates();
+    if (word == QLatin1String("all"))
+        return known;
+    std::vector<int> bauds;
+    for (const QString& part : word.split(QLatin1Char(','))) {
+        const auto baud = wholeNumber(part);
+        if (!baud || std::find(known.begin(), known.end(), *baud) == known.end()) {
+            QStringList names;
+            for (const int rate : known)
+                names << QString::number(rate);
+            return badArgument(translate("cli", "\"%1\" is no baud rate of these servos (%2)")
+                                   .arg(part, names.join(QStringLiteral(", "))));
+        }
+        bauds.push_back(*baud);
+    }
+    return bauds;
+}
+
+base::Result<std::pair<QString, QString>> parseAssignment(const QString& word)
+{
+    const qsizetype sign = word.indexOf(QLatin1Char('='));
+    if (sign < 1 || sign == word.size() - 1)
+        return badArgument(
+            translate("cli", "\"%1\" must have the form KEY=VALUE, without blanks").arg(word));
+    return std::pair(word.left(sign), word.mid(sign + 1));
+}
+
+QStringList nearest(const QString& word, const QStringList& known)
+{
+    std::vector<std::pair<int, QString>> ranked;
+    for (const QString& candidate : known) {
+        const bool contained = word.size() >= 3 && candidate.contains(word);
+        const int steps = contained ? 1 : distance(word.toLower(), candidate);
+        if (steps <= std::max(2, static_cast<int>(word.size()) / 3))
+            ranked.emplace_back(steps, candidate);
+    }
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    QStringList names;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, ranked.size()); ++i)
+        names << ranked[i].second;
+    return names;
+}
+
+base::Result<const catalog::Register*> findRegister(const catalog::Profile& profile,
+                                                    const QString& key, int id)
+{
+    if (const catalog::Register* reg = profile.find(key))
+        return reg;
+    QStringList known;
+    for (const catalog::Register& reg : profile.registers)
+        known << reg.key;
+    const QStringList near = nearest(key, known);
+    const QString hint =
+        near.isEmpty() ? QString()
+                       : translate("cli", "did you mean %1?").arg(near.join(QStringLiteral(", ")));
+    return tl::unexpected(
+        base::Error{ErrorCode::UnknownRegister, QStringLiteral("read"), hint, id, key});
+}
+} // namespace cli

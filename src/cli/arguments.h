@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words of the command line into values. Errors are BadArgument with a translated detail that says
+// what was expected. Pure; any thread.
+#pragma once
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "catalog/profile.h"
+
+#include <QStringList>
+
+#include <utility>
+#include <vector>
+
+namespace cli {
+tl::unexpected<base::Error> badArgument(const QString& detail);
+
+base::Result<int> parseId(const QString& word);
+/// "1", "1-6", "1,3,5"; each ID once, in the order given.
+base::Result<std::vector<int>> parseIds(const QStringList& words);
+
+struct IdRange {
+    int first = 0;
+    int last = 253;
+};
+base::Result<IdRange> parseIdRange(const QString& word);
+
+base::Result<int> parseWhole(const QString& word, int min, int max);
+base::Result<double> parsePositive(const QString& word);
+/// "all" or "N,N…".
+base::Result<std::vector<int>> parseBauds(const QString& word);
+
+/// "KEY=VALUE"
+base::Result<std::pair<QString, QString>> parseAssignment(const QString& word);
+
+/// The register, or UnknownRegister whose detail names the nearest keys.
+base::Result<const catalog::Register*> findRegister(const catalog::Profile& profile,
+                                                    const QString& key, int id);
+
+/// Up to three of `known` that are a slip of the finger away from `word`, nearest first.
+QStringList nearest(const QString& word, const QStringList& known);
+} // namespace cli

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/report_words.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "device/motion.h"
+#include "text/language.h"
+#include "text/notice_words.h"
+
+namespace cli {
+namespace {
+using catalog::Role;
+
+const catalog::Register* registerOf(const device::Servo& servo, Role role)
+{
+    return servo.profile->byRole(role);
+}
+
+QString shownRole(const device::Servo& servo, Role role)
+{
+    const catalog::Register* reg = registerOf(servo, role);
+    return reg != nullptr ? shownValue(servo, *reg) : QStringLiteral("–");
+}
+
+Json jsonRole(const device::Servo& servo, Role role)
+{
+    const catalog::Register* reg = registerOf(servo, role);
+    return reg != nullptr ? jsonValue(servo, *reg) : Json();
+}
+
+QString lineKey(catalog::Line line)
+{
+    switch (line) {
+    case catalog::Line::Ttl:
+        return QStringLiteral("ttl");
+    case catalog::Line::Rs485:
+        return QStringLiteral("rs485");
+    case catalog::Line::Unknown:
+        break;
+    }
+    return QStringLiteral("unknown");
+}
+
+Json jsonInfo(const device::Servo& servo)
+{
+    const catalog::Profile& profile = *servo.profile;
+    const catalog::Mode* mode = servo.mode();
+    const catalog::Register* position = registerOf(servo, Role::PresentPosition);
+    return Json::object()
+        .add("id", servo.id)
+        .add("port", servo.port)
+        .add("protocol", profile.protocol)
+        .add("model", profile.modelName)
+        .add("model_id", profile.identity.modelId())
+        .add("model_known", profile.modelKnown)
+        .add("series", profile.series)
+        .add("map", profile.mapKey)
+        .add("firmware", profile.identity.firmware())
+        .add("line", lineKey(profile.line))
+        .add("baud", servo.baud)
+        .add("mode", mode != nullptr ? Json(mode->key) : Json())
+        .add("torque", jsonRole(servo, Role::TorqueSwitch))
+        .add("lock", jsonRole(servo, Role::Lock))
+        .add("status", text::statusKeys(servo.status, &profile))
+        .add("voltage", jsonRole(servo, Role::PresentVoltage))
+        .add("temperature", jsonRole(servo, Role::PresentTemperature))
+        .add("position", jsonRole(servo, Role::PresentPosition))
+        .add("position_unit", position != nullptr ? Json(shownUnit(servo, *position)) : Json());
+}
+
+QString infoText(const device::Servo& servo)
+{
+    const catalog::Profile& profile = *servo.profile;
+    const catalog::Mode* mode = servo.mode();
+    Table table({translate("cli", "Servo %1").arg(servo.id), servoTitle(servo)});
+    const auto row = [&table](const QString& name, const QString& value) {
+        table.add({name, value});
+    };
+    row(translate("cli", "Model known"),
+        profile.modelKnown ? translate("cli", "yes") : translate("cli", "no, only its family"));
+    row(translate("cli", "Series, map"),
+        QStringLiteral("%1, %2").arg(profile.series, profile.mapKey));
+    row(translate("cli", "Protocol, line"),
+        QStringLiteral("%1, %2").arg(profile.protocol, text::lineWord(profile.line)));
+    row(translate("cli", "Port, baud rate"),
+        QStringLiteral("%1, %2").arg(servo.port).arg(servo.baud));
+    row(translate("cli", "Mode"),
+        mode != nullptr ? mode->name.in(text::inChinese()) : translate("cli", "not known"));
+    row(translate("cli", "Torque"), shownRole(servo, Role::TorqueSwitch));
+    row(translate("cli", "EPROM lock"), shownRole(servo, Role::Lock));
+    row(translate("cli", "Position"), shownRole(servo, Role::PresentPosition));
+    row(translate("cli", "Voltage"), shownRole(servo, Role::PresentVoltage));
+    row(translate("cli", "Temperature"), shownRole(servo, Role::PresentTemperature));
+    row(translate("cli", "Alarms"), text::statusWords(servo.status, &profile, text::inChinese()));
+    return table.text();
+}
+
+base::Result<Exit> run(Run& run, const Values& values)
+{
+    const auto id = parseId(values.word("ID"));
+    if (!id)
+        return tl::unexpected(id.error());
+    auto servo = run.servo(*id);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const auto context = run.context();
+    if (const auto read = device::readAll(*context, *servo); !read)
+        return tl::unexpected(read.error());
+    device::noteAlarms(*context, *servo);
+    run.finish(jsonInfo(*servo), infoText(*servo));
+    return Exit::Done;
+}
+} // namespace
+
+Command infoCommand()
+{
+    return {"info",
+            QT_TRANSLATE_NOOP("cli", "what a servo is and its state, alarms with their remedy"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")}},
+            {},
+            run};
+}
+} // namespace cli

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/report_words.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "device/reader.h"
+
+namespace cli {
+namespace {
+using Registers = std::vector<const catalog::Register*>;
+
+void show(Run& run, const device::Servo& servo, const Registers& registers, const QString& title)
+{
+    Json::Array rows;
+    for (const catalog::Register* reg : registers)
+        rows.push_back(jsonRegister(servo, *reg));
+    run.finish(Json::object().add("id", servo.id).add("registers", std::move(rows)),
+               title + registerTable(servo, registers).text());
+}
+
+base::Result<Exit> runDump(Run& run, const Values& values)
+{
+    const auto id = parseId(values.word("ID"));
+    if (!id)
+        return tl::unexpected(id.error());
+    auto servo = run.servo(*id);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const auto context = run.context();
+    if (const auto read = device::readAll(*context, *servo); !read)
+        return tl::unexpected(read.error());
+    Registers all;
+    for (const catalog::Register& reg : servo->profile->registers)
+        all.push_back(&reg);
+    const QString title =
+        translate("cli", "Servo %1: %2").arg(servo->id).arg(servoTitle(*servo)) + QLatin1Char('\n');
+    show(run, *servo, all, title);
+    return Exit::Done;
+}
+
+base::Result<Exit> runRead(Run& run, const Values& values)
+{
+    const auto id = parseId(values.word("ID"));
+    if (!id)
+        return tl::unexpected(id.error());
+    auto servo = run.servo(*id);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    Registers wanted;
+    for (const QString& key : values.words("KEY")) {
+        const auto reg = findRegister(*servo->profile, key, *id);
+        if (!reg)
+            return tl::unexpected(reg.error());
+        wanted.push_back(*reg);
+    }
+    const auto context = run.context();
+    // Other registers decide what some values mean; those wanted are read last, so they are fresh.
+    if (const auto read = device::readSettings(*context, *servo); !read)
+        return tl::unexpected(read.error());
+    if (const auto read = device::read(*context, *servo, wanted); !read)
+        return tl::unexpected(read.error());
+    show(run, *servo, wanted, {});
+    return Exit::Done;
+}
+} // namespace
+
+Command dumpCommand()
+{
+    return {"dump",
+            QT_TRANSLATE_NOOP("cli", "read the whole memory table"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")}},
+            {},
+            runDump};
+}
+
+Command readCommand()
+{
+    return {"read",
+            QT_TRANSLATE_NOOP("cli", "read single registers"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
+             {"KEY", QT_TRANSLATE_NOOP("cli", "register names, as dump shows them"), 1, many}},
+            {},
+            runRead};
+}
+} // namespace cli

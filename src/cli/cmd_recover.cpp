@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/report_words.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "jobs/recover.h"
+#include "text/error_words.h"
+#include "text/notice_words.h"
+
+namespace cli {
+namespace {
+QString kindName(base::IntentKind kind)
+{
+    switch (kind) {
+    case base::IntentKind::Write:
+        return QStringLiteral("write");
+    case base::IntentKind::SetId:
+        return QStringLiteral("set-id");
+    case base::IntentKind::SetBaud:
+        return QStringLiteral("set-baud");
+    case base::IntentKind::Mode:
+        return QStringLiteral("mode");
+    case base::IntentKind::Calibrate:
+        return QStringLiteral("center");
+    case base::IntentKind::Restore:
+        return QStringLiteral("restore-defaults");
+    }
+    return {};
+}
+
+struct FindingWord {
+    const char* name;
+    const char* shown;
+};
+
+FindingWord findingWord(jobs::Finding finding)
+{
+    switch (finding) {
+    case jobs::Finding::AllOld:
+        return {"all-old", QT_TRANSLATE_NOOP("cli", "nothing of it was written")};
+    case jobs::Finding::AllNew:
+        return {"all-new", QT_TRANSLATE_NOOP("cli", "all of it was written")};
+    case jobs::Finding::Mixed:
+        return {"mixed", QT_TRANSLATE_NOOP("cli", "part of it was written")};
+    case jobs::Finding::OtherServo:
+        return {"other-servo", QT_TRANSLATE_NOOP("cli", "another servo answers: left alone")};
+    case jobs::Finding::NoAnswer:
+        return {"no-answer", QT_TRANSLATE_NOOP("cli", "it does not answer")};
+    }
+    return {"", ""};
+}
+
+Json jsonRecovered(const jobs::Recovered& one)
+{
+    const base::Intent& intent = one.before.intent;
+    Json::Array items;
+    for (const base::JournalItem& item : intent.items) {
+        items.push_back(Json::object()
+                            .add("key", item.key)
+                            .add("address", item.address)
+                            .add("old", item.oldRaw)
+                            .add("new", item.newRaw));
+    }
+    Json json = Json::object();
+    json.add("uuid", intent.uuid)
+        .add("at", intent.at.toString(Qt::ISODateWithMs))
+        .add("kind", kindName(intent.kind))
+        .add("id", intent.servo.id)
+        .add("port", intent.servo.port)
+        .add("baud", intent.servo.baud)
+        .add("items", std::move(items))
+        .add("finding", QString::fromLatin1(findingWord(one.before.finding).name))
+        .add("found_id", one.before.foundId >= 0 ? Json(one.before.foundId) : Json())
+        .add("found_baud", one.before.foundBaud > 0 ? Json(one.before.foundBaud) : Json())
+        .add("lock_open", one.before.lockOpen)
+        .add("done", one.done);
+    if (one.report)
+        json.add("result", jsonWrites(*one.report));
+    if (one.error)
+        json.add("error", jsonError(*one.error));
+    return json;
+}
+
+QString changesOf(const base::Intent& intent)
+{
+    QStringList changes;
+    for (const base::JournalItem& item : intent.items)
+        changes << QStringLiteral("%1 %2 → %3").arg(item.key).arg(item.oldRaw).arg(item.newRaw);
+    return changes.join(QStringLiteral(", "));
+}
+
+QString lockShown(const std::optional<bool>& open)
+{
+    return text::lockWord(!open   ? QStringLiteral("unknown")
+                          : *open ? QStringLiteral("open")
+                                  : QStringLiteral("closed"));
+}
+
+Table recoveredTable(const std::vector<jobs::Recovered>& all)
+{
+    Table table({translate("cli", "When"), translate("cli", "ID"), translate("cli", "What"),
+                 translate("cli", "Changes"), translate("cli", "Found"), translate("cli", "Lock"),
+                 translate("cli", "Settled")});
+    table.right({1});
+    for (const jobs::Recovered& one : all) {
+        const base::Intent& intent = one.before.intent;
+        table.add({intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
+                   QString::number(intent.servo.id), kindName(intent.kind), changesOf(intent),
+                   translate("cli", findingWord(one.before.finding).shown),
+                   lockShown(one.before.lockOpen),
+                   one.done ? translate("cli", "yes") : translate("cli", "no")});
+    }
+    return table;
+}
+
+void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
+{
+    Json::Array intents;
+    for (const jobs::Recovered& one : all)
+        intents.push_back(jsonRecovered(one));
+    QString text = all.empty() ? translate("cli", "No change was left open.") + QLatin1Char('\n')
+                               : recoveredTable(all).text();
+    for (const jobs::Recovered& one : all) {
+        if (one.error)
+            text += text::describe(*one.error).what + QLatin1Char('\n');
+    }
+    if (!all.empty() && action == jobs::RecoverAction::Look)
+        text += translate("cli", "Nothing was written. --finish completes what was begun, --undo "
+                                 "puts the old values back.") +
+                QLatin1Char('\n');
+    run.finish(Json::object().add("intents", std::move(intents)), text);
+}
+
+Exit exitOf(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
+{
+    Exit exit = Exit::Done;
+    for (const jobs::Recovered& one : all) {
+        if (one.done || action == jobs::RecoverAction::Look || exit != Exit::Done)
+            continue;
+        exit = one.error                                       ? exitCode(one.error->code)
+               : one.before.finding == jobs::Finding::NoAnswer ? Exit::NoAnswer
+                                                               : Exit::NotDone;
+    }
+    return exit;
+}
+
+base::Result<Exit> run(Run& run, const Values& values)
+{
+    if (values.has("--finish") && values.has("--undo"))
+        return badArgument(translate("cli", "give --finish or --undo, not both"));
+    const auto action = values.has("--finish") ? jobs::RecoverAction::Finish
+                        : values.has("--undo") ? jobs::RecoverAction::Undo
+                                               : jobs::RecoverAction::Look;
+    const auto open = run.session().journal().open();
+    if (!open)
+        return tl::unexpected(open.error());
+    if (open->empty()) {
+        show(run, {}, action);
+        return Exit::Done;
+    }
+    const auto context = run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    const auto recovered = jobs::recover(*context, action, values.has("--any-port"));
+    if (!recovered)
+        return tl::unexpected(recovered.error());
+    show(run, *recovered, action);
+    return exitOf(*recovered, action);
+}
+} // namespace
+
+Command recoverCommand()
+{
+    return {"recover",
+            QT_TRANSLATE_NOOP("cli", "show changes that were interrupted; finish or undo them"),
+            {},
+            {{"--finish", QT_TRANSLATE_NOOP("cli", "complete them")},
+             {"--undo", QT_TRANSLATE_NOOP("cli", "put the old values back")},
+             {"--any-port",
+              QT_TRANSLATE_NOOP("cli", "also changes begun on another port than this one")}},
+            run};
+}
+} // namespace cli

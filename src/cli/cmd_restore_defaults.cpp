@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/progress.h"
+#include "cli/report_words.h"
+#include "cli/snapshots.h"
+#include "cli/translate.h"
+#include "jobs/change.h"
+#include "text/notice_words.h"
+
+namespace cli {
+namespace {
+Json jsonRestore(const jobs::RestoreReport& report, const QString& snapshot)
+{
+    return Json::object()
+        .add("id", report.newId)
+        .add("old_id", report.oldId)
+        .add("old_baud", report.oldBaud)
+        .add("baud", report.newBaud)
+        .add("changed", QStringList(report.changed.begin(), report.changed.end()))
+        .add("lock", device::lockName(report.lock))
+        .add("snapshot", snapshot);
+}
+
+QString restoreText(const jobs::RestoreReport& report, const QString& snapshot)
+{
+    const QStringList changed(report.changed.begin(), report.changed.end());
+    QStringList lines;
+    lines << translate("cli", "The servo answers as ID %1 at %2 baud.")
+                 .arg(report.newId)
+                 .arg(report.newBaud);
+    lines << (changed.isEmpty() ? translate("cli", "No register has changed.")
+                                : translate("cli", "Changed registers: %1")
+                                      .arg(changed.join(QStringLiteral(", "))));
+    lines << translate("cli", "EPROM lock: %1").arg(text::lockWord(device::lockName(report.lock)));
+    lines << translate("cli", "The settings before are in %1").arg(snapshot);
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+base::Result<Exit> run(Run& run, const Values& values)
+{
+    const auto id = parseId(values.word("ID"));
+    if (!id)
+        return tl::unexpected(id.error());
+    auto servo = run.servoWithSettings(*id);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const auto snapshot = saveSafetySnapshot(run, *servo);
+    if (!snapshot)
+        return tl::unexpected(snapshot.error());
+    run.console().remark(translate("cli", "The present settings are saved in %1").arg(*snapshot));
+    const auto context = run.context();
+    base::Result<jobs::RestoreReport> report;
+    {
+        ProgressLine line(run.console(), translate("cli", "Restoring"));
+        report = jobs::restoreDefaults(
+            *context, *servo, [&line](const jobs::Progress& progress) { line.update(progress); });
+    }
+    if (!report)
+        return tl::unexpected(report.error());
+    run.finish(jsonRestore(*report, *snapshot), restoreText(*report, *snapshot));
+    const bool shut =
+        report->lock != device::LockState::Open && report->lock != device::LockState::Unknown;
+    return shut ? Exit::Done : Exit::NotDone;
+}
+} // namespace
+
+Command restoreDefaultsCommand()
+{
+    return {"restore-defaults",
+            QT_TRANSLATE_NOOP("cli", "put back the stored parameters (0x06); ID and baud rate may "
+                                     "change, so connect this servo alone"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")}},
+            {},
+            run};
+}
+} // namespace cli

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/progress.h"
+#include "cli/report_words.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "jobs/scan.h"
+#include "text/language.h"
+#include "text/notice_words.h"
+#include "transport/port_opener.h"
+
+namespace cli {
+namespace {
+Json jsonFound(const jobs::Found& found)
+{
+    const catalog::Profile* profile = found.servo.profile.get();
+    Json json = Json::object();
+    json.add("id", found.servo.id)
+        .add("protocol", profile != nullptr ? profile->protocol : QStringLiteral("feetech"))
+        .add("model", profile != nullptr ? Json(profile->modelName) : Json())
+        .add("model_id", profile != nullptr ? Json(profile->identity.modelId()) : Json())
+        .add("map", profile != nullptr ? Json(profile->mapKey) : Json())
+        .add("firmware", profile != nullptr ? Json(profile->identity.firmware()) : Json())
+        .add("baud", found.servo.baud)
+        .add("status", text::statusKeys(found.servo.status, profile));
+    if (found.twinsSuspected)
+        json.add("twins_suspected", true);
+    return json;
+}
+
+Json jsonReport(const jobs::ScanReport& report)
+{
+    Json::Array servos;
+    for (const jobs::Found& found : report.found)
+        servos.push_back(jsonFound(found));
+    const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(report.elapsed);
+    Json json = Json::object();
+    json.add("port", report.port)
+        .add("elapsed_ms", std::int64_t{elapsed.count()})
+        .add("found", std::move(servos));
+    Json::Array refused(report.ratesRefused.begin(), report.ratesRefused.end());
+    if (!refused.empty())
+        json.add("rates_refused", std::move(refused));
+    if (report.slowPassAdvised)
+        json.add("slow_pass_advised", true);
+    if (report.stopped)
+        json.add("stopped", true);
+    return json;
+}
+
+Table foundTable(const jobs::ScanReport& report)
+{
+    Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Number"),
+                 translate("cli", "Firmware"), translate("cli", "Map"), translate("cli", "Baud"),
+                 translate("cli", "Alarms"), translate("cli", "Remark")});
+    table.right({0, 5});
+    for (const jobs::Found& found : report.found) {
+        const catalog::Profile* profile = found.servo.profile.get();
+        const bool known = profile != nullptr;
+        table.add({QString::number(found.servo.id),
+                   known ? profile->modelName : QStringLiteral("?"),
+                   known ? profile->identity.modelId() : QStringLiteral("?"),
+                   known ? profile->identity.firmware() : QStringLiteral("?"),
+                   known ? profile->mapKey : QStringLiteral("?"), QString::number(found.servo.baud),
+                   text::statusWords(found.servo.status, profile, text::inChinese()),
+                   found.twinsSuspected ? translate("cli", "two servos with this ID suspected")
+                                        : QString()});
+    }
+    return table;
+}
+
+QString remarks(const jobs::ScanReport& report)
+{
+    QStringList lines;
+    if (report.found.empty())
+        lines << translate("cli",
+                           "No servo answered. Check supply and leads, and try --bauds all.");
+    if (report.garbledHeard)
+        lines << translate("cli", "Something unreadable was heard where no servo could be proven: "
+                                  "another baud rate, two servos with one ID, or noise.");
+    if (report.slowPassAdvised)
+        lines << translate("cli", "Several servos answered late, so others may have been missed: "
+                                  "try again with --slow.");
+    for (const int rate : report.ratesRefused)
+        lines << translate("cli", "This adapter cannot run at %1 baud.").arg(rate);
+    if (report.stopped)
+        lines << translate("cli", "Stopped before the end.");
+    return lines.isEmpty() ? QString() : lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+base::Result<jobs::ScanSpec> specOf(const Run& run, const Values& values)
+{
+    jobs::ScanSpec spec;
+    if (const auto ids = values.option("--ids")) {
+        const auto range = parseIdRange(*ids);
+        if (!range)
+            return tl::unexpected(range.error());
+        spec.firstId = range->first;
+        spec.lastId = range->last;
+    }
+    if (const auto bauds = values.option("--bauds")) {
+        const auto rates = parseBauds(*bauds);
+        if (!rates)
+            return tl::unexpected(rates.error());
+        spec.bauds = *rates;
+    } else if (run.globals().searchBaud) {
+        spec.bauds = transport::knownRates();
+    }
+    spec.slowPass = values.has("--slow");
+    return spec;
+}
+
+base::Result<Exit> run(Run& run, const Values& values)
+{
+    const auto spec = specOf(run, values);
+    if (!spec)
+        return tl::unexpected(spec.error());
+    const auto context = run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    base::Result<jobs::ScanReport> report;
+    {
+        ProgressLine line(run.console(), translate("cli", "Searching"));
+        report = jobs::scan(*context, *spec,
+                            [&line](const jobs::Progress& progress) { line.update(progress); });
+    }
+    if (!report)
+        return tl::unexpected(report.error());
+    const QString summary =
+        translate("cli", "Found on %1: %2, in %3 s")
+            .arg(report->port)
+            .arg(report->found.size())
+            .arg(std::chrono::duration<double>(report->elapsed).count(), 0, 'f', 2);
+    const QString table = report->found.empty() ? QString() : foundTable(*report).text();
+    run.finish(jsonReport(*report), table + summary + QLatin1Char('\n') + remarks(*report));
+    return report->stopped ? Exit::NotDone : report->found.empty() ? Exit::NoAnswer : Exit::Done;
+}
+} // namespace
+
+Command scanCommand()
+{
+    return {"scan",
+            QT_TRANSLATE_NOOP("cli", "search the bus; writes nothing"),
+            {},
+            {{"--ids", QT_TRANSLATE_NOOP("cli", "only these IDs (usual: 0-253)"), "A-B"},
+             {"--bauds", QT_TRANSLATE_NOOP("cli", "baud rates to search at"), "all|N,N…"},
+             {"--slow", QT_TRANSLATE_NOOP("cli", "ask silent IDs again, with long patience")}},
+            run};
+}
+} // namespace cli

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/report_words.h"
+#include "cli/run.h"
+#include "cli/snapshots.h"
+#include "cli/translate.h"
+#include "text/notice_words.h"
+
+namespace cli {
+namespace {
+base::Result<Exit> runSave(Run& run, const Values& values)
+{
+    const auto id = parseId(values.word("ID"));
+    if (!id)
+        return tl::unexpected(id.error());
+    auto servo = run.servo(*id);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const QString file = values.word("FILE");
+    const auto snapshot = saveSnapshotOf(run, *servo, file);
+    if (!snapshot)
+        return tl::unexpected(snapshot.error());
+    const auto count = static_cast<int>(snapshot->registers.size());
+    run.finish(Json::object().add("id", *id).add("file", file).add("registers", count),
+               translate("cli", "Servo %1, %2: registers saved to %3: %4")
+                       .arg(*id)
+                       .arg(servoTitle(*servo), file)
+                       .arg(count) +
+                   QLatin1Char('\n'));
+    return Exit::Done;
+}
+
+Json jsonRow(const record::SnapshotRegister& row)
+{
+    return Json::object()
+        .add("key", row.key)
+        .add("address", row.address)
+        .add("raw", row.raw)
+        .add("value", row.value)
+        .add("unit", row.unit)
+        .add("area", catalog::areaName(row.area))
+        .add("access", catalog::accessName(row.access));
+}
+
+Json jsonSnapshot(const record::Snapshot& snapshot)
+{
+    Json::Array rows;
+    for (const record::SnapshotRegister& row : snapshot.registers)
+        rows.push_back(jsonRow(row));
+    return Json::object()
+        .add("id", snapshot.servo.id)
+        .add("model", snapshot.servo.model)
+        .add("model_id", snapshot.servo.modelId)
+        .add("firmware", snapshot.servo.firmware)
+        .add("map", snapshot.servo.map)
+        .add("protocol", snapshot.servo.protocol)
+        .add("at", snapshot.at.toString(Qt::ISODate))
+        .add("port", snapshot.port)
+        .add("baud", snapshot.baud)
+        .add("registers", std::move(rows));
+}
+
+QString snapshotText(const record::Snapshot& snapshot)
+{
+    Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Value"),
+                 translate("cli", "Unit"), translate("cli", "Raw"), translate("cli", "Area"),
+                 translate("cli", "Access")});
+    table.right({0, 2, 4});
+    for (const record::SnapshotRegister& row : snapshot.registers) {
+        table.add({QString::number(row.address), row.key,
+                   row.value ? QString::number(*row.value, 'g', 8) : QStringLiteral("–"), row.unit,
+                   row.raw ? QString::number(*row.raw) : QStringLiteral("–"),
+                   text::areaWord(row.area), text::accessWord(row.access)});
+    }
+    const record::SnapshotServo& servo = snapshot.servo;
+    return translate("cli", "Servo %1: %2 (%3), firmware %4, on %5 at %6")
+               .arg(servo.id)
+               .arg(servo.model, servo.modelId, servo.firmware, snapshot.port,
+                    snapshot.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"))) +
+           QLatin1Char('\n') + table.text();
+}
+
+base::Result<Exit> runShow(Run& run, const Values& values)
+{
+    const auto snapshot = record::loadSnapshot(values.word("FILE"));
+    if (!snapshot)
+        return tl::unexpected(snapshot.error());
+    run.finish(jsonSnapshot(*snapshot), snapshotText(*snapshot));
+    return Exit::Done;
+}
+} // namespace
+
+Command snapshotSaveCommand()
+{
+    return {"snapshot save",
+            QT_TRANSLATE_NOOP("cli", "save all registers of a servo to a file"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
+             {"FILE", QT_TRANSLATE_NOOP("cli", "usually NAME.servo.json; replaced if it exists")}},
+            {},
+            runSave};
+}
+
+Command snapshotShowCommand()
+{
+    return {"snapshot show",
+            QT_TRANSLATE_NOOP("cli", "show a saved file; needs no port"),
+            {{"FILE", QT_TRANSLATE_NOOP("cli", "a file made by snapshot save")}},
+            {},
+            runShow};
+}
+} // namespace cli

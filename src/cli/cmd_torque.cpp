@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/report_words.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "device/motion.h"
+
+namespace cli {
+namespace {
+struct State {
+    const char* word;
+    device::Torque torque;
+    const char* shown;
+};
+
+constexpr State states[]{
+    {"on", device::Torque::On, QT_TRANSLATE_NOOP("cli", "torque on")},
+    {"off", device::Torque::Off, QT_TRANSLATE_NOOP("cli", "torque off")},
+    {"damp", device::Torque::Damp, QT_TRANSLATE_NOOP("cli", "damping")},
+};
+
+base::Result<State> parseState(const QString& word)
+{
+    for (const State& state : states) {
+        if (word == QLatin1String(state.word))
+            return state;
+    }
+    return badArgument(translate("cli", "the last word must be on, off or damp"));
+}
+
+base::Result<void> switchOne(Run& run, int id, device::Torque torque)
+{
+    auto servo = run.servo(id);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    return device::setTorque(*run.context(), *servo, torque);
+}
+
+/// All servos get their turn, whatever becomes of the others: off must reach as many as it can.
+base::Result<Exit> switchAll(Run& run, const std::vector<int>& ids, const State& state)
+{
+    Json::Array servos;
+    QString text;
+    Exit exit = Exit::Done;
+    for (const int id : ids) {
+        if (run.stop().requested())
+            return base::fail(base::ErrorCode::Stopped, QStringLiteral("torque"), {}, id);
+        const auto done = switchOne(run, id, state.torque);
+        Json json = Json::object();
+        json.add("id", id);
+        if (done) {
+            json.add("torque", QString::fromLatin1(state.word));
+            text += translate("cli", "Servo %1: %2").arg(id).arg(translate("cli", state.shown)) +
+                    QLatin1Char('\n');
+        } else if (ids.size() == 1) {
+            return tl::unexpected(done.error());
+        } else {
+            json.add("error", jsonError(done.error()));
+            run.console().remark(errorText(done.error()));
+            exit = exit == Exit::Done ? exitCode(done.error().code) : exit;
+        }
+        servos.push_back(std::move(json));
+    }
+    run.finish(Json::object().add("servos", std::move(servos)), text);
+    return exit;
+}
+
+base::Result<Exit> runTorque(Run& run, const Values& values)
+{
+    QStringList words = values.words("ID… on|off|damp");
+    const auto state = parseState(words.takeLast());
+    if (!state)
+        return tl::unexpected(state.error());
+    const auto ids = parseIds(words);
+    if (!ids)
+        return tl::unexpected(ids.error());
+    if (const auto connection = run.connect(); !connection)
+        return tl::unexpected(connection.error());
+    return switchAll(run, *ids, *state);
+}
+
+base::Result<Exit> runMode(Run& run, const Values& values)
+{
+    const auto id = parseId(values.word("ID"));
+    if (!id)
+        return tl::unexpected(id.error());
+    auto servo = run.servoWithSettings(*id);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const QString wanted = values.word("MODE");
+    if (servo->profile->mode(wanted) == nullptr) {
+        QStringList known;
+        for (const catalog::Mode& mode : servo->profile->modes)
+            known << mode.key;
+        return base::fail(base::ErrorCode::NotSupported, QStringLiteral("mode"),
+                          translate("cli", "no mode \"%1\"; it has %2")
+                              .arg(wanted, known.join(QStringLiteral(", "))),
+                          *id);
+    }
+    const auto report = device::switchMode(*run.context(), *servo, wanted);
+    if (!report)
+        return tl::unexpected(report.error());
+    run.finish(jsonWrites(*report).add("mode", wanted), writeText(*servo, *report));
+    return exitCode(*report);
+}
+} // namespace
+
+Command torqueCommand()
+{
+    return {"torque",
+            QT_TRANSLATE_NOOP("cli", "switch torque; on holds where the servo is"),
+            {{"ID… on|off|damp",
+              QT_TRANSLATE_NOOP("cli", "servos (1 2 3, 1-6, 1,3), then what to do"), 2, many}},
+            {},
+            runTorque};
+}
+
+Command modeCommand()
+{
+    return {
+        "mode",
+        QT_TRANSLATE_NOOP("cli", "switch the operating mode; torque stays off afterwards"),
+        {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
+         {"MODE", QT_TRANSLATE_NOOP("cli", "position, multiturn, speed, pwm, step or motor, as the "
+                                           "family has them")}},
+        {},
+        runMode};
+}
+} // namespace cli

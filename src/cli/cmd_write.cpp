@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/register_input.h"
+#include "cli/report_words.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+
+namespace cli {
+namespace {
+base::Result<Exit> run(Run& run, const Values& values)
+{
+    const auto id = parseId(values.word("ID"));
+    if (!id)
+        return tl::unexpected(id.error());
+    for (const QString& word : values.words("KEY=VALUE")) {
+        if (const auto assignment = parseAssignment(word); !assignment)
+            return tl::unexpected(assignment.error());
+    }
+    auto servo = run.servoWithSettings(*id);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const auto items = parseWriteItems(*servo, values.words("KEY=VALUE"));
+    if (!items)
+        return tl::unexpected(items.error());
+    device::WriteOptions options;
+    options.temporary = values.has("--temporary");
+    options.dangerous = values.has("--dangerous");
+    const auto context = run.context();
+    const auto report = device::write(*context, *servo, *items, options);
+    if (!report)
+        return tl::unexpected(report.error());
+    run.finish(jsonWrites(*report), writeText(*servo, *report));
+    return exitCode(*report);
+}
+} // namespace
+
+Command writeCommand()
+{
+    return {
+        "write",
+        QT_TRANSLATE_NOOP("cli", "change registers safely: record, unlock, write, read back, lock"),
+        {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
+         {"KEY=VALUE",
+          QT_TRANSLATE_NOOP("cli", "value raw (85), physical with its unit (8.5V, 90deg) or by "
+                                   "name (position)"),
+          1, many}},
+        {{"--temporary", QT_TRANSLATE_NOOP("cli", "keep the lock closed: lost at power-off")},
+         {"--dangerous", QT_TRANSLATE_NOOP("cli", "yes, also registers that can make the servo "
+                                                  "unreachable or turn the other way")}},
+        run};
+}
+} // namespace cli

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+
+namespace cli {
+const std::vector<Command>& commands()
+{
+    static const std::vector<Command> all{portsCommand(),        scanCommand(),
+                                          infoCommand(),         dumpCommand(),
+                                          readCommand(),         writeCommand(),
+                                          setIdCommand(),        setBaudCommand(),
+                                          centerCommand(),       restoreDefaultsCommand(),
+                                          rebootCommand(),       torqueCommand(),
+                                          modeCommand(),         moveCommand(),
+                                          watchCommand(),        rawCommand(),
+                                          recoverCommand(),      snapshotSaveCommand(),
+                                          snapshotShowCommand(), tourCommand()};
+    return all;
+}
+} // namespace cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One function a command file. Pure data.
+#pragma once
+
+#include "cli/command.h"
+
+namespace cli {
+Command portsCommand();
+Command scanCommand();
+Command infoCommand();
+Command dumpCommand();
+Command readCommand();
+Command writeCommand();
+Command setIdCommand();
+Command setBaudCommand();
+Command centerCommand();
+Command restoreDefaultsCommand();
+Command rebootCommand();
+Command torqueCommand();
+Command modeCommand();
+Command moveCommand();
+Command watchCommand();
+Command rawCommand();
+Command recoverCommand();
+Command snapshotSaveCommand();
+Command snapshotShowCommand();
+Command tourCommand();
+} // namespace cli

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the program writes: results to stdout, everything else to stderr. UTF-8 whatever the
+// locale. Owned by main; main thread. A failure to write is remembered, not thrown: the command
+// goes on and the exit code tells.
+#pragma once
+
+#include "cli/json.h"
+
+#include <optional>
+
+namespace cli {
+class Console {
+public:
+    explicit Console(bool json)
+        : m_json(json)
+    {}
+
+    bool json() const { return m_json; }
+
+    /// Human result on stdout; nothing in JSON mode.
+    void print(const QString& text);
+    /// Bytes on stdout as they are.
+    void write(const QByteArray& bytes);
+    /// A line on stderr.
+    void say(const QString& line);
+    /// The same, but nothing in JSON mode, where the document says it.
+    void remark(const QString& line);
+
+    bool resultTerminal() const; ///< stdout is a terminal
+    bool remarkTerminal() const; ///< stderr is a terminal
+    int terminalWidth() const;   ///< of stdout's terminal; 0 if not known
+
+    /// errno of the first failure to write on stdout.
+    std::optional<int> failure() const { return m_failure; }
+
+private:
+    bool m_json = false;
+    std::optional<int> m_failure;
+};
+} // namespace cli

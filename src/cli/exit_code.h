@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program's exit code says, in one table. Pure.
+#pragma once
+
+#include "base/error.h"
+#include "device/writer.h"
+
+namespace cli {
+enum Exit : int {
+    Done = 0,
+    NotDone = 1, ///< the servo did not do it: verify failed, refused
+    Usage = 2,
+    Port = 3,
+    NoAnswer = 4,
+    File = 5,
+};
+
+Exit exitCode(base::ErrorCode code);
+Exit exitCode(const device::WriteReport& report);
+} // namespace cli

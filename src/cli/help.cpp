@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/parser.h"
+#include "cli/table.h"
+#include "cli/translate.h"
+
+namespace cli {
+namespace {
+constexpr int nameWidth = 30;
+
+QString entry(const QString& name, const char* help)
+{
+    return QStringLiteral("  ") + padded(name, nameWidth - 2) + QLatin1Char(' ') +
+           translate("cli", help) + QLatin1Char('\n');
+}
+
+QString shownName(const Positional& positional)
+{
+    QString name = QString::fromUtf8(positional.name);
+    if (positional.max == many && !name.contains(u'…'))
+        name += u'…';
+    return positional.min == 0 ? QStringLiteral("[%1]").arg(name) : name;
+}
+
+QString shownFlag(const Option& option)
+{
+    return option.value == nullptr ? QString::fromLatin1(option.flag)
+                                   : QStringLiteral("%1 %2").arg(QLatin1String(option.flag),
+                                                                 QString::fromUtf8(option.value));
+}
+
+QString optionList(const QString& title, const std::vector<Option>& options)
+{
+    if (options.empty())
+        return {};
+    QString text = QLatin1Char('\n') + title + QLatin1Char('\n');
+    for (const Option& option : options)
+        text += entry(shownFlag(option), option.help);
+    return text;
+}
+
+QString usage(const Command& command)
+{
+    QString line = QLatin1String(command.name);
+    for (const Positional& positional : command.positionals)
+        line += QLatin1Char(' ') + shownName(positional);
+    return line;
+}
+} // namespace
+
+QString helpText(const Command* command)
+{
+    QString text;
+    if (command == nullptr) {
+        text = translate("cli", "Finds, reads, changes and drives serial bus servos.") +
+               QStringLiteral("\n\n") +
+               translate("cli", "Usage: servodesk-cli [OPTIONS] COMMAND …") +
+               QStringLiteral("\n\n") + translate("cli", "Commands:") + QLatin1Char('\n');
+        for (const Command& one : commands())
+            text += entry(usage(one), one.help);
+    } else {
+        text = translate("cli", command->help) + QStringLiteral("\n\n") +
+               translate("cli", "Usage: servodesk-cli [OPTIONS] %1").arg(usage(*command)) +
+               QLatin1Char('\n');
+        if (!command->positionals.empty())
+            text += QLatin1Char('\n');
+        for (const Positional& positional : command->positionals)
+            text += entry(shownName(positional), positional.help);
+        text += optionList(translate("cli", "Options of this command:"), command->options);
+    }
+    text += optionList(translate("cli", "Options:"), globalOptions());
+    if (command == nullptr) {
+        text += QLatin1Char('\n') +
+                translate("cli", "Exit codes: 0 done, 1 the servo did not do it, 2 usage, 3 port, "
+                                 "4 no answer, 5 file.\n"
+                                 "\"servodesk-cli COMMAND --help\" tells more about a command.") +
+                QLatin1Char('\n');
+    }
+    return text;
+}
+} // namespace cli

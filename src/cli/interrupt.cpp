@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/interrupt.h"
+
+#include <QtGlobal>
+
+#include <chrono>
+#include <csignal>
+
+#ifdef Q_OS_UNIX
+#include <pthread.h>
+#include <unistd.h>
+#endif
+
+namespace cli {
+#ifdef Q_OS_UNIX
+namespace {
+constexpr auto graceForLocks = std::chrono::seconds(2);
+constexpr int exitAfterSignal = 128;
+
+sigset_t endingSignals()
+{
+    sigset_t set;
+    sigemptyset(&set);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        sigaddset(&set, signal);
+    return set;
+}
+} // namespace
+
+Interrupt::Interrupt()
+{
+    // A reader that goes away ("| head") must not kill a program that holds a lock open.
+    std::signal(SIGPIPE, SIG_IGN);
+    const sigset_t set = endingSignals();
+    pthread_sigmask(SIG_BLOCK, &set, nullptr);
+    m_receiver = std::thread(&Interrupt::receive, this);
+}
+
+Interrupt::~Interrupt()
+{
+    m_ending = true;
+    pthread_kill(m_receiver.native_handle(), SIGTERM);
+    m_receiver.join();
+}
+
+void Interrupt::receive()
+{
+    const sigset_t set = endingSignals();
+    int signal = 0;
+    if (sigwait(&set, &signal) != 0 || m_ending)
+        return;
+    m_stop.request();
+    const auto lastMoment = std::chrono::steady_clock::now() + graceForLocks;
+    if (sigwait(&set, &signal) != 0 || m_ending)
+        return;
+    while (std::chrono::steady_clock::now() < lastMoment && !m_ending)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (!m_ending)
+        _exit(exitAfterSignal + signal);
+}
+#else
+namespace {
+base::Stop* stopOfProgram = nullptr;
+
+// The system calls this on a thread of its own.
+void requestStop(int)
+{
+    stopOfProgram->request();
+}
+} // namespace
+
+Interrupt::Interrupt()
+{
+    stopOfProgram = &m_stop;
+    std::signal(SIGINT, requestStop);
+    std::signal(SIGTERM, requestStop);
+}
+
+Interrupt::~Interrupt() = default;
+
+void Interrupt::receive() {}
+#endif
+} // namespace cli

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/parser.h"
+
+#include "cli/arguments.h"
+#include "cli/translate.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <list>
+
+namespace cli {
+namespace {
+constexpr int maxPatienceMs = 60'000;
+constexpr int maxRetries = 20;
+
+/// What CLI11 fills for one command.
+struct Slots {
+    const Command* command = nullptr;
+    CLI::App* app = nullptr;
+    std::list<std::vector<std::string>> positionals;
+    std::list<std::pair<const Option*, std::string>> options;
+};
+
+void addOptions(CLI::App& app, const std::vector<Option>& options, Slots& into)
+{
+    for (const Option& option : options) {
+        auto& place = into.options.emplace_back(&option, std::string());
+        if (option.value != nullptr)
+            app.add_option(option.flag, place.second);
+        else
+            app.add_flag(option.flag);
+    }
+}
+
+CLI::App* addCommand(CLI::App& parent, const QString& name)
+{
+    const qsizetype blank = name.indexOf(QLatin1Char(' '));
+    const std::string first = name.left(blank).toStdString();
+    const auto known =
+        parent.get_subcommands([&first](const CLI::App* sub) { return sub->get_name() == first; });
+    CLI::App* app =
+        known.empty() ? parent.add_subcommand(first)->fallthrough()->allow_extras() : known.front();
+    return blank < 0 ? app : addCommand(*app, name.mid(blank + 1));
+}
+
+void addCommand(CLI::App& root, const Command& command, Slots& into)
+{
+    into.command = &command;
+    into.app = addCommand(root, QLatin1String(command.name));
+    int number = 0;
+    for (const Positional& positional : command.positionals) {
+        auto& place = into.positionals.emplace_back();
+        CLI::Option* option = into.app->add_option("p" + std::to_string(number++), place);
+        if (positional.max == many)
+            option->expected(1, CLI::detail::expected_max_vector_size);
+        else
+            option->expected(1)->allow_extra_args(false);
+    }
+    addOptions(*into.app, command.options, into);
+}
+
+base::Result<Values> valuesOf(const Slots& from)
+{
+    Values values;
+    auto place = from.positionals.begin();
+    for (const Positional& positional : from.command->positionals) {
+        QStringList words;
+        for (const std::string& word : *place)
+            words << QString::fromStdString(word);
+        ++place;
+        if (words.size() < positional.min)
+            return badArgument(
+                translate("cli", "%1 is missing").arg(QString::fromUtf8(positional.name)));
+        values.positionals.insert(QString::fromUtf8(positional.name), words);
+    }
+    return values;
+}
+
+void takeOptions(const Slots& from, Values& values)
+{
+    for (const auto& [option, value] : from.options) {
+        if (from.app->count(option->flag) == 0)
+            continue;
+        const QString flag = QLatin1String(option->flag);
+        if (option->value != nullptr)
+            values.options.insert(flag, QString::fromStdString(value));
+        else
+            values.switches << flag;
+    }
+}
+
+base::Result<Globals> globalsOf(const Values& values)
+{
+    Globals globals;
+    globals.port = values.option("--port").value_or(QString());
+    if (const auto baud = values.option("--baud")) {
+        globals.searchBaud = *baud == QLatin1String("auto");
+        const auto rates = parseBauds(globals.searchBaud ? QStringLiteral("all") : *baud);
+        if (!rates)
+            return tl::unexpected(rates.error());
+        if (!globals.searchBaud)
+            globals.baud = rates->front();
+    }
+    if (const auto timeout = values.option("--timeout")) {
+        const auto ms = parseWhole(*timeout, 1, maxPatienceMs);
+        if (!ms)
+            return tl::unexpected(ms.error());
+        globals.patience = std::chrono::milliseconds(*ms);
+    }
+    if (const auto retries = values.option("--retries")) {
+        const auto number = parseWhole(*retries, 0, maxRetries);
+        if (!number)
+            return tl::unexpected(number.error());
+        globals.retries = *number;
+    }
+    return globals;
+}
+
+tl::unexpected<base::Error> notUnderstood(const QString& word, bool commandKnown)
+{
+    QStringList known;
+    for (const Command& command : commands())
+        known << QString::fromLatin1(command.name);
+    const QStringList near =
+        commandKnown || word.startsWith(QLatin1Char('-')) ? QStringList() : nearest(word, known);
+    if (!near.isEmpty())
+        return badArgument(translate("cli", "there is no command \"%1\"; did you mean %2?")
+                               .arg(word, near.join(QStringLiteral(", "))));
+    if (!commandKnown && !word.startsWith(QLatin1Char('-')))
+        return badArgument(translate("cli", "there is no command \"%1\"").arg(word));
+    return badArgument(translate("cli", "\"%1\" is not understood here").arg(word));
+}
+
+/// The parser of one command line; lives as long as CLI11 refers to its slots.
+class Parser {
+public:
+    Parser();
+    base::Result<Parsed> parse(const QStringList& arguments);
+
+private:
+    base::Result<Parsed> result();
+    const Slots* chosen() const;
+
+    CLI::App m_app;
+    Slots m_globals;
+    std::list<Slots> m_commands;
+};
+
+Parser::Parser()
+{
+    m_app.allow_extras();
+    m_app.set_version_flag("--version", "");
+    m_globals.app = &m_app;
+    addOptions(m_app, globalOptions(), m_globals);
+    for (const Command& command : commands())
+        addCommand(m_app, command, m_commands.emplace_back());
+}
+
+const Slots* Parser::chosen() const
+{
+    const auto it = std::find_if(m_commands.begin(), m_commands.end(),
+                                 [](const Slots& slots) { return slots.app->parsed(); });
+    return it == m_commands.end() ? nullptr : &*it;
+}
+
+base::Result<Parsed> Parser::result()
+{
+    const Slots* command = chosen();
+    const auto rest = m_app.remaining(true);
+    if (!rest.empty())
+        return notUnderstood(QString::fromStdString(rest.front()), command != nullptr);
+    if (command == nullptr)
+        return badArgument(translate("cli", "say which command; --help lists them"));
+    Values global;
+    takeOptions(m_globals, global);
+    const auto globals = globalsOf(global);
+    if (!globals)
+        return tl::unexpected(globals.error());
+    auto values = valuesOf(*command);
+    if (!values)
+        return tl::unexpected(values.error());
+    takeOptions(*command, *values);
+    return Parsed{Parsed::Wish::Command, command->command, std::move(*values), *globals,
+                  global.has("--json")};
+}
+
+base::Result<Parsed> Parser::parse(const QStringList& arguments)
+{
+    // CLI11 wants them last first.
+    std::vector<std::string> words;
+    for (auto it = arguments.crbegin(); it != arguments.crend(); ++it)
+        words.push_back(it->toStdString());
+    try {
+        m_app.parse(std::move(words));
+    } catch (const CLI::CallForHelp&) {
+        Parsed help;
+        help.wish = Parsed::Wish::Help;
+        help.command = chosen() != nullptr ? chosen()->command : nullptr;
+        return help;
+    } catch (const CLI::CallForVersion&) {
+        Parsed version;
+        version.wish = Parsed::Wish::Version;
+        return version;
+    } catch (const CLI::ArgumentMismatch& error) {
+        return badArgument(translate("cli", "an option lacks its value, or is given twice (%1)")
+                               .arg(QString::fromUtf8(error.what())));
+    } catch (const CLI::Error& error) {
+        return badArgument(QString::fromUtf8(error.what()));
+    }
+    return result();
+}
+} // namespace
+
+const std::vector<Option>& globalOptions()
+{
+    static const std::vector<Option> options{
+        {"--port",
+         QT_TRANSLATE_NOOP("cli", "device path, tcp://HOST:PORT, or a simulated bus: sim:demo, "
+                                  "sim:trouble, sim:sts3215@1,scs15@2"),
+         "P"},
+        {"--baud", QT_TRANSLATE_NOOP("cli", "baud rate, or auto to try all (usual: 1000000)"),
+         "N|auto"},
+        {"--timeout",
+         QT_TRANSLATE_NOOP("cli", "patience with a silent servo beyond the wire time (usual: 25, "
+                                  "growing)"),
+         "MS"},
+        {"--retries", QT_TRANSLATE_NOOP("cli", "how often a disturbed request is repeated"), "N"},
+        {"--json", QT_TRANSLATE_NOOP("cli", "print one JSON document")},
+        {"--lang", QT_TRANSLATE_NOOP("cli", "language of the words"), "en|zh_CN"},
+    };
+    return options;
+}
+
+base::Result<QString> wantedLanguage(const QStringList& arguments)
+{
+    QString language;
+    for (qsizetype i = 0; i < arguments.size(); ++i) {
+        if (arguments[i] == QLatin1String("--lang"))
+            language = arguments.value(i + 1);
+        else if (arguments[i].startsWith(QLatin1String("--lang=")))
+            language = arguments[i].mid(7);
+        else
+            continue;
+        if (language != QLatin1String("en") && language != QLatin1String("zh_CN"))
+            return badArgument(translate("cli", "\"%1\" is no language of this program (en, zh_CN)")
+                                   .arg(language));
+    }
+    return language;
+}
+
+base::Result<Parsed> parseCommandLine(const QStringList& arguments)
+{
+    return Parser().parse(arguments);
+}
+} // namespace cli

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/program.h"
+
+#include "cli/parser.h"
+#include "cli/report_words.h"
+#include "cli/translate.h"
+#include "text/language.h"
+
+#include <cerrno>
+#include <system_error>
+
+namespace cli {
+namespace {
+Exit report(const base::Error& error, Console& console)
+{
+    if (console.json())
+        console.write(Json::object().add("error", jsonError(error)).text());
+    else
+        console.say(errorText(error));
+    return exitCode(error.code);
+}
+
+/// A reader that has gone away ("| head") needs no explanation; a full disk does.
+Exit checkOutput(Exit exit, Console& console)
+{
+    if (!console.failure())
+        return exit;
+    if (*console.failure() != EPIPE) {
+        const auto why = std::generic_category().message(*console.failure());
+        console.say(translate("cli", "The result could not be written: %1")
+                        .arg(QString::fromStdString(why)));
+    }
+    return exit == Exit::Done ? Exit::File : exit;
+}
+
+Exit runCommand(const Parsed& parsed, Console& console, const base::Stop& stop)
+{
+    Run run(parsed.globals, console, stop);
+    const auto done = parsed.command->run(run, parsed.values);
+    if (done)
+        return *done;
+    console.print(run.takeNotices());
+    return report(done.error(), console);
+}
+} // namespace
+
+int runProgram(const QStringList& arguments, const base::Stop& stop)
+{
+    Console console(arguments.contains(QLatin1String("--json")));
+    text::installTranslator({});
+    const auto language = wantedLanguage(arguments);
+    if (!language)
+        return report(language.error(), console);
+    text::installTranslator(*language);
+    const auto parsed = parseCommandLine(arguments);
+    if (!parsed)
+        return report(parsed.error(), console);
+    Exit exit = Exit::Done;
+    switch (parsed->wish) {
+    case Parsed::Wish::Help:
+        console.write(helpText(parsed->command).toUtf8());
+        break;
+    case Parsed::Wish::Version:
+        console.write("servodesk-cli " + QCoreApplication::applicationVersion().toUtf8() + '\n');
+        break;
+    case Parsed::Wish::Command:
+        exit = runCommand(*parsed, console, stop);
+        break;
+    }
+    return checkOutput(exit, console);
+}
+} // namespace cli

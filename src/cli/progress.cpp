@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/progress.h"
+
+#include "cli/translate.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace cli {
+namespace {
+constexpr auto quietTime = std::chrono::seconds(1);
+constexpr auto rewriteEvery = std::chrono::milliseconds(100);
+constexpr auto lineEvery = std::chrono::seconds(2);
+} // namespace
+
+ProgressLine::ProgressLine(Console& console, QString task)
+    : m_console(console)
+    , m_task(std::move(task))
+    , m_next(m_start + quietTime)
+{}
+
+ProgressLine::~ProgressLine()
+{
+    if (m_shown && m_console.remarkTerminal())
+        std::fputs("\r\033[K", stderr);
+}
+
+void ProgressLine::update(const jobs::Progress& progress)
+{
+    if (Clock::now() < m_next)
+        return;
+    const auto remaining = std::chrono::duration_cast<std::chrono::seconds>(progress.remaining);
+    QString state = translate("cli", "%1 %, about %2 s left")
+                        .arg(std::lround(progress.fraction * 100))
+                        .arg(remaining.count() + 1);
+    if (progress.baud > 0)
+        state += translate("cli", ", %1 baud, found: %2").arg(progress.baud).arg(progress.found);
+    show(state);
+}
+
+void ProgressLine::show(const QString& state)
+{
+    const auto now = Clock::now();
+    if (now < m_next)
+        return;
+    const QString line = QStringLiteral("%1: %2").arg(m_task, state);
+    if (m_console.remarkTerminal()) {
+        std::fputs(("\r\033[K" + line.toUtf8()).constData(), stderr);
+        std::fflush(stderr);
+        m_next = now + rewriteEvery;
+    } else {
+        m_console.say(line);
+        m_next = now + lineEvery;
+    }
+    m_shown = true;
+}
+} // namespace cli

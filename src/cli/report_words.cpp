@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/report_words.h"
+
+#include "cli/translate.h"
+#include "text/error_words.h"
+#include "text/language.h"
+#include "text/notice_words.h"
+
+namespace cli {
+namespace {
+/// What to type next, where the words of the text layer cannot know about commands.
+QString commandHint(base::ErrorCode code)
+{
+    switch (code) {
+    case base::ErrorCode::NoAnswer:
+    case base::ErrorCode::Garbled:
+        return QStringLiteral("servodesk-cli scan --bauds all");
+    case base::ErrorCode::NeedsConsent:
+        return QStringLiteral("--dangerous");
+    case base::ErrorCode::PortMissing:
+        return QStringLiteral("servodesk-cli ports");
+    case base::ErrorCode::LockOpen:
+    case base::ErrorCode::LinkLost:
+        return QStringLiteral("servodesk-cli recover");
+    case base::ErrorCode::UnknownRegister:
+        return QStringLiteral("servodesk-cli dump ID");
+    case base::ErrorCode::BadArgument:
+        return QStringLiteral("servodesk-cli --help");
+    default:
+        return {};
+    }
+}
+
+/// "1000000" is a number although it names an enum value.
+Json keyOrNumber(const QString& key)
+{
+    bool whole = false;
+    const qlonglong number = key.toLongLong(&whole);
+    return whole ? Json(std::int64_t{number}) : Json(key);
+}
+
+Json bitKeys(std::int64_t raw, const catalog::Register& reg)
+{
+    QStringList keys;
+    for (int bit = 0; bit < reg.size * 8; ++bit) {
+        if ((raw >> bit & 1) == 0)
+            continue;
+        QString key = QStringLiteral("bit%1").arg(bit);
+        for (const catalog::NamedValue& value : reg.values)
+            key = value.value == bit ? value.key : key;
+        keys << key;
+    }
+    return keys;
+}
+
+QString numberOrDash(const std::optional<std::int64_t>& number)
+{
+    return number ? QString::number(*number) : QStringLiteral("–");
+}
+} // namespace
+
+QString servoTitle(const device::Servo& servo)
+{
+    const catalog::Profile& profile = *servo.profile;
+    return translate("cli", "%1 (%2), firmware %3")
+        .arg(profile.modelName, profile.identity.modelId(), profile.identity.firmware());
+}
+
+QString shownValue(const device::Servo& servo, const catalog::Register& reg)
+{
+    const auto raw = servo.raw(reg);
+    return raw ? catalog::formatValue(*raw, reg, servo.meaning(reg), text::inChinese())
+               : QStringLiteral("–");
+}
+
+QString shownUnit(const device::Servo& servo, const catalog::Register& reg)
+{
+    return servo.meaning(reg).unit;
+}
+
+Json jsonValue(const device::Servo& servo, const catalog::Register& reg)
+{
+    const auto raw = servo.raw(reg);
+    if (!raw)
+        return {};
+    const catalog::Meaning meaning = servo.meaning(reg);
+    if (meaning.encoding == catalog::Encoding::Bits)
+        return bitKeys(*raw, reg);
+    if (meaning.encoding == catalog::Encoding::Enum) {
+        for (const catalog::NamedValue& value : reg.values) {
+            if (value.value == *raw)
+                return keyOrNumber(value.key);
+        }
+        return *raw;
+    }
+    return meaning.scale == 1.0 ? Json(*raw) : Json(catalog::toPhysical(*raw, meaning));
+}
+
+Json jsonRegister(const device::Servo& servo, const catalog::Register& reg)
+{
+    return Json::object()
+        .add("key", reg.key)
+        .add("address", reg.address)
+        .add("raw", servo.raw(reg))
+        .add("value", jsonValue(servo, reg))
+        .add("unit", shownUnit(servo, reg))
+        .add("area", catalog::areaName(reg.area))
+        .add("access", catalog::accessName(reg.access));
+}
+
+Table registerTable(const device::Servo& servo,
+                    const std::vector<const catalog::Register*>& registers)
+{
+    Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Name"),
+                 translate("cli", "Value"), translate("cli", "Raw"), translate("cli", "Area"),
+                 translate("cli", "Access")});
+    table.right({0, 4});
+    for (const catalog::Register* reg : registers) {
+        table.add({QString::number(reg->address), reg->key,
+                   servo.meaning(*reg).name.in(text::inChinese()), shownValue(servo, *reg),
+                   numberOrDash(servo.raw(*reg)), text::areaWord(reg->area),
+                   text::accessWord(reg->access)});
+    }
+    return table;
+}
+
+Json jsonWrites(const device::WriteReport& report)
+{
+    Json::Array writes;
+    for (const device::WriteResult& result : report.writes) {
+        writes.push_back(Json::object()
+                             .add("key", result.key)
+                             .add("address", result.address)
+                             .add("old", result.oldRaw)
+                             .add("new", result.newRaw)
+                             .add("read_back", result.readBack)
+                             .add("outcome", device::outcomeName(result.outcome)));
+    }
+    return Json::object()
+        .add("id", report.id)
+        .add("writes", std::move(writes))
+        .add("lock", device::lockName(report.lock));
+}
+
+QString writeText(const device::Servo& servo, const device::WriteReport& report)
+{
+    Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Old"),
+                 translate("cli", "New"), translate("cli", "Read back"),
+                 translate("cli", "Outcome")});
+    table.right({0, 2, 3, 4});
+    const auto shown = [&servo](const QString& key, const std::optional<std::int64_t>& raw) {
+        const catalog::Register* reg = servo.profile->find(key);
+        return raw && reg != nullptr
+                   ? catalog::formatValue(*raw, *reg, servo.meaning(*reg), text::inChinese())
+                   : numberOrDash(raw);
+    };
+    QString why;
+    for (const device::WriteResult& result : report.writes) {
+        table.add({QString::number(result.address), result.key, shown(result.key, result.oldRaw),
+                   shown(result.key, result.newRaw), shown(result.key, result.readBack),
+                   text::outcomeWord(device::outcomeName(result.outcome))});
+        if (result.error)
+            why += text::describe(*result.error).what + QLatin1Char('\n');
+    }
+    return table.text() +
+           translate("cli", "EPROM lock: %1").arg(text::lockWord(device::lockName(report.lock))) +
+           QLatin1Char('\n') + why;
+}
+
+Json jsonError(const base::Error& error)
+{
+    const text::Description words = text::describe(error);
+    Json json = Json::object()
+                    .add("code", base::errorName(error.code))
+                    .add("message", words.what)
+                    .add("cause", words.cause)
+                    .add("remedy", words.remedy);
+    if (error.id >= 0)
+        json.add("id", error.id);
+    if (!error.registerKey.isEmpty())
+        json.add("key", error.registerKey);
+    const QString hint = commandHint(error.code);
+    if (!hint.isEmpty())
+        json.add("try", hint);
+    return json;
+}
+
+QString errorText(const base::Error& error)
+{
+    const text::Description words = text::describe(error);
+    QStringList lines{words.what};
+    // A slip of the keyboard has no cause to look for.
+    if (error.operation != QLatin1String("arguments")) {
+        lines << translate("cli", "  Likely cause: %1").arg(words.cause)
+              << translate("cli", "  Remedy: %1").arg(words.remedy);
+    }
+    const QString hint = commandHint(error.code);
+    if (!hint.isEmpty())
+        lines << translate("cli", "  Try: %1").arg(hint);
+    return lines.join(QLatin1Char('\n'));
+}
+} // namespace cli

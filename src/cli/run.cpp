@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run.h"
+
+#include "cli/arguments.h"
+#include "cli/translate.h"
+#include "device/reader.h"
+#include "text/notice_words.h"
+#include "transport/port_opener.h"
+
+namespace cli {
+using base::ErrorCode;
+
+Run::Run(Globals globals, Console& console, const base::Stop& stop)
+    : m_globals(std::move(globals))
+    , m_console(console)
+    , m_stop(stop)
+{}
+
+session::Session& Run::session()
+{
+    if (!m_session) {
+        m_session = std::make_unique<session::Session>();
+        for (const catalog::LoadWarning& warning : m_session->warnings()) {
+            m_console.say(translate("cli", "Warning: %1, %2: %3")
+                              .arg(warning.file, warning.where, warning.detail));
+        }
+    }
+    return *m_session;
+}
+
+void Run::setDefaultPort(const QString& port)
+{
+    if (m_globals.port.isEmpty())
+        m_globals.port = port;
+}
+
+/// Without --port the only adapter is meant; with none or several the user decides.
+base::Result<QString> Run::choosePort()
+{
+    if (!m_globals.port.isEmpty())
+        return m_globals.port;
+    const auto adapters = session::adapters();
+    if (adapters.size() == 1) {
+        m_console.remark(translate("cli", "Using the only adapter, %1.").arg(adapters[0].path));
+        return adapters[0].path;
+    }
+    QStringList names;
+    for (const transport::PortInfo& info : adapters)
+        names << info.path;
+    names += session::simulatedPorts();
+    const QString why =
+        adapters.empty() ? translate("cli", "no adapter is plugged in; choose with --port: %1")
+                         : translate("cli", "there are several adapters; choose with --port: %1");
+    return badArgument(why.arg(names.join(QStringLiteral(", "))));
+}
+
+base::Result<session::Connection*> Run::connect()
+{
+    if (m_connection)
+        return m_connection.get();
+    const auto port = choosePort();
+    if (!port)
+        return tl::unexpected(port.error());
+    session::PortRequest request;
+    request.name = *port;
+    request.baud = m_globals.baud.value_or(request.baud);
+    request.patience = m_globals.patience;
+    request.retries = m_globals.retries;
+    auto connection = session().connect(request);
+    if (!connection)
+        return tl::unexpected(connection.error());
+    m_connection = std::move(*connection);
+    if (m_connection->simulated())
+        m_console.remark(translate("cli", "SIMULATED bus %1").arg(m_connection->bus().portName()));
+    return m_connection.get();
+}
+
+base::Result<device::Context> Run::context()
+{
+    const auto connection = connect();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    return (*connection)->context(m_stop, m_notices);
+}
+
+/// --baud auto: the first rate at which the servo answers becomes the rate of the run.
+base::Result<device::Servo> Run::findRate(const device::Context& context, int id)
+{
+    for (const int rate : transport::knownRates()) {
+        if (m_stop.requested())
+            return base::fail(ErrorCode::Stopped, QStringLiteral("identify"), {}, id);
+        const auto set = context.bus.setBaud(rate);
+        if (!set && set.error().code == ErrorCode::RateUnsupported)
+            continue;
+        if (!set)
+            return tl::unexpected(set.error());
+        auto servo = device::identify(context, id);
+        if (servo) {
+            m_rateFound = true;
+            m_console.remark(translate("cli", "Servo %1 answers at %2 baud.").arg(id).arg(rate));
+            return servo;
+        }
+        if (servo.error().code == ErrorCode::LinkLost)
+            return servo;
+    }
+    return base::fail(ErrorCode::NoAnswer, QStringLiteral("identify"),
+                      translate("cli", "at none of the known baud rates"), id);
+}
+
+base::Result<device::Servo> Run::servo(int id)
+{
+    const auto ready = context();
+    if (!ready)
+        return tl::unexpected(ready.error());
+    const bool search = m_globals.searchBaud && !m_rateFound && ready->bus.hasBaud();
+    auto found = search ? findRate(*ready, id) : device::identify(*ready, id);
+    if (found)
+        m_connection->know(*found);
+    return found;
+}
+
+base::Result<device::Servo> Run::servoWithSettings(int id)
+{
+    auto found = servo(id);
+    if (!found)
+        return found;
+    const auto ready = context();
+    if (const auto read = device::readSettings(*ready, *found); !read)
+        return tl::unexpected(read.error());
+    return found;
+}
+
+QString Run::takeNotices()
+{
+    QString lines;
+    for (const device::Notice& notice : m_notices) {
+        const QString sentence = text::describe(notice);
+        lines += notice.id < 0
+                     ? sentence
+                     : translate("cli", "Servo %1: %2", "notice").arg(notice.id).arg(sentence);
+        lines += QLatin1Char('\n');
+    }
+    m_notices.clear();
+    return lines;
+}
+
+Json Run::takeNoticesAsJson()
+{
+    Json::Array notes;
+    for (const device::Notice& notice : m_notices) {
+        Json note = Json::object();
+        note.add("code", text::noticeName(notice.code));
+        if (notice.id >= 0)
+            note.add("id", notice.id);
+        if (!notice.key.isEmpty())
+            note.add("key", notice.key);
+        note.add("a", notice.a).add("b", notice.b).add("text", text::describe(notice));
+        notes.push_back(std::move(note));
+    }
+    m_notices.clear();
+    return notes;
+}
+
+void Run::finish(Json document, const QString& text)
+{
+    if (!m_console.json()) {
+        m_console.print(text + takeNotices());
+        return;
+    }
+    if (!m_notices.empty())
+        document.add("notes", takeNoticesAsJson());
+    m_console.write(document.text());
+}
+} // namespace cli

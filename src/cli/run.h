@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One run of the program: what the global options say, and what commands share — the session, the
+// open port, notices, and how results are shown. Main thread. connect() and servo() open the port
+// when first needed.
+#pragma once
+
+#include "cli/command.h"
+#include "cli/console.h"
+#include "session/session.h"
+
+namespace cli {
+struct Globals {
+    QString port;
+    std::optional<int> baud; ///< none: the usual rate
+    bool searchBaud = false; ///< --baud auto
+    std::optional<base::Duration> patience;
+    std::optional<int> retries;
+};
+
+class Run {
+public:
+    Run(Globals globals, Console& console, const base::Stop& stop);
+
+    Console& console() { return m_console; }
+    const Globals& globals() const { return m_globals; }
+    const base::Stop& stop() const { return m_stop; }
+    session::Session& session();
+
+    base::Result<session::Connection*> connect();
+    /// Connects first. Valid while the run lives.
+    base::Result<device::Context> context();
+    /// The servo that answers to `id`, identified; with --baud auto at whatever rate.
+    base::Result<device::Servo> servo(int id);
+    /// The same with its settings read, so that values have their right units.
+    base::Result<device::Servo> servoWithSettings(int id);
+
+    /// Shows the result: the document with the notices in JSON mode, else the text and the notices.
+    void finish(Json document, const QString& text);
+    /// The notices since the last call, as lines.
+    QString takeNotices();
+    /// Only used by commands that write their document piece by piece.
+    Json takeNoticesAsJson();
+
+    /// For commands whose port is not the user's choice (tour).
+    void setDefaultPort(const QString& port);
+
+private:
+    base::Result<QString> choosePort();
+    base::Result<device::Servo> findRate(const device::Context& context, int id);
+
+    Globals m_globals;
+    Console& m_console;
+    const base::Stop& m_stop;
+    device::Notices m_notices;
+    std::unique_ptr<session::Session> m_session;
+    std::unique_ptr<session::Connection> m_connection; ///< goes before the session
+    bool m_rateFound = false;
+};
+} // namespace cli

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A servo's whole memory table as a record::Snapshot. Writes nothing to the servo. Errors are those
+// of reading.
+#pragma once
+
+#include "device/servo.h"
+#include "jobs/job.h"
+#include "record/snapshot.h"
+
+namespace jobs {
+/// `program` is the name and version that goes into the file.
+base::Result<record::Snapshot> takeSnapshot(const device::Context& context, device::Servo& servo,
+                                            const QString& program);
+} // namespace jobs

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session.h"
+
+#include "bus/bus_thread.h"
+#include "protocol/codec.h"
+#include "session/paths.h"
+#include "sim/presets.h"
+#include "sim/sim_link.h"
+#include "transport/port_opener.h"
+
+#include <algorithm>
+
+namespace session {
+namespace {
+const QString simPrefix = QStringLiteral("sim:");
+
+/// "demo" is a preset, "sts3215@1,scs15@2" a list.
+base::Result<std::unique_ptr<sim::VirtualBus>> makeSimulation(const QString& name,
+                                                              const catalog::Catalog& catalog)
+{
+    if (name.contains(QLatin1Char('@')))
+        return sim::makeServos(name, catalog, std::nullopt);
+    return sim::makePreset(name, catalog);
+}
+} // namespace
+
+Session::Session()
+    : m_loaded(catalog::Catalog::load({modelFolder()}))
+    , m_journal(dataFolder() + QStringLiteral("/journal.jsonl"))
+{}
+
+base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& request)
+{
+    const transport::PortSpec spec{request.name, request.baud};
+    std::shared_ptr<sim::SharedBus> simulation;
+    if (request.name.startsWith(simPrefix)) {
+        auto made = makeSimulation(request.name.mid(simPrefix.size()), m_loaded.catalog);
+        if (!made)
+            return tl::unexpected(made.error());
+        simulation = std::make_shared<sim::SharedBus>(std::move(*made));
+    }
+    const auto opener = [&]() -> base::Result<std::unique_ptr<transport::Link>> {
+        if (simulation)
+            return sim::makeSimLink(simulation, spec.name, m_clock, spec.baud);
+        return transport::openPort(spec, m_clock);
+    };
+    auto bus = bus::BusThread::open(opener, protocol::feetechCodec(), m_clock);
+    if (!bus)
+        return tl::unexpected(bus.error());
+    if (request.patience)
+        (*bus)->setPatience(*request.patience);
+    if (request.retries)
+        (*bus)->setRetries(*request.retries);
+    return std::make_unique<Connection>(std::move(*bus), std::move(simulation), m_loaded.catalog,
+                                        m_journal);
+}
+
+std::vector<transport::PortInfo> adapters()
+{
+    auto ports = transport::listPorts();
+    ports.erase(std::remove_if(ports.begin(), ports.end(),
+                               [](const transport::PortInfo& port) { return port.vendorId == 0; }),
+                ports.end());
+    return ports;
+}
+
+QStringList simulatedPorts()
+{
+    QStringList names;
+    for (const QString& preset : sim::presetNames())
+        names << simPrefix + preset;
+    return names;
+}
+} // namespace session
