@@ -15,9 +15,9 @@ constexpr base::Duration readEvery = std::chrono::milliseconds(20);
 /// The moving flag of a servo that has just got its goal may not be up yet.
 constexpr base::Duration settleTime = std::chrono::milliseconds(100);
 constexpr int quietReadings = 3;
-/// Friction leaves 2–8 steps without I (error-diagnosis row 14); more means something is in the
-/// way.
-constexpr std::int64_t restTolerance = 20;
+/// Friction leaves 2–8 steps without I (error-diagnosis row 14) and a heavy arm sags further; more
+/// than this share of a turn (5.6°) means that something is in the way.
+constexpr std::int64_t restShare = 64;
 
 struct Waiting {
     MovePlan* plan = nullptr;
@@ -56,7 +56,7 @@ base::Result<void> checkArrived(const MovePlan& plan)
             rest = std::llround(
                 std::remainder(static_cast<double>(rest), servo.profile->stepsPerTurn));
     }
-    if (std::abs(rest) <= restTolerance * factor)
+    if (std::abs(rest) <= servo.profile->stepsPerTurn / restShare * factor)
         return {};
     return tl::unexpected(
         base::Error{ErrorCode::Refused, QStringLiteral("arrive"), QString::number(rest), servo.id});
