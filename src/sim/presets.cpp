@@ -77,8 +77,8 @@ using Scene = std::vector<ServoRecipe>;
 Scene demo()
 {
     return {
-        {QStringLiteral("STS3215"), 1, fast, 7.4, 180, arm(0.3), nullptr},
-        {QStringLiteral("STS3215"), 2, fast, 7.4, 135, arm(0.15), nullptr},
+        {QStringLiteral("STS3215"), 1, fast, 7.4, 180, arm(0.12), nullptr},
+        {QStringLiteral("STS3215"), 2, fast, 7.4, 135, arm(0.06), nullptr},
         {QStringLiteral("STS3250"), 3, fast, 12.0, 200, turntable(), nullptr},
         {QStringLiteral("SM40BLHV"), 4, fast, 12.0, 90, turntable(), nullptr},
         {QStringLiteral("SCS15"), 5, fast, 7.4, 110, spring(), nullptr},
