@@ -87,9 +87,6 @@ public:
     {
         const base::Duration start = m_context.bus.clock().now();
         const auto rates = ratesToSearch(m_spec, m_oldBaud);
-        // At a foreign rate nobody else may speak; at its own the bus keeps its feedback.
-        if (rates != std::vector{m_oldBaud})
-            m_hold = m_context.bus.hold({});
         m_report.port = m_context.bus.portName();
         const auto searched = searchRates(rates);
         const auto restored = setBaud(m_oldBaud);
@@ -138,7 +135,7 @@ private:
 
     base::Result<void> searchRate()
     {
-        RateSweep sweep(m_context, m_spec, m_hold.token(),
+        RateSweep sweep(m_context, m_spec,
                         [this](base::Duration planned) { m_meter.add(planned); });
         const auto swept = sweep.run();
         m_report.lateReplies += sweep.lateReplies();
@@ -180,7 +177,7 @@ private:
 
     base::Result<void> identify(Found& found)
     {
-        auto servo = device::identify(m_context.within(m_hold), found.servo.id);
+        auto servo = device::identify(m_context, found.servo.id);
         if (!servo) {
             const ErrorCode code = servo.error().code;
             const bool broken = code == ErrorCode::Garbled || code == ErrorCode::WrongAnswer;
@@ -190,7 +187,7 @@ private:
             return tl::unexpected(servo.error());
         }
         found.servo = std::move(*servo);
-        const auto twins = suspectTwins(m_context, found.servo, m_hold.token());
+        const auto twins = suspectTwins(m_context, found.servo);
         if (!twins)
             return tl::unexpected(twins.error());
         found.twinsSuspected = found.twinsSuspected || *twins;
@@ -237,7 +234,6 @@ private:
     const std::function<void(const Found&)>& m_onFound;
     int m_oldBaud;
     Meter m_meter;
-    bus::Hold m_hold;
     ScanReport m_report;
 };
 } // namespace
@@ -261,6 +257,11 @@ base::Result<ScanReport> scan(const device::Context& context, const ScanSpec& sp
     if (!idsGood || !ratesGood)
         return base::fail(ErrorCode::BadArgument, QStringLiteral("scan"),
                           QStringLiteral("IDs 0 to 253, rates above 0"));
-    return Scan(context, spec, progress, onFound).run();
+    // At a foreign rate nobody else may speak; at its own the bus keeps its feedback.
+    const int baud = context.bus.baud();
+    if (ratesToSearch(spec, baud) == std::vector{baud})
+        return Scan(context, spec, progress, onFound).run();
+    const device::Owned owned = device::own(context, {});
+    return Scan(owned.context, spec, progress, onFound).run();
 }
 } // namespace jobs

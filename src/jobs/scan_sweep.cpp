@@ -13,6 +13,8 @@ constexpr base::Duration longPatience = milliseconds(60);
 // How long after a PING its reply may still come in: the final listening, and the search for
 // whoever sent garbled bytes.
 constexpr base::Duration lateWindow = milliseconds(40);
+// What the bus allows every servo at most (SMS, reply delay 254).
+constexpr base::Duration longestReplyDelay{508};
 constexpr int pingWireBytes = 12; ///< request and reply
 constexpr int bitsPerByte = 10;
 constexpr int confirmTries = 3;
@@ -21,7 +23,8 @@ constexpr std::size_t maxGarblesExplained = 16;
 
 base::Duration askTime(int baud, base::Duration patience)
 {
-    return base::Duration(std::int64_t{pingWireBytes} * bitsPerByte * 1'000'000 / baud) + patience;
+    return base::Duration(std::int64_t{pingWireBytes} * bitsPerByte * 1'000'000 / baud) +
+           longestReplyDelay + patience;
 }
 } // namespace
 
@@ -34,11 +37,10 @@ base::Duration sweepEstimate(const ScanSpec& spec, int baud)
     return total;
 }
 
-RateSweep::RateSweep(const device::Context& context, const ScanSpec& spec, std::uint64_t hold,
+RateSweep::RateSweep(const device::Context& context, const ScanSpec& spec,
                      std::function<void(base::Duration)> onAsked)
     : m_context(context)
     , m_spec(spec)
-    , m_hold(hold)
     , m_onAsked(std::move(onAsked))
 {}
 
@@ -162,7 +164,8 @@ base::Result<void> RateSweep::ask(int id, base::Duration patience)
     transaction.priority = m_context.priority;
     transaction.retries = 0;
     transaction.patience = patience;
-    transaction.hold = m_hold;
+    transaction.hold = m_context.hold;
+    transaction.stop = &m_context.stop;
     Contact& contact = m_contacts[id];
     ++contact.pings;
     const auto outcome = m_context.bus.transact(transaction);

@@ -27,7 +27,7 @@ base::Duration sweepEstimate(const ScanSpec& spec, int baud);
 class RateSweep {
 public:
     /// `onAsked` gets the planned time of every step of the sweep when it is done.
-    RateSweep(const device::Context& context, const ScanSpec& spec, std::uint64_t hold,
+    RateSweep(const device::Context& context, const ScanSpec& spec,
               std::function<void(base::Duration)> onAsked);
 
     /// Stopped, LinkLost, Preempted, Held.
@@ -55,7 +55,6 @@ private:
 
     const device::Context& m_context;
     const ScanSpec& m_spec;
-    std::uint64_t m_hold;
     std::function<void(base::Duration)> m_onAsked;
     std::map<int, Contact> m_contacts;
     std::vector<Garble> m_garbles; ///< heard while all IDs were asked

@@ -26,10 +26,9 @@ constexpr std::int64_t maxVoltageJump = 30;    // 0.1 V: supplies sag when a mot
 
 class TwinCheck {
 public:
-    TwinCheck(const device::Context& context, device::Servo& servo, std::uint64_t hold)
+    TwinCheck(const device::Context& context, device::Servo& servo)
         : m_context(context)
         , m_servo(servo)
-        , m_hold(hold)
     {}
 
     base::Result<bool> run()
@@ -117,7 +116,8 @@ private:
         transaction.request = protocol::Request::read(servo.id, span.address, span.count);
         transaction.priority = m_context.priority;
         transaction.retries = 0; // a repeated read would hide what is looked for
-        transaction.hold = m_hold;
+        transaction.hold = m_context.hold;
+        transaction.stop = &m_context.stop;
         const auto outcome = m_context.bus.transact(transaction);
         if (!outcome)
             return failedRead(outcome.error());
@@ -152,7 +152,6 @@ private:
 
     const device::Context& m_context;
     device::Servo& m_servo;
-    std::uint64_t m_hold;
     int m_failures = 0;
     int m_broken = 0;
     bool m_timedOut = false;
@@ -187,9 +186,8 @@ bool couldBeOneServo(const device::Servo& before, const device::Servo& after, ba
     return moved <= possible;
 }
 
-base::Result<bool> suspectTwins(const device::Context& context, device::Servo& servo,
-                                std::uint64_t hold)
+base::Result<bool> suspectTwins(const device::Context& context, device::Servo& servo)
 {
-    return TwinCheck(context, servo, hold).run();
+    return TwinCheck(context, servo).run();
 }
 } // namespace jobs

@@ -52,13 +52,17 @@ private:
 
     base::Result<void> drain()
     {
-        for (const bus::Sample& sample : m_context.bus.takeSamples(m_poll)) {
-            if (!sample.answered && sample.error == base::ErrorCode::LinkLost)
-                return base::fail(base::ErrorCode::LinkLost, QStringLiteral("watch"), {},
-                                  sample.id);
+        const auto samples = m_context.bus.takeSamples(m_poll);
+        for (const bus::Sample& sample : samples) {
             m_report.missed += sample.answered ? 0 : 1;
             if (const auto handed = hand(m_decoder.add(sample)); !handed)
                 return handed;
+        }
+        // A lost link yields no samples; it shows when one listens.
+        if (samples.empty()) {
+            const auto heard = m_context.bus.listen({});
+            if (!heard && heard.error().code == base::ErrorCode::LinkLost)
+                return heard;
         }
         return {};
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/watch_decoder.h"
 
+#include "bus/poll_planner.h"
 #include "device/reader.h"
 
 #include <algorithm>
@@ -8,6 +9,9 @@
 namespace jobs {
 namespace {
 using base::ErrorCode;
+
+/// A row whose other blocks stay out for so long (the servo is held by a job) is given up.
+constexpr base::Duration longestRound = std::chrono::seconds(1);
 
 QStringList feedbackKeys(const std::vector<device::Servo>& servos)
 {
@@ -121,7 +125,7 @@ base::Result<void> WatchDecoder::addServo(const device::Servo& servo, const QStr
     if (registers.empty())
         return base::fail(ErrorCode::UnknownRegister, QStringLiteral("watch"),
                           keys.join(QLatin1Char(',')), servo.id);
-    source.spans = device::planSpans(registers);
+    source.spans = bus::mergeSpans(device::planSpans(registers));
     source.row = emptyRow(servo.id);
     m_sources[servo.id] = std::move(source);
     return {};
@@ -136,34 +140,55 @@ bus::PollPlan WatchDecoder::plan() const
     return plan;
 }
 
+// The blocks of a round come by address. One that is not answered ends the round for its servo: the
+// bus then leaves it alone for a while, so what comes next belongs to another round.
 std::vector<WatchRow> WatchDecoder::add(const bus::Sample& sample)
 {
-    std::vector<WatchRow> rows;
     const auto found = m_sources.find(sample.id);
     if (found == m_sources.end())
-        return rows;
+        return {};
     Source& source = found->second;
-    const bool again = std::any_of(source.seen.begin(), source.seen.end(), [&](const auto& span) {
-        return span.address == sample.address;
-    });
-    if (again) // a new round begins although the last one missed a block
-        rows.push_back(takeRow(source));
-    source.seen.push_back({sample.address, int(sample.data.size())});
+    if (source.pendingFrom && sample.address <= *source.pendingFrom)
+        close(source);
+    source.pendingFrom = sample.address;
     source.row.at = sample.at;
     if (sample.answered)
         decode(source, sample, source.row);
-    if (complete(source))
-        rows.push_back(takeRow(source));
-    return rows;
+    if (!sample.answered || sample.address >= source.spans.back().address)
+        close(source);
+    return release(sample.at - longestRound);
 }
 
 std::vector<WatchRow> WatchDecoder::flush()
 {
-    std::vector<WatchRow> rows;
+    return release(base::Duration::max());
+}
+
+void WatchDecoder::close(Source& source)
+{
+    WatchRow row = std::exchange(source.row, emptyRow(source.row.id));
+    source.pendingFrom.reset();
+    const auto place =
+        std::upper_bound(m_ready.begin(), m_ready.end(), row,
+                         [](const WatchRow& a, const WatchRow& b) { return a.at < b.at; });
+    m_ready.insert(place, std::move(row));
+}
+
+// A finished row waits while an unfinished one is older, so that rows leave in time order.
+std::vector<WatchRow> WatchDecoder::release(base::Duration staleBefore)
+{
+    base::Duration until = base::Duration::max();
     for (auto& [id, source] : m_sources) {
-        if (!source.seen.empty())
-            rows.push_back(takeRow(source));
+        if (source.pendingFrom && source.row.at < staleBefore)
+            close(source);
+        if (source.pendingFrom)
+            until = std::min(until, source.row.at);
     }
+    const auto end = std::find_if(m_ready.begin(), m_ready.end(),
+                                  [until](const WatchRow& row) { return row.at >= until; });
+    std::vector<WatchRow> rows(std::make_move_iterator(m_ready.begin()),
+                               std::make_move_iterator(end));
+    m_ready.erase(m_ready.begin(), end);
     return rows;
 }
 
@@ -173,24 +198,6 @@ WatchRow WatchDecoder::emptyRow(int id) const
     row.id = id;
     row.values.resize(m_columns.size());
     return row;
-}
-
-WatchRow WatchDecoder::takeRow(Source& source) const
-{
-    source.seen.clear();
-    return std::exchange(source.row, emptyRow(source.row.id));
-}
-
-bool WatchDecoder::complete(const Source& source)
-{
-    // The bus may merge blocks, so a block counts for every span it reaches.
-    return std::all_of(source.spans.begin(), source.spans.end(), [&](const auto& span) {
-        return std::any_of(source.seen.begin(), source.seen.end(), [&](const auto& block) {
-            return block.address == span.address ||
-                   (block.address < span.address &&
-                    block.address + block.count >= span.address + span.count);
-        });
-    });
 }
 
 void WatchDecoder::decode(const Source& source, const bus::Sample& sample, WatchRow& row)

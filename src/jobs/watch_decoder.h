@@ -15,7 +15,7 @@ public:
     const std::vector<WatchColumn>& columns() const { return m_columns; }
     bus::PollPlan plan() const;
 
-    /// The rows this block completes: one as soon as all blocks of a servo's round are in.
+    /// The rows that are finished with this block, in time order.
     std::vector<WatchRow> add(const bus::Sample& sample);
     /// Rows that were still waiting for a block.
     std::vector<WatchRow> flush();
@@ -29,20 +29,21 @@ private:
     struct Source {
         catalog::ProfilePtr profile; ///< keeps the registers of the fields alive
         std::vector<Field> fields;
-        std::vector<bus::PollSpan> spans;
+        std::vector<bus::PollSpan> spans; ///< as the bus will read them
         int group = 0;
-        std::vector<bus::PollSpan> seen; ///< blocks of the pending row
+        std::optional<int> pendingFrom; ///< address of the latest block of the pending row
         WatchRow row;
     };
 
     base::Result<void> addServo(const device::Servo& servo, const QStringList& keys);
     WatchRow emptyRow(int id) const;
-    WatchRow takeRow(Source& source) const;
-    static bool complete(const Source& source);
+    void close(Source& source);
+    std::vector<WatchRow> release(base::Duration staleBefore);
     static void decode(const Source& source, const bus::Sample& sample, WatchRow& row);
 
     std::vector<WatchColumn> m_columns;
     std::map<int, Source> m_sources; ///< by ID
+    std::vector<WatchRow> m_ready;   ///< finished, by time
     base::Duration m_period{};
 };
 } // namespace jobs

@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Watching servos through the poll plan: columns, units, rates, and what happens when answers stay
+// out. Values are held against what the simulated servos really do.
+#include "device/reader.h"
+#include "jobs/watch.h"
+#include "support/sim_bench.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using base::ErrorCode;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using support::BenchOptions;
+using support::SimBench;
+
+namespace {
+constexpr int fast = 1'000'000;
+
+using Rows = std::vector<jobs::WatchRow>;
+
+struct Watched {
+    base::Result<jobs::WatchReport> report;
+    Rows rows;
+};
+
+Watched watch(SimBench& bench, const jobs::WatchSpec& spec)
+{
+    Rows rows;
+    auto report = jobs::watch(bench.context(), spec, [&](const jobs::WatchRow& row) {
+        rows.push_back(row);
+        return base::Result<void>{};
+    });
+    return {std::move(report), std::move(rows)};
+}
+
+jobs::WatchSpec specFor(SimBench& bench, const std::vector<int>& ids, base::Duration period,
+                        base::Duration length)
+{
+    jobs::WatchSpec spec;
+    for (const int id : ids)
+        spec.servos.push_back(bench.servo(id));
+    spec.period = period;
+    spec.length = length;
+    return spec;
+}
+
+std::size_t column(const std::vector<jobs::WatchColumn>& columns, const QString& key,
+                   const QString& unit = {})
+{
+    const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto& c) {
+        return c.key == key && (unit.isEmpty() || c.unit == unit);
+    });
+    return std::size_t(found - columns.begin());
+}
+
+QStringList headers(const std::vector<jobs::WatchColumn>& columns)
+{
+    QStringList texts;
+    for (const jobs::WatchColumn& c : columns)
+        texts.append(QStringLiteral("%1[%2]").arg(c.key, c.unit));
+    return texts;
+}
+
+Rows rowsOf(const Rows& rows, int id)
+{
+    Rows result;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(result),
+                 [id](const jobs::WatchRow& row) { return row.id == id; });
+    return result;
+}
+} // namespace
+
+class TestWatch : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void watchesTheFeedbackBlock();
+    void givesEachUnitItsColumn();
+    void readsAtTheRateAskedFor_data();
+    void readsAtTheRateAskedFor();
+    void showsWhatTheServoHolds();
+    void speedAgreesWithTheWayCovered_data();
+    void speedAgreesWithTheWayCovered();
+    void joinsDistantRegistersInOneRow();
+    void asksFamiliesThatCanTogether();
+    void rowsComeInTimeOrder();
+    void countsWhatIsMissed();
+    void joinsRowsAlsoWhenBlocksAreMissed();
+    void stopsWithin100Milliseconds();
+    void endsWhenTheReceiverCannotGoOn();
+    void endsWhenTheLinkIsCut();
+    void refusesWhatItCannotRead();
+    void keepsUpForAnHour();
+};
+
+void TestWatch::watchesTheFeedbackBlock()
+{
+    SimBench bench(QStringLiteral("sts3215@1"));
+    const auto spec = specFor(bench, {1}, milliseconds(20), seconds(1));
+    QCOMPARE(
+        headers(jobs::watchColumns(spec)),
+        QStringList({QStringLiteral("present_position[deg]"), QStringLiteral("present_speed[rpm]"),
+                     QStringLiteral("present_load[%]"), QStringLiteral("present_voltage[V]"),
+                     QStringLiteral("present_temperature[degC]"),
+                     QStringLiteral("async_write_flag[]"), QStringLiteral("servo_status[]"),
+                     QStringLiteral("moving[]"), QStringLiteral("active_goal_position[deg]"),
+                     QStringLiteral("present_current[mA]")}));
+    bench.forgetFrames();
+    const auto [report, rows] = watch(bench, spec);
+    QVERIFY(report);
+    QVERIFY(bench.onlyAsked());
+    QCOMPARE(report->columns, jobs::watchColumns(spec));
+    QCOMPARE(report->rows, rows.size());
+    QCOMPARE(report->missed, std::uint64_t{0});
+    // One block read a round: 56 to 70 at once.
+    QCOMPARE(bench.frameCount(), rows.size());
+    for (const jobs::WatchRow& row : rows)
+        QVERIFY(std::all_of(row.values.begin(), row.values.end(),
+                            [](const auto& value) { return value.has_value(); }));
+}
+
+void TestWatch::givesEachUnitItsColumn()
+{
+    BenchOptions options;
+    options.servoBaud = fast;
+    SimBench bench(QStringLiteral("sts3215@1,scs45@2,sts3250@3"), options);
+    auto spec = specFor(bench, {1, 2, 3}, milliseconds(20), milliseconds(100));
+    spec.keys = {QStringLiteral("present_voltage"), QStringLiteral("present_speed"),
+                 QStringLiteral("goal_time")};
+    const auto columns = jobs::watchColumns(spec);
+    QCOMPARE(
+        headers(columns),
+        QStringList({QStringLiteral("present_voltage[V]"), QStringLiteral("present_speed[rpm]"),
+                     QStringLiteral("present_speed[step/s]"), QStringLiteral("goal_time[ms]")}));
+    const auto [report, rows] = watch(bench, spec);
+    QVERIFY(report);
+    QVERIFY(!rows.empty());
+    for (const jobs::WatchRow& row : rows) {
+        const bool scs = row.id == 2;
+        QVERIFY(row.values[0].has_value());
+        QCOMPARE(row.values[1].has_value(), !scs);
+        QCOMPARE(row.values[2].has_value(), scs);
+        QCOMPARE(row.values[3].has_value(), scs);
+    }
+}
+
+void TestWatch::readsAtTheRateAskedFor_data()
+{
+    QTest::addColumn<int>("periodUs");
+    QTest::addColumn<int>("least");
+    QTest::addColumn<int>("most");
+    QTest::newRow("1 Hz") << 1'000'000 << 9 << 11;
+    QTest::newRow("20 Hz") << 50'000 << 199 << 201;
+    QTest::newRow("200 Hz") << 5'000 << 1'999 << 2'001;
+    // 29 bytes of 10 µs: 3448 a second if nothing but the wire took time.
+    QTest::newRow("as fast as it goes") << 0 << 25'000 << 34'500;
+}
+
+void TestWatch::readsAtTheRateAskedFor()
+{
+    QFETCH(int, periodUs);
+    QFETCH(int, least);
+    QFETCH(int, most);
+    SimBench bench(QStringLiteral("sts3215@1"));
+    const auto spec = specFor(bench, {1}, base::Duration(periodUs), seconds(10));
+    const auto [report, rows] = watch(bench, spec);
+    QVERIFY(report);
+    QVERIFY2(int(rows.size()) >= least && int(rows.size()) <= most,
+             qPrintable(QString::number(rows.size())));
+    QVERIFY(report->elapsed >= seconds(10) && report->elapsed < milliseconds(10'050));
+}
+
+void TestWatch::showsWhatTheServoHolds()
+{
+    BenchOptions options;
+    options.servoBaud = fast;
+    SimBench bench(QStringLiteral("sts3215@1,scs15@2"), options);
+    bench.poke(1, QStringLiteral("goal_position"), 1000);
+    bench.poke(2, QStringLiteral("goal_position"), 300);
+    bench.letTimePass(seconds(4));
+    const auto [report, rows] =
+        watch(bench, specFor(bench, {1, 2}, milliseconds(20), milliseconds(200)));
+    QVERIFY(report);
+    const auto& columns = report->columns;
+    for (const int id : {1, 2}) {
+        const Rows own = rowsOf(rows, id);
+        QVERIFY(!own.empty());
+        const jobs::WatchRow& row = own.back();
+        const auto raw = [&](const char* key) {
+            return double(bench.raw(id, QString::fromLatin1(key)));
+        };
+        const auto value = [&](const char* key) {
+            // Of two columns with one key the servo fills its own.
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                if (columns[i].key == QLatin1String(key) && row.values[i])
+                    return *row.values[i];
+            }
+            return std::nan("");
+        };
+        QCOMPARE(value("present_voltage"), raw("present_voltage") * 0.1);
+        QCOMPARE(value("present_temperature"), raw("present_temperature"));
+        QCOMPARE(value("moving"), 0.0);
+        QCOMPARE(value("servo_status"), 0.0);
+    }
+    // At rest where it was sent: 1000 of 4096 steps.
+    const auto position =
+        column(columns, QStringLiteral("present_position"), QStringLiteral("deg"));
+    QVERIFY(std::abs(*rowsOf(rows, 1).back().values[position] - 87.89) < 1.0);
+}
+
+void TestWatch::speedAgreesWithTheWayCovered_data()
+{
+    QTest::addColumn<int>("phase");
+    QTest::addColumn<int>("speedRaw");
+    QTest::newRow("unit 50 step/s") << 0x08 << 10;
+    QTest::newRow("unit 1 step/s") << 0x0C << 500;
+}
+
+// Phase bit 2 chooses the unit of the raw speed; the shown speed must fit the shown way either way.
+void TestWatch::speedAgreesWithTheWayCovered()
+{
+    QFETCH(int, phase);
+    QFETCH(int, speedRaw);
+    SimBench bench(QStringLiteral("sts3215@1"));
+    bench.poke(1, QStringLiteral("phase"), phase);
+    bench.poke(1, QStringLiteral("goal_speed"), speedRaw);
+    bench.poke(1, QStringLiteral("goal_position"), 3800);
+    bench.letTimePass(seconds(1));
+    const auto [report, rows] = watch(bench, specFor(bench, {1}, milliseconds(20), seconds(1)));
+    QVERIFY(report);
+    const auto position = column(report->columns, QStringLiteral("present_position"));
+    const auto speed = column(report->columns, QStringLiteral("present_speed"));
+    QCOMPARE(report->columns[speed].unit, QStringLiteral("rpm"));
+    const double degrees = *rows.back().values[position] - *rows.front().values[position];
+    const double secondsPassed = double((rows.back().at - rows.front().at).count()) / 1e6;
+    const double rpm = degrees / secondsPassed / 6.0;
+    QVERIFY2(std::abs(*rows[rows.size() / 2].values[speed] - rpm) < 0.1 * std::abs(rpm),
+             qPrintable(QString::number(rpm)));
+    QVERIFY(std::abs(rpm) > 5.0);
+}
+
+void TestWatch::joinsDistantRegistersInOneRow()
+{
+    SimBench bench(QStringLiteral("sts3215@1,sts3250@2"));
+    auto spec = specFor(bench, {1, 2}, milliseconds(20), milliseconds(200));
+    spec.keys = {QStringLiteral("present_temperature"), QStringLiteral("id"),
+                 QStringLiteral("torque_switch")};
+    const auto [report, rows] = watch(bench, spec);
+    QVERIFY(report);
+    QCOMPARE(headers(report->columns),
+             QStringList({QStringLiteral("present_temperature[degC]"), QStringLiteral("id[]"),
+                          QStringLiteral("torque_switch[]")}));
+    QVERIFY(rows.size() >= 18 && rows.size() <= 22);
+    for (const jobs::WatchRow& row : rows) {
+        QCOMPARE(row.values[0], std::optional<double>(25.0));
+        QCOMPARE(row.values[1], std::optional<double>(row.id));
+        QCOMPARE(row.values[2], std::optional<double>(0.0));
+    }
+}
+
+void TestWatch::asksFamiliesThatCanTogether()
+{
+    BenchOptions options;
+    options.servoBaud = fast;
+    SimBench bench(QStringLiteral("sts3215@1,sts3250@2,scs15@3,scs0009@4"), options);
+    const auto spec = specFor(bench, {1, 2, 3, 4}, milliseconds(50), seconds(1));
+    bench.forgetFrames();
+    const auto [report, rows] = watch(bench, spec);
+    QVERIFY(report);
+    const int rounds = int(rowsOf(rows, 1).size());
+    QCOMPARE(bench.frames(support::SyncRead), rounds);
+    for (const int id : {1, 2})
+        QCOMPARE(bench.framesTo(id), 0);
+    for (const int id : {3, 4}) // these do not know sync reads
+        QCOMPARE(bench.framesTo(id), rounds);
+    QCOMPARE(int(rows.size()), 4 * rounds);
+}
+
+void TestWatch::rowsComeInTimeOrder()
+{
+    BenchOptions options;
+    options.servoBaud = fast;
+    SimBench bench(QStringLiteral("demo"), options);
+    const auto [report, rows] =
+        watch(bench, specFor(bench, {1, 2, 3, 4, 5, 6}, base::Duration{}, seconds(1)));
+    QVERIFY(report);
+    QVERIFY(rows.size() > 600);
+    QVERIFY(std::is_sorted(rows.begin(), rows.end(),
+                           [](const auto& a, const auto& b) { return a.at < b.at; }));
+    // Nobody is starved.
+    const auto share = rows.size() / 6;
+    for (int id = 1; id <= 6; ++id) {
+        const std::size_t own = rowsOf(rows, id).size();
+        QVERIFY(own >= share - 2 && own <= share + 2);
+    }
+}
+
+void TestWatch::countsWhatIsMissed()
+{
+    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"));
+    const auto spec = specFor(bench, {1, 2}, milliseconds(100), seconds(20));
+    bench.wireConfig().faults.muteIds = {2};
+    const auto [report, rows] = watch(bench, spec);
+    QVERIFY(report);
+    const Rows silent = rowsOf(rows, 2);
+    QVERIFY(silent.size() >= 10); // an absent servo is asked less often, not given up
+    QCOMPARE(report->missed, silent.size());
+    for (const jobs::WatchRow& row : silent) {
+        QVERIFY(!row.answered);
+        QVERIFY(std::none_of(row.values.begin(), row.values.end(),
+                             [](const auto& value) { return value.has_value(); }));
+    }
+    const Rows heard = rowsOf(rows, 1);
+    QVERIFY(heard.size() >= 195 && heard.size() <= 201);
+    QCOMPARE(report->rows, heard.size());
+    QVERIFY(std::all_of(heard.begin(), heard.end(), [](const auto& row) { return row.answered; }));
+}
+
+void TestWatch::joinsRowsAlsoWhenBlocksAreMissed()
+{
+    BenchOptions options;
+    options.wire.seed = 7;
+    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"), options);
+    auto spec = specFor(bench, {1, 2}, milliseconds(100), seconds(60));
+    spec.keys = {QStringLiteral("id"), QStringLiteral("present_temperature")};
+    bench.wireConfig().faults.drop = 0.3;
+    const auto [report, rows] = watch(bench, spec);
+    QVERIFY(report);
+    QVERIFY(report->missed > 200);
+    int partial = 0;
+    for (const jobs::WatchRow& row : rows) {
+        partial += row.values[0].has_value() != row.values[1].has_value() ? 1 : 0;
+        QCOMPARE(row.answered, row.values[0].has_value() || row.values[1].has_value());
+        QCOMPARE(row.values[0].value_or(row.id), double(row.id));
+        QCOMPARE(row.values[1].value_or(25.0), 25.0);
+    }
+    QVERIFY(partial > 100);
+    QVERIFY(std::is_sorted(rows.begin(), rows.end(),
+                           [](const auto& a, const auto& b) { return a.at < b.at; }));
+    // A block missed ends the row of its round; no row mixes two rounds.
+    for (const int id : {1, 2}) {
+        const Rows own = rowsOf(rows, id);
+        for (std::size_t i = 1; i < own.size(); ++i)
+            QVERIFY(own[i].at - own[i - 1].at > milliseconds(10));
+    }
+}
+
+void TestWatch::stopsWithin100Milliseconds()
+{
+    SimBench bench(QStringLiteral("sts3215@1"));
+    const auto spec = specFor(bench, {1}, milliseconds(10), {});
+    base::Duration requestedAt{};
+    std::size_t frames = 0;
+    bench.forgetFrames();
+    bench.tap().onWrite = [&](const base::Bytes&) {
+        if (++frames == 500) {
+            requestedAt = bench.clock().now();
+            bench.stop().request();
+        }
+    };
+    const auto [report, rows] = watch(bench, spec);
+    QVERIFY(report);
+    QVERIFY(report->stopped);
+    QVERIFY(bench.clock().now() - requestedAt <= milliseconds(100));
+    QCOMPARE(rows.size(), frames); // what was read is handed over
+    // The poll is over: the bus is silent when time passes.
+    const std::size_t before = bench.frameCount();
+    bench.bus().pauseUntil(bench.clock().now() + seconds(1), nullptr);
+    QCOMPARE(bench.frameCount(), before);
+}
+
+void TestWatch::endsWhenTheReceiverCannotGoOn()
+{
+    SimBench bench(QStringLiteral("sts3215@1"));
+    const auto spec = specFor(bench, {1}, milliseconds(10), seconds(10));
+    int taken = 0;
+    const auto report =
+        jobs::watch(bench.context(), spec, [&](const jobs::WatchRow&) -> base::Result<void> {
+            if (++taken == 30)
+                return base::fail(ErrorCode::DiskFull, QStringLiteral("csv"));
+            return {};
+        });
+    QVERIFY(!report);
+    QCOMPARE(report.error().code, ErrorCode::DiskFull);
+    QCOMPARE(taken, 30);
+    QVERIFY(bench.clock().now() < seconds(1));
+}
+
+void TestWatch::endsWhenTheLinkIsCut()
+{
+    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"));
+    const auto spec = specFor(bench, {1, 2}, milliseconds(10), {});
+    base::Duration cutAt{};
+    bench.forgetFrames();
+    bench.tap().onWrite = [&](const base::Bytes&) {
+        if (bench.frameCount() == 100) {
+            bench.cutLink();
+            cutAt = bench.clock().now();
+        }
+    };
+    const auto [report, rows] = watch(bench, spec);
+    QVERIFY(!report);
+    QCOMPARE(report.error().code, ErrorCode::LinkLost);
+    QVERIFY(!rows.empty());
+    QVERIFY(bench.clock().now() - cutAt <= milliseconds(200));
+}
+
+void TestWatch::refusesWhatItCannotRead()
+{
+    SimBench bench(QStringLiteral("sts3215@1,scs15@2"), {fast, fast, {}});
+    auto spec = specFor(bench, {1, 2}, milliseconds(10), seconds(1));
+    spec.keys = {QStringLiteral("present_voltage"), QStringLiteral("colour")};
+    const auto unknown = watch(bench, spec);
+    QVERIFY(!unknown.report);
+    QCOMPARE(unknown.report.error().code, ErrorCode::UnknownRegister);
+    QCOMPARE(unknown.report.error().registerKey, QStringLiteral("colour"));
+
+    spec.keys = {QStringLiteral("acceleration")}; // SCS has none
+    const auto missing = watch(bench, spec);
+    QVERIFY(!missing.report);
+    QCOMPARE(missing.report.error().code, ErrorCode::UnknownRegister);
+    QCOMPARE(missing.report.error().id, 2);
+
+    const auto nobody = watch(bench, {});
+    QVERIFY(!nobody.report);
+    QCOMPARE(nobody.report.error().code, ErrorCode::BadArgument);
+}
+
+void TestWatch::keepsUpForAnHour()
+{
+    SimBench bench(QStringLiteral("demo"));
+    const auto spec = specFor(bench, {1, 2, 3, 4, 5, 6}, milliseconds(50), std::chrono::hours(1));
+    std::uint64_t good = 0;
+    const auto report = jobs::watch(bench.context(), spec, [&](const jobs::WatchRow& row) {
+        good += row.answered && row.values.front().has_value() ? 1 : 0;
+        return base::Result<void>{};
+    });
+    QVERIFY(report);
+    QCOMPARE(report->missed, std::uint64_t{0});
+    QVERIFY2(report->rows >= 431'900 && report->rows <= 432'012,
+             qPrintable(QString::number(report->rows)));
+}
+
+QTEST_GUILESS_MAIN(TestWatch)
+#include "tst_watch.moc"

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A journal that lives as long as the test: outlasts reconnects and power cycles of the bench, as
+// the file does. Can be told to refuse, as a full disk would. One thread.
+#pragma once
+
+#include "base/journal.h"
+
+#include <map>
+
+namespace support {
+class MemoryJournal final : public base::Journal {
+public:
+    base::Result<QString> begin(const base::Intent& intent) override;
+    base::Result<void> end(const QString& uuid, const base::IntentEnd& end) override;
+    base::Result<std::vector<base::JournalEntry>> entries() const override { return m_entries; }
+    base::Result<void> keep(const base::ServoIdentity& servo, const QString& name,
+                            const std::vector<std::int64_t>& values) override;
+    base::Result<std::optional<std::vector<std::int64_t>>> kept(const base::ServoIdentity& servo,
+                                                                const QString& name) const override;
+
+    /// From now on every record fails with this code; nullopt: works again.
+    void failWith(std::optional<base::ErrorCode> code) { m_failure = code; }
+
+private:
+    base::Result<void> writable() const;
+
+    std::vector<base::JournalEntry> m_entries;
+    std::map<QString, std::vector<std::int64_t>> m_kept;
+    std::optional<base::ErrorCode> m_failure;
+};
+} // namespace support

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/sim_bench.h"
+
+#include "device/reader.h"
+#include "protocol/codec.h"
+#include "sim/presets.h"
+
+#include <QtGlobal>
+
+#include <algorithm>
+
+namespace support {
+namespace {
+constexpr std::size_t idPlace = 2;
+constexpr std::size_t instructionPlace = 4;
+
+std::unique_ptr<sim::VirtualBus> checked(base::Result<std::unique_ptr<sim::VirtualBus>> made)
+{
+    if (!made)
+        qFatal("no such bus: %s", qPrintable(made.error().detail));
+    return std::move(*made);
+}
+
+std::unique_ptr<sim::VirtualBus> makeWire(const QString& servos, const BenchOptions& options)
+{
+    const catalog::Catalog& models = builtInCatalog();
+    return checked(sim::presetNames().contains(servos)
+                       ? sim::makePreset(servos, models, options.wire, options.servoBaud)
+                       : sim::makeServos(servos, models, options.servoBaud, options.wire));
+}
+} // namespace
+
+const catalog::Catalog& builtInCatalog()
+{
+    static const catalog::Catalog catalog = catalog::Catalog::load().catalog;
+    return catalog;
+}
+
+SimBench::SimBench(const QString& servos, const BenchOptions& options)
+    : SimBench(makeWire(servos, options), options.baud)
+{}
+
+SimBench::SimBench(const std::vector<sim::ServoRecipe>& servos, const BenchOptions& options)
+    : SimBench(checked(sim::makeBus(servos, builtInCatalog(), options.wire, std::nullopt)),
+               options.baud)
+{}
+
+SimBench::SimBench(std::unique_ptr<sim::VirtualBus> wire, int baud)
+    : m_wire(std::make_shared<sim::SharedBus>(std::move(wire)))
+{
+    reconnect(baud);
+}
+
+device::Context SimBench::context()
+{
+    return {*m_bus, builtInCatalog(), m_journal, *m_stop, m_notices};
+}
+
+std::int64_t SimBench::raw(int id, const QString& key)
+{
+    return withWire([&](sim::VirtualBus& wire) { return wire.servo(id)->raw(key); });
+}
+
+void SimBench::poke(int id, const QString& key, std::int64_t raw)
+{
+    withWire([&](sim::VirtualBus& wire) { wire.servo(id)->poke(key, raw); });
+}
+
+sim::WireConfig& SimBench::wireConfig()
+{
+    return *withWire([](sim::VirtualBus& wire) { return &wire.config(); });
+}
+
+void SimBench::letTimePass(base::Duration span)
+{
+    m_clock.advance(span);
+    withWire([this](sim::VirtualBus& wire) { return wire.hostReads(m_clock.now()); });
+}
+
+void SimBench::powerCycle()
+{
+    withWire([](sim::VirtualBus& wire) { wire.powerCycle(); });
+}
+
+void SimBench::cutLink()
+{
+    withWire([](sim::VirtualBus& wire) { wire.cutLink(); });
+}
+
+void SimBench::cutAfterHostBytes(std::size_t count)
+{
+    withWire([count](sim::VirtualBus& wire) { wire.cutAfterHostBytes(count); });
+}
+
+void SimBench::reconnect(int baud)
+{
+    withWire([](sim::VirtualBus& wire) { wire.restoreLink(); });
+    m_bus.reset();
+    m_stop = std::make_unique<base::Stop>();
+    m_notices.clear();
+    auto link = sim::makeSimLink(m_wire, QStringLiteral("sim:bench"), m_clock, baud);
+    m_bus = std::make_unique<bus::BusCore>(tapped(std::move(link), m_tap), protocol::feetechCodec(),
+                                           m_clock);
+    forgetFrames();
+}
+
+int SimBench::frames(std::uint8_t instruction) const
+{
+    return int(std::count_if(m_tap.written.begin(), m_tap.written.end(), [&](const auto& frame) {
+        return frame.size() > instructionPlace && frame[instructionPlace] == instruction;
+    }));
+}
+
+int SimBench::framesTo(int id) const
+{
+    return int(std::count_if(m_tap.written.begin(), m_tap.written.end(), [&](const auto& frame) {
+        return frame.size() > idPlace && frame[idPlace] == id;
+    }));
+}
+
+bool SimBench::onlyAsked() const
+{
+    return frames(Ping) + frames(Read) + frames(SyncRead) == int(frameCount());
+}
+
+device::Servo SimBench::servo(int id)
+{
+    auto found = device::identify(context(), id);
+    if (found && !device::readSettings(context(), *found))
+        qFatal("servo %d does not tell its settings", id);
+    if (!found)
+        qFatal("servo %d does not answer", id);
+    return *found;
+}
+} // namespace support

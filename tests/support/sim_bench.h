@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The test bench of the integration tests: a virtual bus behind a simulated port, a BusCore on a
+// manual clock, an in-memory journal, the built-in catalog. Everything on the test's thread; hours
+// pass in seconds. What servos really hold is asked of the simulator, past the wire.
+#pragma once
+
+#include "bus/bus_core.h"
+#include "catalog/catalog.h"
+#include "device/context.h"
+#include "device/servo.h"
+#include "sim/servo_maker.h"
+#include "sim/sim_link.h"
+#include "support/memory_journal.h"
+#include "support/tap_link.h"
+
+namespace support {
+/// The built-in models and maps, loaded once.
+const catalog::Catalog& builtInCatalog();
+
+/// Feetech instruction codes of the frames a test counts.
+enum Instruction : std::uint8_t {
+    Ping = 0x01,
+    Read = 0x02,
+    Write = 0x03,
+    RegWrite = 0x04,
+    Action = 0x05,
+    Restore = 0x06,
+    Reboot = 0x08,
+    Calibrate = 0x0B,
+    SyncRead = 0x82,
+    SyncWrite = 0x83,
+};
+
+struct BenchOptions {
+    int baud = 1'000'000;           ///< of the port
+    std::optional<int> servoBaud{}; ///< of all servos; their factory rates if not given
+    sim::WireConfig wire{};
+};
+
+class SimBench {
+public:
+    /// A preset's name or a list "sts3215@1,scs15@2"; the test fails hard if it is neither.
+    explicit SimBench(const QString& servos, const BenchOptions& options = {});
+    explicit SimBench(const std::vector<sim::ServoRecipe>& servos,
+                      const BenchOptions& options = {});
+
+    device::Context context();
+    bus::BusCore& bus() { return *m_bus; }
+    base::ManualClock& clock() { return m_clock; }
+    base::Stop& stop() { return *m_stop; }
+    MemoryJournal& journal() { return m_journal; }
+    device::Notices& notices() { return m_notices; }
+    LinkTap& tap() { return m_tap; }
+
+    /// The virtual bus, for what has no helper below.
+    template <typename Function>
+    decltype(auto) withWire(Function&& function)
+    {
+        return m_wire->with(std::forward<Function>(function));
+    }
+
+    std::int64_t raw(int id, const QString& key);
+    void poke(int id, const QString& key, std::int64_t raw);
+    sim::WireConfig& wireConfig();
+
+    void letTimePass(base::Duration span); ///< nobody speaks
+    void powerCycle();                     ///< of the servos; the port stays open
+    void cutLink();
+    void cutAfterHostBytes(std::size_t count);
+    /// The cable is back and the port opened again: new link, new bus, new stop, no notices. The
+    /// journal stays.
+    void reconnect(int baud);
+
+    /// Frames the host has written since the port was opened (and its echo probed) or since
+    /// forgetFrames().
+    int frames(std::uint8_t instruction) const;
+    int framesTo(int id) const;
+    std::size_t frameCount() const { return m_tap.written.size(); }
+    void forgetFrames() { m_tap.written.clear(); }
+    /// True when nothing was sent that could change a servo.
+    bool onlyAsked() const;
+
+    /// Reads who answers at `id`, with its settings; the test fails hard if nobody does.
+    device::Servo servo(int id);
+
+private:
+    SimBench(std::unique_ptr<sim::VirtualBus> wire, int baud);
+
+    base::ManualClock m_clock;
+    std::shared_ptr<sim::SharedBus> m_wire;
+    LinkTap m_tap;
+    MemoryJournal m_journal;
+    device::Notices m_notices;
+    std::unique_ptr<base::Stop> m_stop;
+    std::unique_ptr<bus::BusCore> m_bus;
+};
+} // namespace support

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/tap_link.h"
+
+namespace support {
+namespace {
+class TapLink final : public transport::Link {
+public:
+    TapLink(std::unique_ptr<transport::Link> link, LinkTap& tap)
+        : m_link(std::move(link))
+        , m_tap(tap)
+    {}
+
+    base::Result<void> write(base::ByteView bytes) override
+    {
+        m_tap.written.emplace_back(bytes.begin(), bytes.end());
+        if (m_tap.onWrite)
+            m_tap.onWrite(m_tap.written.back());
+        return m_link->write(bytes);
+    }
+    base::Result<std::size_t> read(base::Bytes& buffer) override { return m_link->read(buffer); }
+    base::Result<bool> waitReadable(base::Duration span) override
+    {
+        return m_link->waitReadable(span);
+    }
+    base::Result<void> setBaud(int baud) override
+    {
+        if (m_tap.refusedRates.count(baud) > 0)
+            return base::fail(base::ErrorCode::RateUnsupported, QStringLiteral("set-baud"),
+                              QString::number(baud));
+        return m_link->setBaud(baud);
+    }
+    int baud() const override { return m_link->baud(); }
+    bool hasBaud() const override { return m_link->hasBaud(); }
+    QString name() const override { return m_link->name(); }
+
+private:
+    std::unique_ptr<transport::Link> m_link;
+    LinkTap& m_tap;
+};
+} // namespace
+
+std::unique_ptr<transport::Link> tapped(std::unique_ptr<transport::Link> link, LinkTap& tap)
+{
+    return std::make_unique<TapLink>(std::move(link), tap);
+}
+} // namespace support

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A link with a witness: notes every frame the host writes before it passes it on, may call a hook
+// at each, and plays an adapter that cannot run some rates. The notes outlive the link. One thread.
+#pragma once
+
+#include "transport/link.h"
+
+#include <functional>
+#include <set>
+#include <vector>
+
+namespace support {
+struct LinkTap {
+    std::vector<base::Bytes> written; ///< one entry a write, that is a frame
+    std::function<void(const base::Bytes&)> onWrite;
+    std::set<int> refusedRates;
+};
+
+/// `tap` and `link`'s own context must outlive the result.
+std::unique_ptr<transport::Link> tapped(std::unique_ptr<transport::Link> link, LinkTap& tap);
+} // namespace support
