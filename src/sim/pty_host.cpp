@@ -47,15 +47,17 @@ void PtyHost::serve(std::optional<base::Duration> until, const std::function<voi
         const base::Duration now = m_clock.now();
         if (until && now >= *until)
             break;
-        if (now >= nextTick) {
-            deliver(now);
-            housekeeping();
-            nextTick = now + tick;
-        }
         const auto due = m_bus.nextHostRun(now + m_lead + tick);
         if (due && *due - m_lead <= now) {
             deliver(*due);
             continue;
+        }
+        if (now >= nextTick) {
+            // Idle servos move on in small portions; a reply under way is not cut in two.
+            if (!due)
+                deliver(now);
+            housekeeping();
+            nextTick = now + tick;
         }
         waitFor(due, until ? std::min(nextTick, *until) : nextTick);
         listen();
