@@ -38,8 +38,8 @@ Duration Line::silence() const
 
 tl::unexpected<base::Error> Line::loss(const base::Error& error)
 {
-    m_lost.store(true, std::memory_order_relaxed);
     m_link.reset();
+    m_lost.store(true);
     return base::fail(base::ErrorCode::LinkLost, error.operation, error.detail);
 }
 
@@ -142,6 +142,6 @@ base::Result<void> Line::setBaud(int baud)
 void Line::close()
 {
     m_link.reset();
-    m_lost.store(true, std::memory_order_relaxed);
+    m_lost.store(true);
 }
 } // namespace bus

@@ -46,7 +46,7 @@ public:
     int baud() const { return m_baud.load(std::memory_order_relaxed); }
     bool hasBaud() const { return m_hasBaud; }
     const QString& name() const { return m_name; }
-    bool lost() const { return m_lost.load(std::memory_order_relaxed); }
+    bool lost() const { return m_lost.load(); }
     base::Result<void> alive() const; ///< LinkLost once it is
 
     /// The link must be destroyed on the thread that owns it, the line may live on.
