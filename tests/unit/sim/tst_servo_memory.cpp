@@ -5,7 +5,6 @@
 #include <QRegularExpression>
 #include <QTest>
 
-using fixture::key;
 using fixture::Servo;
 
 class TestServoMemory : public QObject {
