@@ -89,7 +89,11 @@ public:
         const auto rates = ratesToSearch(m_spec, m_oldBaud);
         m_report.port = m_context.bus.portName();
         const auto searched = searchRates(rates);
-        const auto restored = setBaud(m_oldBaud);
+        const bool atForeignRate = m_context.bus.baud() != m_oldBaud;
+        const auto restored = restoreBaud();
+        // Torque-off frames sent at a rate just being searched reached nobody the user knows.
+        if (!searched && searched.error().code == ErrorCode::Preempted && atForeignRate)
+            m_context.bus.emergency();
         if (!searched && searched.error().code != ErrorCode::Stopped)
             return tl::unexpected(searched.error());
         if (!restored)
@@ -120,6 +124,13 @@ private:
                 return done;
         }
         return {};
+    }
+
+    base::Result<void> restoreBaud()
+    {
+        if (m_context.bus.baud() == m_oldBaud)
+            return {};
+        return m_context.bus.setBaud(m_oldBaud);
     }
 
     base::Result<void> setBaud(int baud)

@@ -2,9 +2,7 @@
 // The search, on the simulated bus and the manual clock: who is listed, what is never sent, how
 // long it takes in the bus' own time.
 #include "device/reader.h"
-#include "jobs/scan.h"
-#include "jobs/scan_twins.h"
-#include "support/sim_bench.h"
+#include "integration/scan_help.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -16,39 +14,14 @@ using std::chrono::milliseconds;
 using support::BenchOptions;
 using support::SimBench;
 
+using scan_help::fast;
+using scan_help::find;
+using scan_help::idsOf;
+using scan_help::slowAdapter;
+
 namespace {
-constexpr int fast = 1'000'000;
 const QString six =
     QStringLiteral("sts3215@0,sts3250@7,scs15@100,sts3215@101,scs0009@200,sts3215@253");
-
-QList<int> idsOf(const jobs::ScanReport& report)
-{
-    QList<int> ids;
-    for (const jobs::Found& found : report.found)
-        ids.append(found.servo.id);
-    return ids;
-}
-
-const jobs::Found* find(const jobs::ScanReport& report, int id)
-{
-    const auto found = std::find_if(report.found.begin(), report.found.end(),
-                                    [id](const jobs::Found& f) { return f.servo.id == id; });
-    return found == report.found.end() ? nullptr : &*found;
-}
-
-BenchOptions slowAdapter()
-{
-    BenchOptions options;
-    options.wire.adapterLatency = milliseconds(16);
-    return options;
-}
-
-std::vector<sim::ServoRecipe> twins(const QString& one, const QString& other)
-{
-    return {{one, 5, fast, 7.4, 180, {}, nullptr},
-            {other, 5, fast, 7.4, 95, {}, nullptr},
-            {QStringLiteral("STS3215"), 9, fast, 7.4, 180, {}, nullptr}};
-}
 } // namespace
 
 class TestScan : public QObject {
@@ -66,25 +39,17 @@ private Q_SLOTS:
     void searchesAllRatesAndReturnsToItsOwn();
     void listsAServoHeardAtANeighbouringRateOnce();
     void tellsWhichRatesTheAdapterRefuses();
-    void restoresTheRateAfterAnError();
+    void emergencyReachesTheServosAtTheirOwnRate();
     void lostFirstTransactionHidesNobody();
     void progressRisesToTheEnd();
     void stopsWithin100Milliseconds_data();
     void stopsWithin100Milliseconds();
-    void suspectsTwins_data();
-    void suspectsTwins();
-    void suspectsTwinsThatAnswerOneAfterTheOther();
-    void listsAServoThatOnlyAnswersBroken();
-    void oneBrokenAnswerIsNoTwin();
-    void noiseIsReportedAndProvesNobody();
     void silentBusIsAnEmptyList_data();
     void silentBusIsAnEmptyList();
     void linkCutEndsTheScan_data();
     void linkCutEndsTheScan();
     void refusesNonsense_data();
     void refusesNonsense();
-    void oneServoCouldSayThis_data();
-    void oneServoCouldSayThis();
 };
 
 void TestScan::listsEveryServoAndOnlyAsks()
@@ -151,6 +116,8 @@ void TestScan::countsLateRepliesForTheIdTheyName()
                  std::optional<std::int64_t>(found.servo.id));
     }
     QCOMPARE(report->lateReplies, 6);
+    // All 254, the one that is asked ahead of them, and each late one once more by itself.
+    QCOMPARE(bench.frames(support::Ping), 254 + 1 + 6);
     QVERIFY(report->slowPassAdvised);
     QVERIFY2(report->elapsed <= milliseconds(2000),
              qPrintable(QString::number(report->elapsed.count())));
@@ -244,20 +211,26 @@ void TestScan::tellsWhichRatesTheAdapterRefuses()
     QCOMPARE(bench.bus().baud(), fast);
 }
 
-void TestScan::restoresTheRateAfterAnError()
+void TestScan::emergencyReachesTheServosAtTheirOwnRate()
 {
     SimBench bench(QStringLiteral("sts3215@1"));
+    bench.poke(1, QStringLiteral("goal_position"), 3000); // switches torque on
+    QCOMPARE(bench.raw(1, QStringLiteral("torque_switch")), std::int64_t{1});
+    // WRITE to all, address 40: 0.
+    bench.bus().setStopFrames({{0xFF, 0xFF, 0xFE, 0x04, 0x03, 0x28, 0x00, 0xD2}});
     jobs::ScanSpec spec;
     spec.bauds = {500'000};
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        if (bench.frameCount() == 20)
-            bench.bus().emergency();
+    bench.tap().onWrite = [&](const base::Bytes& frame) {
+        if (frame[4] == support::Ping && bench.frameCount() == 20)
+            bench.bus().requestEmergency();
     };
     const auto report = jobs::scan(bench.context(), spec);
-    bench.tap().onWrite = {};
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::Preempted);
     QCOMPARE(bench.bus().baud(), fast);
+    QVERIFY(bench.framesTo(protocol::broadcastId) >= 2);
+    bench.letTimePass(milliseconds(5));
+    QCOMPARE(bench.raw(1, QStringLiteral("torque_switch")), std::int64_t{0});
 }
 
 void TestScan::lostFirstTransactionHidesNobody()
@@ -324,92 +297,6 @@ void TestScan::stopsWithin100Milliseconds()
              qPrintable(QString::number((bench.clock().now() - requestedAt).count())));
     QCOMPARE(int(bench.frameCount()), frame); // no new step begins
     QCOMPARE(bench.bus().baud(), fast);
-}
-
-void TestScan::suspectsTwins_data()
-{
-    QTest::addColumn<QString>("one");
-    QTest::addColumn<QString>("other");
-    QTest::addColumn<int>("latencyMs");
-    const QString sts = QStringLiteral("STS3215");
-    for (const int latency : {0, 16}) {
-        QTest::addRow("same model, latency %d", latency) << sts << sts << latency;
-        QTest::addRow("same series, latency %d", latency)
-            << sts << QStringLiteral("STS3250") << latency;
-        QTest::addRow("other series, latency %d", latency)
-            << sts << QStringLiteral("SCS15") << latency;
-    }
-}
-
-void TestScan::suspectsTwins()
-{
-    QFETCH(QString, one);
-    QFETCH(QString, other);
-    QFETCH(int, latencyMs);
-    BenchOptions options;
-    options.wire.adapterLatency = milliseconds(latencyMs);
-    SimBench bench(twins(one, other), options);
-    const auto report = jobs::scan(bench.context(), {});
-    QVERIFY(report);
-    QCOMPARE(idsOf(*report), QList<int>({5, 9}));
-    QVERIFY(find(*report, 5)->twinsSuspected);
-    QVERIFY(!find(*report, 9)->twinsSuspected);
-    QVERIFY(bench.onlyAsked());
-}
-
-// Two SMS servos with different reply delays: each answer comes whole, and there are two of them.
-void TestScan::suspectsTwinsThatAnswerOneAfterTheOther()
-{
-    const QString sms = QStringLiteral("SM40BLHV");
-    const auto slow = [](sim::VirtualServo& servo) {
-        servo.poke(QStringLiteral("return_delay"), 250);
-    };
-    SimBench bench({{sms, 5, fast, 12.0, 180, {}, nullptr}, {sms, 5, fast, 12.0, 180, {}, slow}});
-    const auto report = jobs::scan(bench.context(), {});
-    QVERIFY(report);
-    QCOMPARE(idsOf(*report), QList<int>({5}));
-    QVERIFY(report->found.front().twinsSuspected);
-}
-
-void TestScan::listsAServoThatOnlyAnswersBroken()
-{
-    BenchOptions options;
-    options.wire.faults.corrupt = 1.0;
-    SimBench bench(QStringLiteral("sts3215@17"), options);
-    const auto report = jobs::scan(bench.context(), {});
-    QVERIFY(report);
-    QCOMPARE(idsOf(*report), QList<int>({17}));
-    QVERIFY(report->found.front().twinsSuspected);
-    QVERIFY(!report->found.front().servo.profile);
-}
-
-void TestScan::oneBrokenAnswerIsNoTwin()
-{
-    SimBench bench(QStringLiteral("sts3215@17"));
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        bench.wireConfig().faults.corrupt = bench.framesTo(17) == 1 ? 1.0 : 0.0;
-    };
-    const auto report = jobs::scan(bench.context(), {});
-    QVERIFY(report);
-    QCOMPARE(idsOf(*report), QList<int>({17}));
-    QVERIFY(!report->found.front().twinsSuspected);
-    QVERIFY(report->found.front().servo.profile);
-    QVERIFY(!report->garbledHeard); // it was explained
-}
-
-void TestScan::noiseIsReportedAndProvesNobody()
-{
-    SimBench bench(QStringLiteral("sts3215@40"));
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
-        // A frame cut short by noise: bytes come, once, and never again.
-        sim::FaultPlan& faults = bench.wireConfig().faults;
-        faults.muteIds = bench.framesTo(40) > 1 ? std::vector<int>{40} : std::vector<int>{};
-        faults.truncate = frame[2] == 40 ? 1.0 : 0.0;
-    };
-    const auto report = jobs::scan(bench.context(), {});
-    QVERIFY(report);
-    QVERIFY(report->found.empty());
-    QVERIFY(report->garbledHeard);
 }
 
 void TestScan::silentBusIsAnEmptyList_data()
@@ -487,57 +374,6 @@ void TestScan::refusesNonsense()
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::BadArgument);
     QCOMPARE(bench.frameCount(), std::size_t{0});
-}
-
-void TestScan::oneServoCouldSayThis_data()
-{
-    QTest::addColumn<int>("before");
-    QTest::addColumn<int>("after");
-    QTest::addColumn<int>("speed");
-    QTest::addColumn<int>("temperature");
-    QTest::addColumn<bool>("possible");
-    QTest::newRow("at rest, same") << 2048 << 2048 << 0 << 30 << true;
-    QTest::newRow("at rest, jitter") << 2048 << 2051 << 0 << 30 << true;
-    QTest::newRow("at rest, elsewhere") << 2048 << 2148 << 0 << 30 << false;
-    QTest::newRow("moving on") << 2048 << 2068 << 3000 << 30 << true;
-    QTest::newRow("moving, too far") << 2048 << 3000 << 3000 << 30 << false;
-    QTest::newRow("over the seam") << 4094 << 3 << 0 << 30 << true;
-    QTest::newRow("sudden heat") << 2048 << 2048 << 0 << 45 << false;
-}
-
-void TestScan::oneServoCouldSayThis()
-{
-    QFETCH(int, before);
-    QFETCH(int, after);
-    QFETCH(int, speed);
-    QFETCH(int, temperature);
-    QFETCH(bool, possible);
-    device::Servo a;
-    a.profile = support::builtInCatalog().resolve({3, 10, 0, 9, 3});
-    const auto low = [](int value) { return std::uint8_t(value & 0xFF); };
-    const auto high = [](int value) { return std::uint8_t(value >> 8); };
-    const std::uint8_t moving = speed != 0 ? 1 : 0;
-    const auto feedback = [&](int position, int degrees) {
-        return base::Bytes{low(position),
-                           high(position),
-                           low(speed),
-                           high(speed),
-                           0,
-                           0,
-                           74,
-                           std::uint8_t(degrees),
-                           0,
-                           0,
-                           moving,
-                           0,
-                           0,
-                           0,
-                           0};
-    };
-    device::Servo b = a;
-    a.image.store(56, feedback(before, 30), {});
-    b.image.store(56, feedback(after, temperature), {});
-    QCOMPARE(jobs::couldBeOneServo(a, b, milliseconds(4)), possible);
 }
 
 QTEST_GUILESS_MAIN(TestScan)

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Broken answers in a search: two servos on one ID, a servo that nobody understands, and noise that
+// is nobody.
+#include "integration/scan_help.h"
+#include "jobs/scan_twins.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+using scan_help::fast;
+using scan_help::find;
+using scan_help::idsOf;
+using std::chrono::milliseconds;
+using support::BenchOptions;
+using support::SimBench;
+
+namespace {
+std::vector<sim::ServoRecipe> twins(const QString& one, const QString& other)
+{
+    return {{one, 5, fast, 7.4, 180, {}, nullptr},
+            {other, 5, fast, 7.4, 95, {}, nullptr},
+            {QStringLiteral("STS3215"), 9, fast, 7.4, 180, {}, nullptr}};
+}
+} // namespace
+
+class TestScanTwins : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void suspectsTwins_data();
+    void suspectsTwins();
+    void suspectsTwinsThatAnswerOneAfterTheOther();
+    void listsAServoThatOnlyAnswersBroken_data();
+    void listsAServoThatOnlyAnswersBroken();
+    void brokenBytesEverywhereProveNobody();
+    void oneBrokenAnswerIsNoTwin();
+    void noiseIsReportedAndProvesNobody();
+    void oneServoCouldSayThis_data();
+    void oneServoCouldSayThis();
+};
+
+void TestScanTwins::suspectsTwins_data()
+{
+    QTest::addColumn<QString>("one");
+    QTest::addColumn<QString>("other");
+    QTest::addColumn<int>("latencyMs");
+    const QString sts = QStringLiteral("STS3215");
+    for (const int latency : {0, 16}) {
+        QTest::addRow("same model, latency %d", latency) << sts << sts << latency;
+        QTest::addRow("same series, latency %d", latency)
+            << sts << QStringLiteral("STS3250") << latency;
+        QTest::addRow("other series, latency %d", latency)
+            << sts << QStringLiteral("SCS15") << latency;
+    }
+}
+
+void TestScanTwins::suspectsTwins()
+{
+    QFETCH(QString, one);
+    QFETCH(QString, other);
+    QFETCH(int, latencyMs);
+    BenchOptions options;
+    options.wire.adapterLatency = milliseconds(latencyMs);
+    SimBench bench(twins(one, other), options);
+    const auto report = jobs::scan(bench.context(), {});
+    QVERIFY(report);
+    QCOMPARE(idsOf(*report), QList<int>({5, 9}));
+    QVERIFY(find(*report, 5)->twinsSuspected);
+    QVERIFY(!find(*report, 9)->twinsSuspected);
+    QVERIFY(bench.onlyAsked());
+}
+
+// Two SMS servos with different reply delays: each answer comes whole, and there are two of them.
+void TestScanTwins::suspectsTwinsThatAnswerOneAfterTheOther()
+{
+    const QString sms = QStringLiteral("SM40BLHV");
+    const auto slow = [](sim::VirtualServo& servo) {
+        servo.poke(QStringLiteral("return_delay"), 250);
+    };
+    SimBench bench({{sms, 5, fast, 12.0, 180, {}, nullptr}, {sms, 5, fast, 12.0, 180, {}, slow}});
+    const auto report = jobs::scan(bench.context(), {});
+    QVERIFY(report);
+    QCOMPARE(idsOf(*report), QList<int>({5}));
+    QVERIFY(report->found.front().twinsSuspected);
+}
+
+void TestScanTwins::listsAServoThatOnlyAnswersBroken_data()
+{
+    QTest::addColumn<int>("latencyMs");
+    QTest::newRow("at once") << 0;
+    QTest::newRow("while later IDs are asked") << 16;
+}
+
+void TestScanTwins::listsAServoThatOnlyAnswersBroken()
+{
+    QFETCH(int, latencyMs);
+    BenchOptions options;
+    options.wire.faults.corrupt = 1.0;
+    options.wire.adapterLatency = milliseconds(latencyMs);
+    SimBench bench(QStringLiteral("sts3215@17"), options);
+    const auto report = jobs::scan(bench.context(), {});
+    QVERIFY(report);
+    QCOMPARE(idsOf(*report), QList<int>({17}));
+    QVERIFY(report->found.front().twinsSuspected);
+    QVERIFY(!report->found.front().servo.profile);
+    QVERIFY(!report->garbledHeard); // explained by the servo listed
+}
+
+void TestScanTwins::brokenBytesEverywhereProveNobody()
+{
+    QStringList servos;
+    for (int id = 1; id <= 40; ++id)
+        servos.append(QStringLiteral("sts3215@%1").arg(id));
+    BenchOptions options;
+    options.wire.faults.corrupt = 1.0;
+    SimBench bench(servos.join(QLatin1Char(',')), options);
+    const auto report = jobs::scan(bench.context(), {});
+    QVERIFY(report);
+    QVERIFY(report->found.empty());
+    QVERIFY(report->garbledHeard);
+}
+
+void TestScanTwins::oneBrokenAnswerIsNoTwin()
+{
+    SimBench bench(QStringLiteral("sts3215@17"));
+    bench.tap().onWrite = [&](const base::Bytes&) {
+        bench.wireConfig().faults.corrupt = bench.framesTo(17) == 1 ? 1.0 : 0.0;
+    };
+    const auto report = jobs::scan(bench.context(), {});
+    QVERIFY(report);
+    QCOMPARE(idsOf(*report), QList<int>({17}));
+    QVERIFY(!report->found.front().twinsSuspected);
+    QVERIFY(report->found.front().servo.profile);
+    QVERIFY(!report->garbledHeard); // it was explained
+}
+
+void TestScanTwins::noiseIsReportedAndProvesNobody()
+{
+    SimBench bench(QStringLiteral("sts3215@40"));
+    bench.tap().onWrite = [&](const base::Bytes& frame) {
+        // A frame cut short by noise: bytes come, once, and never again.
+        sim::FaultPlan& faults = bench.wireConfig().faults;
+        faults.muteIds = bench.framesTo(40) > 1 ? std::vector<int>{40} : std::vector<int>{};
+        faults.truncate = frame[2] == 40 ? 1.0 : 0.0;
+    };
+    const auto report = jobs::scan(bench.context(), {});
+    QVERIFY(report);
+    QVERIFY(report->found.empty());
+    QVERIFY(report->garbledHeard);
+}
+
+void TestScanTwins::oneServoCouldSayThis_data()
+{
+    QTest::addColumn<int>("before");
+    QTest::addColumn<int>("after");
+    QTest::addColumn<int>("speed");
+    QTest::addColumn<int>("temperature");
+    QTest::addColumn<bool>("possible");
+    QTest::newRow("at rest, same") << 2048 << 2048 << 0 << 30 << true;
+    QTest::newRow("at rest, jitter") << 2048 << 2051 << 0 << 30 << true;
+    QTest::newRow("at rest, elsewhere") << 2048 << 2148 << 0 << 30 << false;
+    QTest::newRow("moving on") << 2048 << 2068 << 3000 << 30 << true;
+    QTest::newRow("moving, too far") << 2048 << 3000 << 3000 << 30 << false;
+    QTest::newRow("over the seam") << 4094 << 3 << 0 << 30 << true;
+    QTest::newRow("sudden heat") << 2048 << 2048 << 0 << 45 << false;
+}
+
+void TestScanTwins::oneServoCouldSayThis()
+{
+    QFETCH(int, before);
+    QFETCH(int, after);
+    QFETCH(int, speed);
+    QFETCH(int, temperature);
+    QFETCH(bool, possible);
+    device::Servo a;
+    a.profile = support::builtInCatalog().resolve({3, 10, 0, 9, 3});
+    const auto low = [](int value) { return std::uint8_t(value & 0xFF); };
+    const auto high = [](int value) { return std::uint8_t(value >> 8); };
+    const std::uint8_t moving = speed != 0 ? 1 : 0;
+    const auto feedback = [&](int position, int degrees) {
+        return base::Bytes{low(position),
+                           high(position),
+                           low(speed),
+                           high(speed),
+                           0,
+                           0,
+                           74,
+                           std::uint8_t(degrees),
+                           0,
+                           0,
+                           moving,
+                           0,
+                           0,
+                           0,
+                           0};
+    };
+    device::Servo b = a;
+    a.image.store(56, feedback(before, 30), {});
+    b.image.store(56, feedback(after, temperature), {});
+    QCOMPARE(jobs::couldBeOneServo(a, b, milliseconds(4)), possible);
+}
+
+QTEST_GUILESS_MAIN(TestScanTwins)
+#include "tst_scan_twins.moc"
