@@ -60,7 +60,7 @@ Load turntable()
 Load spring()
 {
     Load load;
-    load.springRate = 0.15;
+    load.springRate = 0.04;
     load.springCentre = 3.14;
     return load;
 }
