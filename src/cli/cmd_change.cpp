@@ -5,6 +5,8 @@
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "jobs/change.h"
+#include "text/language.h"
+#include "text/notice_words.h"
 
 namespace cli {
 namespace {
@@ -71,7 +73,7 @@ base::Result<Exit> runCenter(Run& run, const Values& values)
         const catalog::Register* reg = servo->profile->byRole(role);
         const auto shown = [&](const std::optional<std::int64_t>& raw) {
             return raw && reg != nullptr
-                       ? catalog::formatValue(*raw, *reg, servo->meaning(*reg), false)
+                       ? catalog::formatValue(*raw, *reg, servo->meaning(*reg), text::inChinese())
                        : QStringLiteral("–");
         };
         table.add({name, shown(before), shown(after)});
@@ -80,14 +82,17 @@ base::Result<Exit> runCenter(Run& run, const Values& values)
         report->positionAfter);
     row(translate("cli", "Offset"), catalog::Role::PositionOffset, report->offsetBefore,
         report->offsetAfter);
-    run.finish(Json::object()
-                   .add("id", *id)
-                   .add("position_before", report->positionBefore)
-                   .add("position_after", report->positionAfter)
-                   .add("offset_before", report->offsetBefore)
-                   .add("offset_after", report->offsetAfter)
-                   .add("lock", device::lockName(report->lock)),
-               table.text());
+    run.finish(
+        Json::object()
+            .add("id", *id)
+            .add("position_before", report->positionBefore)
+            .add("position_after", report->positionAfter)
+            .add("offset_before", report->offsetBefore)
+            .add("offset_after", report->offsetAfter)
+            .add("lock", device::lockName(report->lock)),
+        table.text() +
+            translate("cli", "EPROM lock: %1").arg(text::lockWord(device::lockName(report->lock))) +
+            QLatin1Char('\n'));
     return lockExit(report->lock);
 }
 

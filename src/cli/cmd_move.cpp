@@ -7,6 +7,7 @@
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "device/motion.h"
+#include "text/language.h"
 
 #include <deque>
 #include <map>
@@ -125,7 +126,8 @@ void show(Run& run, const std::vector<device::MovePlan>& plans, bool waited)
             const catalog::Register& reg = *servo.profile->find(field.key);
             fields.push_back(Json::object().add("key", field.key).add("raw", field.raw));
             written << QStringLiteral("%1 = %2").arg(
-                field.key, catalog::formatValue(field.raw, reg, servo.meaning(reg), false));
+                field.key,
+                catalog::formatValue(field.raw, reg, servo.meaning(reg), text::inChinese()));
         }
         const catalog::Register* position = servo.profile->byRole(Role::PresentPosition);
         Json json = Json::object();

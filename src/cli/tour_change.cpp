@@ -3,6 +3,7 @@
 #include "cli/tour.h"
 #include "cli/translate.h"
 #include "device/reader.h"
+#include "text/language.h"
 
 namespace cli {
 using catalog::Role;
@@ -78,10 +79,11 @@ base::Result<void> Tour::switchOffAndOn()
     Table table({translate("cli", "Key"), translate("cli", "Written"),
                  translate("cli", "After power-off"), translate("cli", "So it was")});
     const auto row = [&](const catalog::Register& reg, std::int64_t written, bool survived) {
-        table.add(
-            {reg.key, catalog::formatValue(written, reg, m_servo.meaning(reg), false),
-             catalog::formatValue(m_servo.raw(reg).value_or(0), reg, m_servo.meaning(reg), false),
-             survived ? translate("cli", "kept") : translate("cli", "lost")});
+        table.add({reg.key,
+                   catalog::formatValue(written, reg, m_servo.meaning(reg), text::inChinese()),
+                   catalog::formatValue(m_servo.raw(reg).value_or(0), reg, m_servo.meaning(reg),
+                                        text::inChinese()),
+                   survived ? translate("cli", "kept") : translate("cli", "lost")});
     };
     const catalog::Register& kept = keptRegister(m_servo);
     const catalog::Register& temporary = temporaryRegister(m_servo);

@@ -2,6 +2,7 @@
 #include "cli/report_words.h"
 #include "cli/tour.h"
 #include "cli/translate.h"
+#include "text/language.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@ using catalog::Role;
 
 namespace {
 constexpr int barCells = 48;
+constexpr int valueCells = 8;
 constexpr base::Duration traceEvery = std::chrono::milliseconds(120);
 constexpr base::Duration arrivalLimit = std::chrono::seconds(20);
 
@@ -48,17 +50,17 @@ base::Result<void> Tour::moveTo(std::int64_t goal)
         if (!progress.position || now < next)
             return;
         next = now + traceEvery;
-        say(QStringLiteral("  %1 s  %2 %3  %4")
+        say(QStringLiteral("  %1 s  %2  %3")
                 .arg(std::chrono::duration<double>(now).count(), 5, 'f', 2)
-                .arg(*progress.position, 7, 'f', 1)
-                .arg(meaning.unit, bar((*progress.position - low) / (high - low))));
+                .arg(padded(shownValue(m_servo, position), valueCells, true),
+                     bar((*progress.position - low) / (high - low))));
     };
     const auto arrived = device::waitForArrival(*ready, plans, arrivalLimit, trace);
     if (!arrived)
         return arrived;
     const double elapsed = std::chrono::duration<double>(clock.now() - start).count();
     say(translate("cli", "Goal %1, arrived at %2 after %3 s")
-            .arg(catalog::formatValue(goal, position, meaning, false),
+            .arg(catalog::formatValue(goal, position, meaning, text::inChinese()),
                  shownValue(m_servo, position))
             .arg(elapsed, 0, 'f', 2));
     m_moves.push_back(Json::object()

@@ -119,6 +119,13 @@ QString specialCase(const base::Error& error)
     }
 }
 
+QString specialCause(const base::Error& error)
+{
+    if (manoeuvreRemedy(error) != nullptr)
+        return translate("text", "Changing it safely takes more than writing one register.");
+    return {};
+}
+
 QString specialRemedy(const base::Error& error)
 {
     if (const char* remedy = manoeuvreRemedy(error))

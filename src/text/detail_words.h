@@ -13,6 +13,9 @@ QString detailWords(const QString& detail);
 /// A sentence that replaces the general one, or empty.
 QString specialCase(const base::Error& error);
 
+/// A cause that replaces the general one, or empty.
+QString specialCause(const base::Error& error);
+
 /// A remedy that replaces the general one, or empty.
 QString specialRemedy(const base::Error& error);
 

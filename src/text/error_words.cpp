@@ -98,7 +98,8 @@ constexpr std::array requestEntries{
           QT_TRANSLATE_NOOP("text", "Look the name up in the servo's memory table.")},
     Entry{ErrorCode::ReadOnly, QT_TRANSLATE_NOOP("text", "this register can only be read"),
           QT_TRANSLATE_NOOP("text", "It is set by the factory or by the servo itself."),
-          QT_TRANSLATE_NOOP("text", "Choose a register that the memory table shows as rw.")},
+          QT_TRANSLATE_NOOP("text", "Choose a register that the memory table shows as "
+                                    "read/write.")},
     Entry{ErrorCode::OutOfRange, QT_TRANSLATE_NOOP("text", "the value is outside what is allowed"),
           QT_TRANSLATE_NOOP("text", "The register's range, or the servo's own angle limits, do not "
                                     "permit it."),
@@ -210,7 +211,10 @@ QString whatHappened(const base::Error& error, const Entry& entry)
         sentence = translate("text", "%1: %2", "subject: sentence").arg(who, sentence);
     if (error.attempts > 1)
         sentence += translate("text", ", tried %1 times").arg(error.attempts);
-    return translate("text", "%1.", "full stop").arg(capitalised(sentence));
+    // A question ("did you mean …?") ends itself.
+    return sentence.endsWith(u'?') || sentence.endsWith(u'？')
+               ? capitalised(sentence)
+               : translate("text", "%1.", "full stop").arg(capitalised(sentence));
 }
 
 /// A CH340 adapter that vanishes the moment it is plugged in has been taken by brltty.
@@ -245,8 +249,9 @@ Description describe(const base::Error& error)
         words.remedy = words.remedy.arg(owningGroup(error.detail));
     if (error.code == ErrorCode::PortMissing)
         words.remedy = missingPortRemedy(error, words.remedy);
-    const QString own = specialRemedy(error);
-    if (!own.isEmpty())
+    if (const QString own = specialCause(error); !own.isEmpty())
+        words.cause = own;
+    if (const QString own = specialRemedy(error); !own.isEmpty())
         words.remedy = own;
     return words;
 }

@@ -18,7 +18,7 @@ struct Entry {
 
 constexpr std::array entries{
     Entry{NoticeCode::TorqueSwitchedOff, "torque-switched-off",
-          QT_TRANSLATE_NOOP("text", "Torque was switched off for this.")},
+          QT_TRANSLATE_NOOP("text", "Torque was switched off.")},
     Entry{NoticeCode::TorqueSwitchedOn, "torque-switched-on",
           QT_TRANSLATE_NOOP("text", "Torque is on now: the goal switched it on.")},
     Entry{NoticeCode::TorqueStaysOff, "torque-stays-off",
