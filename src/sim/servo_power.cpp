@@ -111,9 +111,9 @@ double midRange(const catalog::Profile& profile)
 }
 } // namespace
 
-VirtualServo::State::State(catalog::ProfilePtr ownProfile, ServoConfig ownConfig)
+VirtualServo::State::State(catalog::ProfilePtr ownProfile, const ServoConfig& ownConfig)
     : profile(std::move(ownProfile))
-    , config(std::move(ownConfig))
+    , config(ownConfig)
     , type(servoType(*profile))
     , map(*profile)
     , memory(*profile)

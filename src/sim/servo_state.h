@@ -13,7 +13,7 @@ namespace sim {
 constexpr double slowestShown = 50; ///< step/s, the resolution of the measured speed
 
 struct VirtualServo::State {
-    State(catalog::ProfilePtr profile, ServoConfig config);
+    State(catalog::ProfilePtr profile, const ServoConfig& config);
 
     // servo_power.cpp
     void fillFactoryValues();

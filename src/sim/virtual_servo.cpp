@@ -8,7 +8,7 @@
 
 namespace sim {
 VirtualServo::VirtualServo(catalog::ProfilePtr profile, ServoConfig config)
-    : m_state(std::make_unique<State>(std::move(profile), std::move(config)))
+    : m_state(std::make_unique<State>(std::move(profile), config))
 {}
 
 VirtualServo::~VirtualServo() = default;

@@ -368,19 +368,23 @@ void TestServoRequests::olderFirmwareCannotCalibrate()
 void TestServoRequests::centringBy128_data()
 {
     QTest::addColumn<QString>("model");
+    QTest::addColumn<int>("phase");
     QTest::addColumn<bool>("centres");
-    QTest::newRow("STS") << QStringLiteral("STS3215") << true;
-    QTest::newRow("SMS") << QStringLiteral("SM40BLHV") << true;
-    QTest::newRow("SCS has none") << QStringLiteral("SCS15") << false;
+    QTest::newRow("STS") << QStringLiteral("STS3215") << 12 << true;
+    QTest::newRow("STS, reversed") << QStringLiteral("STS3215") << 12 + 128 + 1 << true;
+    QTest::newRow("SMS") << QStringLiteral("SM40BLHV") << 44 << true;
+    QTest::newRow("SCS has none") << QStringLiteral("SCS15") << 8 << false;
 }
 
 void TestServoRequests::centringBy128()
 {
     QFETCH(QString, model);
+    QFETCH(int, phase);
     QFETCH(bool, centres);
     auto config = fixture::configOf(model);
-    config.initialDegrees = 100;
+    config.initialDegrees = 100; // step 1138 of 4096
     Servo servo(model, config);
+    servo.set("phase", phase);
     const int before = servo.at("present_position");
     QVERIFY(servo.write({40, 128}));
     servo.run(10);
@@ -388,8 +392,8 @@ void TestServoRequests::centringBy128()
     QVERIFY(std::abs(servo.at("present_position") - (centres ? 2048 : before)) <= 1);
     QVERIFY(std::abs(servo.shaftDegrees() - 100) < 0.2); // nothing turned
     if (centres) {
-        // present = sensor − offset (100° is step 1138)
-        QVERIFY(std::abs(servo.at("position_offset") - (1138 - 2048)) <= 1);
+        // present = sensor − offset
+        QVERIFY(std::abs(servo.at("position_offset") - (before - 2048)) <= 1);
     }
 }
 
