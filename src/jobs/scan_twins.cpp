@@ -14,7 +14,7 @@ using catalog::Role;
 constexpr int cleanReadsWanted = 2;
 constexpr int maxFailures = 5;
 constexpr int brokenReadsSuspicious = 2;
-constexpr base::Duration readsApart = std::chrono::milliseconds(3);
+constexpr base::Duration readsApart = std::chrono::milliseconds(1);
 
 // Twice the speed of the fastest servos of the vendor's list, and the jitter of a resting encoder,
 // both in 1/4096 turn.
