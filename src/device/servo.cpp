@@ -97,6 +97,17 @@ base::ServoIdentity Servo::identity() const
     return who;
 }
 
+bool Servo::measures(const catalog::Register& reg) const
+{
+    using catalog::CurrentSensing;
+    constexpr std::int64_t bridgeWithoutFeedback = 1 << 5; // phase bit 5, STS
+    if (reg.role != Role::PresentCurrent || !profile)
+        return true;
+    if (profile->currentSensing == CurrentSensing::UnlessPhaseBit5)
+        return (raw(Role::Phase).value_or(0) & bridgeWithoutFeedback) == 0;
+    return profile->currentSensing != CurrentSensing::No;
+}
+
 bool Servo::answersWrites() const
 {
     return raw(Role::ResponseLevel).value_or(1) != 0;

@@ -34,5 +34,7 @@ struct Servo {
     const catalog::Mode* mode() const;
     base::ServoIdentity identity() const;
     bool answersWrites() const; ///< response level is not 0
+    /// False for a register this servo has, but cannot fill: current without a sensor.
+    bool measures(const catalog::Register& reg) const;
 };
 } // namespace device

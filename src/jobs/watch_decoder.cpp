@@ -18,7 +18,7 @@ QStringList feedbackKeys(const std::vector<device::Servo>& servos)
     std::vector<std::pair<int, QString>> sorted;
     for (const device::Servo& servo : servos) {
         for (const catalog::Register& reg : servo.profile->registers) {
-            if (reg.area == catalog::Area::Feedback)
+            if (reg.area == catalog::Area::Feedback && servo.measures(reg))
                 sorted.emplace_back(reg.address, reg.key);
         }
     }
@@ -79,7 +79,7 @@ std::vector<WatchColumn> watchColumns(const WatchSpec& spec)
     for (const QString& key : keysOf(spec)) {
         for (const device::Servo& servo : spec.servos) {
             const catalog::Register* reg = servo.profile->find(key);
-            if (reg == nullptr)
+            if (reg == nullptr || !servo.measures(*reg))
                 continue;
             const WatchColumn column{key, servo.meaning(*reg).unit};
             if (std::find(columns.begin(), columns.end(), column) == columns.end())
@@ -112,9 +112,11 @@ base::Result<void> WatchDecoder::addServo(const device::Servo& servo, const QStr
     Source source;
     source.profile = servo.profile;
     std::vector<const catalog::Register*> registers;
+    bool known = false;
     for (const QString& key : keys) {
         const catalog::Register* reg = servo.profile->find(key);
-        if (reg == nullptr)
+        known = known || reg != nullptr;
+        if (reg == nullptr || !servo.measures(*reg))
             continue;
         const catalog::Meaning meaning = servo.meaning(*reg);
         const auto column =
@@ -123,8 +125,8 @@ base::Result<void> WatchDecoder::addServo(const device::Servo& servo, const QStr
         registers.push_back(reg);
     }
     if (registers.empty())
-        return base::fail(ErrorCode::UnknownRegister, QStringLiteral("watch"),
-                          keys.join(QLatin1Char(',')), servo.id);
+        return base::fail(known ? ErrorCode::NotSupported : ErrorCode::UnknownRegister,
+                          QStringLiteral("watch"), keys.join(QLatin1Char(',')), servo.id);
     source.spans = bus::mergeSpans(device::planSpans(registers));
     source.row = emptyRow(servo.id);
     m_sources[servo.id] = std::move(source);

@@ -81,6 +81,7 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     void watchesTheFeedbackBlock();
+    void whatIsNotMeasuredIsNotZero();
     void givesEachUnitItsColumn();
     void readsAtTheRateAskedFor_data();
     void readsAtTheRateAskedFor();
@@ -123,6 +124,21 @@ void TestWatch::watchesTheFeedbackBlock()
     for (const jobs::WatchRow& row : rows)
         QVERIFY(std::all_of(row.values.begin(), row.values.end(),
                             [](const auto& value) { return value.has_value(); }));
+}
+
+void TestWatch::whatIsNotMeasuredIsNotZero()
+{
+    SimBench bench(QStringLiteral("sts3215@1,scs15@2,sts3215@3"), {fast, fast, {}});
+    bench.poke(3, QStringLiteral("phase"), bench.raw(3, QStringLiteral("phase")) | 32);
+    const auto spec = specFor(bench, {1, 2, 3}, milliseconds(20), milliseconds(200));
+    const auto [report, rows] = watch(bench, spec);
+    QVERIFY(report);
+    const std::size_t current = column(report->columns, QStringLiteral("present_current"));
+    for (const jobs::WatchRow& row : rows)
+        QCOMPARE(row.values[current].has_value(), row.id == 1);
+    // Nobody here has a sensor: there is no such column.
+    const auto blind = specFor(bench, {2, 3}, milliseconds(20), milliseconds(200));
+    QVERIFY(!headers(jobs::watchColumns(blind)).contains(QStringLiteral("present_current[mA]")));
 }
 
 void TestWatch::givesEachUnitItsColumn()
