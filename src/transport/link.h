@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A byte link to one bus: serial port, TCP bridge, simulated bus, memory. No framing. Owned and used
-// by one thread only (the bus thread), because QSerialPort insists. The first read, write or
+// A byte link to one bus: serial port, TCP bridge, simulated bus, memory. No framing. Owned and
+// used by one thread only (the bus thread), because QSerialPort insists. The first read, write or
 // resource error closes the link at once and every later call answers LinkLost.
 #pragma once
 
@@ -12,8 +12,7 @@
 
 #include <memory>
 
-namespace transport
-{
+namespace transport {
 enum class Parity : std::uint8_t { None, Even, Odd };
 
 /// How to open a port. `name` is a device path, "tcp://host:port" or "sim:NAME".
@@ -23,8 +22,7 @@ struct PortSpec {
     Parity parity = Parity::None;
 };
 
-class Link
-{
+class Link {
 public:
     virtual ~Link() = default;
 
@@ -46,4 +44,4 @@ public:
 
     virtual QString name() const = 0; ///< canonical
 };
-}
+} // namespace transport

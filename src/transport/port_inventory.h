@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace transport
-{
+namespace transport {
 struct PortInfo {
     QString path;        ///< /dev/ttyUSB0
     QString description; ///< USB Serial
@@ -19,4 +18,4 @@ struct PortInfo {
 };
 
 std::vector<PortInfo> listPorts();
-}
+} // namespace transport

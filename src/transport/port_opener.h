@@ -7,8 +7,7 @@
 
 #include <functional>
 
-namespace transport
-{
+namespace transport {
 using LinkOpener =
     std::function<base::Result<std::unique_ptr<Link>>(const PortSpec&, base::Clock&)>;
 
@@ -16,6 +15,7 @@ using LinkOpener =
 /// PortFailed, RateUnsupported.
 base::Result<std::unique_ptr<Link>> openPort(const PortSpec& spec, base::Clock& clock);
 
-/// The rates of the facts, highest first: 1000000 … 4800, with 256000, 250000, 128000, 76800, 14400.
+/// The rates of the facts, highest first: 1000000 … 4800, with 256000, 250000, 128000, 76800,
+/// 14400.
 const std::vector<int>& knownRates();
-}
+} // namespace transport
