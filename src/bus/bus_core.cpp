@@ -13,7 +13,6 @@ using protocol::Repeat;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr Duration slice = 10ms;
 
 QString operationName(Op op)
 {
@@ -219,7 +218,7 @@ bool BusCore::pauseUntil(Duration instant, const base::Stop* stop)
         if (lost())
             until = instant;
         if (!m_clock.isManual())
-            until = std::min(until, now + slice);
+            until = std::min(until, now + waitSlice);
         m_clock.sleepUntil(std::max(until, now + 1us), stop);
     }
 }

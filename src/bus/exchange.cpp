@@ -13,8 +13,6 @@ using Event = StatisticsCollector::Event;
 using namespace std::chrono_literals;
 
 namespace {
-/// No wait is longer before stop and emergency are looked at again.
-constexpr Duration slice = 10ms;
 constexpr std::size_t longestFrame = 256;
 
 bool has(const std::vector<int>& ids, int id)
@@ -150,7 +148,7 @@ Result<void> Exchange::receiveUntil(const Wait& wait, const Interrupt& interrupt
         const Duration until = std::max(wait.deadline, std::min(silentAt, limit));
         // A thread that was not scheduled in time still finds what has come meanwhile.
         lastLook = now >= until;
-        const auto came = m_line.receive(std::clamp(until - now, Duration{}, slice));
+        const auto came = m_line.receive(std::clamp(until - now, Duration{}, waitSlice));
         if (!came)
             return tl::unexpected(came.error());
         if (*came && ended())

@@ -10,7 +10,6 @@ using base::Result;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr Duration slice = 10ms;
 constexpr int probeTries = 3;
 constexpr int silentTries = 2; ///< the first transaction after opening may be lost
 
@@ -25,7 +24,7 @@ Result<void> Exchange::listenUntil(Duration instant, const Interrupt& interrupt)
     do {
         if (const auto reason = interrupt.due())
             return base::fail(*reason);
-        const auto came = m_line.receive(std::clamp(instant - now, Duration{}, slice));
+        const auto came = m_line.receive(std::clamp(instant - now, Duration{}, waitSlice));
         if (!came)
             return tl::unexpected(came.error());
         if (*came)
@@ -52,7 +51,7 @@ Result<void> Exchange::awaitSilence()
         const bool frameOpen = !m_line.pending().empty();
         if ((!m_unsettled && !frameOpen) || now >= silentAt)
             break;
-        span = std::min(silentAt - now, slice);
+        span = std::min(silentAt - now, waitSlice);
     }
     digestStrays(true);
     m_unsettled = false;
@@ -62,7 +61,7 @@ Result<void> Exchange::awaitSilence()
 Result<void> Exchange::sendStopFrames(const std::vector<base::Bytes>& frames, Duration replyDelay)
 {
     // A frame that falls into a running reply is lost, but stopping must not wait for long either.
-    const Duration limit = m_clock.now() + slice;
+    const Duration limit = m_clock.now() + waitSlice;
     Duration clearAt = m_repliesUntil;
     while (m_clock.now() < std::min(clearAt, limit)) {
         const auto heard = listenUntil(std::min(clearAt, limit), {});
@@ -112,7 +111,7 @@ Result<bool> Exchange::echoedOnce(base::ByteView probe, bool& heard, const Inter
     for (Duration now = m_clock.now(); now < deadline; now = m_clock.now()) {
         if (const auto reason = interrupt.due())
             return base::fail(*reason);
-        const auto came = m_line.receive(std::min(deadline - now, slice));
+        const auto came = m_line.receive(std::min(deadline - now, waitSlice));
         if (!came)
             return came;
         const base::ByteView seen = m_line.pending();

@@ -2,6 +2,7 @@
 // The reasons to end a wait on the wire early, looked at in every slice. Bus thread only.
 #pragma once
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "base/stop.h"
 
@@ -9,6 +10,9 @@
 #include <optional>
 
 namespace bus {
+/// No wait on the wire is longer before the reasons are looked at again.
+constexpr base::Duration waitSlice = std::chrono::milliseconds(10);
+
 struct Interrupt {
     const std::atomic<bool>* emergency = nullptr;
     const base::Stop* shutdown = nullptr; ///< the bus itself is to end

@@ -38,6 +38,8 @@ int openRaw(const QString& path)
     cfmakeraw(&settings);
     cfsetspeed(&settings, B1000000);
     tcsetattr(descriptor, TCSANOW, &settings);
+    wallClock.sleepFor(50ms); // what the client before has asked for passes
+    tcflush(descriptor, TCIOFLUSH);
     return descriptor;
 }
 
@@ -51,13 +53,14 @@ double bareRate(const QString& path, const Bytes& request, std::size_t replyByte
     while (wallClock.now() < start + span) {
         if (write(descriptor, request.data(), request.size()) != ssize_t(request.size()))
             qFatal("cannot write");
-        for (std::size_t got = 0; got < replyBytes;) {
+        std::size_t got = 0;
+        while (got < replyBytes) {
             pollfd wait{descriptor, POLLIN, 0};
-            if (poll(&wait, 1, 1000) != 1)
-                qFatal("no answer from the simulated bus");
+            if (poll(&wait, 1, 100) != 1)
+                break;
             got += std::size_t(std::max<ssize_t>(read(descriptor, buffer.data(), 4096), 0));
         }
-        ++exchanges;
+        exchanges += got == replyBytes ? 1 : 0;
     }
     const double seconds = std::chrono::duration<double>(wallClock.now() - start).count();
     close(descriptor);

@@ -18,8 +18,10 @@ using base::Duration;
 
 inline Bytes frameOf(int id, int instructionOrError, const Bytes& params)
 {
-    Bytes frame{0xFF, 0xFF, std::uint8_t(id), std::uint8_t(params.size() + 2),
-                std::uint8_t(instructionOrError)};
+    Bytes frame;
+    frame.reserve(params.size() + 6);
+    frame.assign({0xFF, 0xFF, std::uint8_t(id), std::uint8_t(params.size() + 2),
+                  std::uint8_t(instructionOrError)});
     frame.insert(frame.end(), params.begin(), params.end());
     const int sum = std::accumulate(frame.begin() + 2, frame.end(), 0);
     frame.push_back(std::uint8_t(~sum));

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "bench_bus.h"
+#include <random>
 
 using namespace bus;
 using base::ErrorCode;
@@ -160,6 +161,52 @@ private Q_SLOTS:
             ids.push_back(stray.id);
         QCOMPARE(ids, (std::vector{1, 2, 3}));
         QCOMPARE(bench.core->statistics().total.late, std::uint64_t(3));
+    }
+
+    void badLineNeverGivesAWrongValue_data()
+    {
+        QTest::addColumn<unsigned>("seed");
+        for (unsigned seed = 1; seed <= 10; ++seed)
+            QTest::addRow("seed %u", seed) << seed;
+    }
+
+    /// Dropped, damaged, cut, late and garbage-led replies: right or honestly failed.
+    void badLineNeverGivesAWrongValue()
+    {
+        QFETCH(const unsigned, seed);
+        std::mt19937 random(seed);
+        const auto chance = [&](unsigned percent) { return random() % 100 < percent; };
+        Bench bench;
+        bench.open();
+        bench.script.intercept = [&](const Bytes& request) {
+            const int id = request[2];
+            Bytes reply = frameOf(id, 0, tableBytes(id, request[5], request[6]));
+            if (chance(5))
+                return true;
+            if (chance(4))
+                reply[random() % reply.size()] ^= std::uint8_t(1U << random() % 8);
+            if (chance(4))
+                reply.resize(random() % reply.size());
+            if (chance(4)) {
+                Bytes garbage(1 + random() % 12);
+                for (auto& byte : garbage)
+                    byte = chance(50) ? 0xFF : std::uint8_t(random());
+                bench.script.reply(garbage);
+            }
+            bench.script.reply(reply, chance(4) ? Duration(30ms) : Duration{});
+            return true;
+        };
+        int right = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const int id = 1 + int(random() % 3);
+            const int address = 40 + int(random() % 30);
+            const auto outcome = bench.transact(Request::read(id, address, 2));
+            if (!outcome)
+                continue;
+            QCOMPARE(outcome->data(), tableBytes(id, address, 2));
+            ++right;
+        }
+        QVERIFY2(right > 1900, QByteArray::number(right).constData());
     }
 
     void afterRawBytesNobodyIsSpokenToForAWhile()
