@@ -111,21 +111,9 @@ configure_release() {
             "If root made it: remove it, or run this as root again."
     drop_stale_cache
     local log=$BUILD_DIR/configure.log
-    if ! cmake -S "$SOURCE_DIR" -B "$BUILD_DIR" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" \
-        >"$log" 2>&1; then
+    if ! cmake -S "$SOURCE_DIR" -B "$BUILD_DIR" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+        -DSERVODESK_PCH=ON "$@" >"$log" 2>&1; then
         cat -- "$log" >&2
         die "the project could not be configured; the reason stands above."
     fi
-}
-
-# Programs need a UTF-8 character set, or they garble names and complain. The language that LANG
-# asks for stays, also where that locale was never generated.
-use_utf8() {
-    [ "$(locale charmap 2>/dev/null)" = UTF-8 ] && return 0
-    if [ -n "${LC_ALL:-}" ]; then
-        LANG=$LC_ALL
-        export LANG
-        unset LC_ALL
-    fi
-    export LC_CTYPE=C.UTF-8
 }

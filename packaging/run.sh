@@ -16,5 +16,4 @@ options=()
 configure_release "${options[@]}"
 cmake --build "$BUILD_DIR" --target servodesk-cli servodesk-sim
 step 3/3 "The tour"
-use_utf8
 exec "$BUILD_DIR/bin/servodesk-cli" tour "$@"

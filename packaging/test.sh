@@ -16,5 +16,4 @@ step 2/3 "Building into $BUILD_DIR"
 configure_release "${options[@]}"
 cmake --build "$BUILD_DIR"
 step 3/3 "Tests"
-use_utf8
 exec ctest --test-dir "$BUILD_DIR" --output-on-failure --no-tests=error --parallel 2 "$@"
