@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/cli_program.h"
+
+#include <QCoreApplication>
+#include <QJsonDocument>
+
+#include <csignal>
+
+namespace support {
+namespace {
+constexpr int patienceMs = 60'000; ///< only a hung program ever needs it
+
+QString program(const char* name)
+{
+    // Tests are built beside bin.
+    return QCoreApplication::applicationDirPath() + QStringLiteral("/../bin/") +
+           QLatin1String(name);
+}
+} // namespace
+
+QStringList words(const char* line)
+{
+    return QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+QJsonObject Ran::json() const
+{
+    return QJsonDocument::fromJson(out.toUtf8()).object();
+}
+
+CliProgram::CliProgram()
+    : m_environment(QProcessEnvironment::systemEnvironment())
+{
+    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANGUAGE"})
+        m_environment.remove(QLatin1String(name));
+    setEnvironment(QStringLiteral("LANG"), QStringLiteral("C.UTF-8"));
+    setEnvironment(QStringLiteral("SERVODESK_DATA_DIR"), m_data.path());
+    setEnvironment(QStringLiteral("XDG_CONFIG_HOME"), m_data.filePath(QStringLiteral("config")));
+}
+
+void CliProgram::setEnvironment(const QString& name, const QString& value)
+{
+    m_environment.insert(name, value);
+}
+
+void CliProgram::start(const QStringList& arguments)
+{
+    m_seen.clear();
+    m_process.setProcessEnvironment(m_environment);
+    QStringList all = arguments;
+    if (!m_port.isEmpty())
+        all << QStringLiteral("--port") << m_port;
+    m_process.start(program("servodesk-cli"), all);
+    m_process.waitForStarted(patienceMs);
+}
+
+bool CliProgram::waitForOutput(const QByteArray& text)
+{
+    while (!m_seen.contains(text)) {
+        if (!m_process.waitForReadyRead(patienceMs))
+            return false;
+        m_seen += m_process.readAllStandardOutput();
+    }
+    return true;
+}
+
+void CliProgram::interrupt()
+{
+    ::kill(static_cast<pid_t>(m_process.processId()), SIGINT);
+}
+
+Ran CliProgram::finish()
+{
+    m_process.closeWriteChannel();
+    const bool ended =
+        m_process.state() == QProcess::NotRunning || m_process.waitForFinished(patienceMs);
+    m_seen += m_process.readAllStandardOutput();
+    const bool normal = ended && m_process.exitStatus() == QProcess::NormalExit;
+    return {normal ? m_process.exitCode() : -1, QString::fromUtf8(m_seen),
+            QString::fromUtf8(m_process.readAllStandardError())};
+}
+
+Ran CliProgram::run(const QStringList& arguments)
+{
+    start(arguments);
+    return finish();
+}
+
+SimProgram::SimProgram(const QStringList& arguments)
+{
+    m_process.start(program("servodesk-sim"), arguments);
+    if (!m_process.waitForReadyRead(patienceMs))
+        return;
+    const QString line = QString::fromUtf8(m_process.readLine()).trimmed();
+    if (line.startsWith(QLatin1String("port: ")))
+        m_port = line.mid(6);
+}
+
+void SimProgram::end()
+{
+    if (m_process.state() == QProcess::NotRunning)
+        return;
+    m_process.terminate();
+    m_process.waitForFinished(patienceMs);
+}
+} // namespace support

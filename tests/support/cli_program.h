@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The built programs as a user runs them: servodesk-cli with a data folder of its own, and
+// servodesk-sim behind a pseudo-terminal. One thread.
+#pragma once
+
+#include <QJsonObject>
+#include <QProcess>
+#include <QStringList>
+#include <QTemporaryDir>
+
+namespace support {
+/// Blanks separate, as in a shell without quotes.
+QStringList words(const char* line);
+
+struct Ran {
+    int exit = -1;
+    QString out;
+    QString err;
+
+    /// stdout as one JSON document; an object without members if it is anything else.
+    QJsonObject json() const;
+};
+
+class CliProgram {
+public:
+    CliProgram();
+
+    void setPort(const QString& port) { m_port = port; }
+    void setEnvironment(const QString& name, const QString& value);
+    QString dataFolder() const { return m_data.path(); }
+
+    Ran run(const QStringList& arguments);
+    Ran run(const char* line) { return run(words(line)); }
+    Ran json(const char* line) { return run(words(line) << QStringLiteral("--json")); }
+
+    /// Starts it and comes back; for Ctrl-C.
+    void start(const QStringList& arguments);
+    QProcess& process() { return m_process; }
+    bool waitForOutput(const QByteArray& text); ///< on stdout
+    void interrupt();
+    Ran finish();
+
+private:
+    QTemporaryDir m_data;
+    QString m_port = QStringLiteral("sim:demo");
+    QProcessEnvironment m_environment;
+    QProcess m_process;
+    QByteArray m_seen;
+};
+
+class SimProgram {
+public:
+    explicit SimProgram(const QStringList& arguments);
+    ~SimProgram() { end(); }
+
+    QString port() const { return m_port; } ///< empty if it did not start
+    void end();
+
+private:
+    QProcess m_process;
+    QString m_port;
+};
+} // namespace support
