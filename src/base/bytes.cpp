@@ -4,8 +4,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
-namespace base
-{
+namespace base {
 std::uint64_t readUnsigned(ByteView bytes, ByteOrder order)
 {
     std::uint64_t value = 0;
@@ -62,4 +61,4 @@ Result<Bytes> fromHex(const QString& text)
     }
     return bytes;
 }
-}
+} // namespace base

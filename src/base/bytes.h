@@ -11,8 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace base
-{
+namespace base {
 using Bytes = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;
 
@@ -29,4 +28,4 @@ QString toHex(ByteView bytes);
 
 /// Accepts "FFFF0102", "FF FF 01 02", "0xff,0xff"; BadArgument otherwise.
 Result<Bytes> fromHex(const QString& text);
-}
+} // namespace base

@@ -3,10 +3,8 @@
 
 #include <thread>
 
-namespace base
-{
-namespace
-{
+namespace base {
+namespace {
 using Steady = std::chrono::steady_clock;
 }
 
@@ -33,4 +31,4 @@ bool ManualClock::sleepUntil(Duration instant, const Stop* stop)
     }
     return true;
 }
-}
+} // namespace base

@@ -9,12 +9,10 @@
 #include <atomic>
 #include <chrono>
 
-namespace base
-{
+namespace base {
 using Duration = std::chrono::microseconds;
 
-class Clock
-{
+class Clock {
 public:
     virtual ~Clock() = default;
     virtual Duration now() const = 0;
@@ -32,16 +30,14 @@ public:
 };
 
 /// Monotonic system time.
-class SystemClock final : public Clock
-{
+class SystemClock final : public Clock {
 public:
     Duration now() const override;
     bool sleepUntil(Duration instant, const Stop* stop = nullptr) override;
 };
 
 /// Time that passes only when somebody waits or advances it. For tests and fast simulation.
-class ManualClock final : public Clock
-{
+class ManualClock final : public Clock {
 public:
     Duration now() const override { return Duration(m_now.load(std::memory_order_relaxed)); }
     bool sleepUntil(Duration instant, const Stop* stop = nullptr) override;
@@ -51,4 +47,4 @@ public:
 private:
     std::atomic<Duration::rep> m_now{0};
 };
-}
+} // namespace base

@@ -4,11 +4,9 @@
 #pragma once
 
 #include <QString>
-
 #include <tl/expected.hpp>
 
-namespace base
-{
+namespace base {
 enum class ErrorCode {
     // port
     PortMissing,     ///< no such device or host
@@ -34,16 +32,16 @@ enum class ErrorCode {
     NotSupported, ///< this family has no such thing; detail says why
     // servo
     IdInUse,
-    Refused,        ///< the servo did not take it
-    Mismatch,       ///< read back differs from what was written
-    LockOpen,       ///< the EPROM lock could not be proven closed
-    UnknownModel,   ///< identity read, but no register map fits
-    IdentityDiffers,///< another servo answers under this ID than the one expected
-    TurnsUnknown,   ///< multi-turn position not known since power-on
+    Refused,         ///< the servo did not take it
+    Mismatch,        ///< read back differs from what was written
+    LockOpen,        ///< the EPROM lock could not be proven closed
+    UnknownModel,    ///< identity read, but no register map fits
+    IdentityDiffers, ///< another servo answers under this ID than the one expected
+    TurnsUnknown,    ///< multi-turn position not known since power-on
     // files
     FileMissing,
     FileUnreadable,
-    FileFormat,   ///< detail says where and what
+    FileFormat, ///< detail says where and what
     FileUnwritable,
     DiskFull,
 };
@@ -69,4 +67,4 @@ inline tl::unexpected<Error> fail(ErrorCode code, QString operation = {}, QStrin
 
 /// Stable English identifier, for JSON and logs: "no-answer".
 QString errorName(ErrorCode code);
-}
+} // namespace base

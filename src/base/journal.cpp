@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/journal.h"
 
-namespace base
-{
+namespace base {
 Result<std::vector<Intent>> Journal::open() const
 {
     const auto all = entries();
@@ -15,4 +14,4 @@ Result<std::vector<Intent>> Journal::open() const
     }
     return intents;
 }
-}
+} // namespace base

@@ -15,8 +15,7 @@
 #include <optional>
 #include <vector>
 
-namespace base
-{
+namespace base {
 /// Who a servo was when the intent was written. Servos carry no serial number, so an ID alone
 /// proves nothing: model, firmware and the old values must match too.
 struct ServoIdentity {
@@ -31,9 +30,9 @@ struct ServoIdentity {
 
     bool sameKind(const ServoIdentity& other) const
     {
-        return modelMajor == other.modelMajor && modelMinor == other.modelMinor
-            && firmwareMajor == other.firmwareMajor && firmwareMinor == other.firmwareMinor
-            && map == other.map;
+        return modelMajor == other.modelMajor && modelMinor == other.modelMinor &&
+               firmwareMajor == other.firmwareMajor && firmwareMinor == other.firmwareMinor &&
+               map == other.map;
     }
 };
 
@@ -50,8 +49,8 @@ struct Intent {
     QString uuid; ///< set by begin()
     QDateTime at; ///< set by begin(), UTC
     IntentKind kind = IntentKind::Write;
-    bool temporary = false; ///< the lock stays closed: lost at power-off by design
-    bool lockOpened = false;///< the write opens the EPROM lock
+    bool temporary = false;  ///< the lock stays closed: lost at power-off by design
+    bool lockOpened = false; ///< the write opens the EPROM lock
     ServoIdentity servo;
     std::vector<JournalItem> items;
 };
@@ -66,8 +65,7 @@ struct JournalEntry {
     std::optional<IntentEnd> end;
 };
 
-class Journal
-{
+class Journal {
 public:
     virtual ~Journal() = default;
 
@@ -85,4 +83,4 @@ public:
     virtual Result<std::optional<std::vector<std::int64_t>>> kept(const ServoIdentity& servo,
                                                                   const QString& name) const = 0;
 };
-}
+} // namespace base

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/stop.h"
 
-namespace base
-{
+namespace base {
 void Stop::request()
 {
     {
@@ -17,4 +16,4 @@ bool Stop::waitUntil(std::chrono::steady_clock::time_point deadline) const
     std::unique_lock lock(m_mutex);
     return !m_wake.wait_until(lock, deadline, [this] { return requested(); });
 }
-}
+} // namespace base

@@ -8,10 +8,8 @@
 #include <condition_variable>
 #include <mutex>
 
-namespace base
-{
-class Stop
-{
+namespace base {
+class Stop {
 public:
     Stop() = default;
     Stop(const Stop&) = delete;
@@ -28,4 +26,4 @@ private:
     mutable std::mutex m_mutex;
     mutable std::condition_variable m_wake;
 };
-}
+} // namespace base

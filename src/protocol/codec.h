@@ -3,14 +3,12 @@
 // no I/O; one instance may be shared by all threads. A protocol is known in one codec only.
 #pragma once
 
-#include "protocol/request.h"
-
 #include "base/error.h"
+#include "protocol/request.h"
 
 #include <QString>
 
-namespace protocol
-{
+namespace protocol {
 /// What must come back for a request: from whom and how long. The end of a reply is computed from
 /// this, never guessed from silence.
 struct Expectation {
@@ -37,8 +35,7 @@ struct ScanResult {
     Part part{};
 };
 
-class Codec
-{
+class Codec {
 public:
     virtual ~Codec() = default;
 
@@ -80,4 +77,4 @@ RequestScan scanFeetechRequest(base::ByteView buffer);
 
 /// A status packet of a Feetech servo.
 base::Bytes encodeFeetechStatus(int id, std::uint8_t status, base::ByteView data);
-}
+} // namespace protocol

@@ -10,8 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace protocol
-{
+namespace protocol {
 constexpr int broadcastId = 254;
 constexpr int maxId = 253;
 
@@ -72,4 +71,4 @@ struct Part {
     std::uint8_t status = 0;
     base::Bytes data;
 };
-}
+} // namespace protocol

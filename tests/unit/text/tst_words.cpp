@@ -127,7 +127,8 @@ void TestWords::errorsNameWhatIsConcerned_data()
     const auto row = [](const char* name, base::Error error, const char* what) {
         QTest::newRow(name) << error << QString::fromUtf8(what);
     };
-    row("silent servo", {ErrorCode::NoAnswer, {}, {}, 9, {}, 3}, "Servo 9: no answer, tried 3 times.");
+    row("silent servo", {ErrorCode::NoAnswer, {}, {}, 9, {}, 3},
+        "Servo 9: no answer, tried 3 times.");
     row("nobody in particular", {ErrorCode::NoAnswer}, "No answer.");
     row("range",
         {ErrorCode::OutOfRange, {}, QStringLiteral("0 … 4095"), 1, QStringLiteral("goal_position")},
