@@ -1488,6 +1488,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>现在以波特率 %1 应答。</translation>
     </message>
     <message>
+        <source>It is still on its way to the goal; torque off stops it.</source>
+        <translation>舵机仍在转向目标位置；关闭扭矩可使其停下。</translation>
+    </message>
+    <message>
         <source>It answers as ID %1 now.</source>
         <translation>现在以 ID %1 应答。</translation>
     </message>

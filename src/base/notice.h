@@ -38,6 +38,7 @@ enum class NoticeCode : std::uint8_t {
     SensorHolds,         ///< encoder alarm: power-cycle, repair if it returns
     RebootedAfter,       ///< a = milliseconds until it answered
     RateChanged,         ///< a = baud at which it answers now
+    StillMoving,         ///< stopped waiting; the servo itself goes on to its goal
     IdChanged,           ///< a = ID at which it answers now
 };
 

@@ -39,6 +39,16 @@ base::Result<void> look(const Context& context, Waiting& waiting,
     return {};
 }
 
+/// Ending the wait does not end the motion, and that is said.
+base::Result<void> stopped(const Context& context, const std::vector<Waiting>& waiting)
+{
+    for (const Waiting& one : waiting) {
+        if (one.quiet == 0)
+            context.note(NoticeCode::StillMoving, one.plan->servo->id);
+    }
+    return base::fail(ErrorCode::Stopped, QStringLiteral("arrive"));
+}
+
 base::Result<void> checkArrived(const MovePlan& plan)
 {
     const Servo& servo = *plan.servo;
@@ -86,7 +96,7 @@ base::Result<void> waitForArrival(const Context& context, std::vector<MovePlan>&
         if (elapsed > limit)
             return base::fail(ErrorCode::Refused, QStringLiteral("arrive"), QStringLiteral("time"));
         if (!context.bus.pauseUntil(clock.now() + readEvery, &context.stop))
-            return base::fail(ErrorCode::Stopped, QStringLiteral("arrive"));
+            return stopped(context, waiting);
     }
     for (const MovePlan& plan : plans) {
         noteAlarms(context, *plan.servo);

@@ -38,8 +38,10 @@ public:
         , m_total(total)
     {}
 
-    void add(base::Duration planned)
+    /// `heard`: servos at the present rate that are not counted as found yet.
+    void add(base::Duration planned, int heard)
     {
+        m_now.found = m_found + heard;
         m_done = std::min(m_total, m_done + planned);
         if (m_clock.now() - m_reportedAt >= progressInterval)
             tell();
@@ -51,7 +53,7 @@ public:
         tell();
     }
     void skip(base::Duration planned) { m_total -= planned; }
-    void countFound() { ++m_now.found; }
+    void countFound() { m_now.found = ++m_found; }
 
     void tell()
     {
@@ -69,6 +71,7 @@ private:
     base::Duration m_total;
     base::Duration m_done{};
     base::Duration m_reportedAt{};
+    int m_found = 0;
     Progress m_now;
 };
 
@@ -147,7 +150,7 @@ private:
     base::Result<void> searchRate()
     {
         RateSweep sweep(m_context, m_spec,
-                        [this](base::Duration planned) { m_meter.add(planned); });
+                        [this](base::Duration planned, int heard) { m_meter.add(planned, heard); });
         const auto swept = sweep.run();
         m_report.lateReplies += sweep.lateReplies();
         m_report.garbledHeard = m_report.garbledHeard || sweep.garbledUnexplained();

@@ -37,8 +37,7 @@ base::Duration sweepEstimate(const ScanSpec& spec, int baud)
     return total;
 }
 
-RateSweep::RateSweep(const device::Context& context, const ScanSpec& spec,
-                     std::function<void(base::Duration)> onAsked)
+RateSweep::RateSweep(const device::Context& context, const ScanSpec& spec, OnAsked onAsked)
     : m_context(context)
     , m_spec(spec)
     , m_onAsked(std::move(onAsked))
@@ -66,7 +65,7 @@ base::Result<void> RateSweep::askAll()
             return asked;
         if (m_contacts[id].garbled > garbledBefore)
             m_garbles.push_back({id, m_contacts[id].askedAt});
-        m_onAsked(step);
+        tell(step);
     }
     return {};
 }
@@ -150,7 +149,7 @@ base::Result<void> RateSweep::askSilent()
             if (const auto asked = ask(id, longPatience); !asked)
                 return asked;
         }
-        m_onAsked(step);
+        tell(step);
     }
     return {};
 }
@@ -187,7 +186,7 @@ base::Result<void> RateSweep::listen(base::Duration span)
 {
     const auto done = m_context.bus.listen(span);
     collectStrays();
-    m_onAsked(span);
+    tell(span);
     return done;
 }
 
@@ -205,5 +204,12 @@ void RateSweep::collectStrays()
             ++m_lateReplies;
         }
     }
+}
+
+void RateSweep::tell(base::Duration planned) const
+{
+    const auto heard = std::count_if(m_contacts.begin(), m_contacts.end(),
+                                     [](const auto& entry) { return entry.second.present(); });
+    m_onAsked(planned, int(heard));
 }
 } // namespace jobs

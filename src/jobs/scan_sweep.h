@@ -26,9 +26,10 @@ base::Duration sweepEstimate(const ScanSpec& spec, int baud);
 
 class RateSweep {
 public:
-    /// `onAsked` gets the planned time of every step of the sweep when it is done.
-    RateSweep(const device::Context& context, const ScanSpec& spec,
-              std::function<void(base::Duration)> onAsked);
+    /// `onAsked` gets the planned time of every step of the sweep when it is done, and how many IDs
+    /// have been heard so far.
+    using OnAsked = std::function<void(base::Duration planned, int heard)>;
+    RateSweep(const device::Context& context, const ScanSpec& spec, OnAsked onAsked);
 
     /// Stopped, LinkLost, Preempted, Held.
     base::Result<void> run();
@@ -52,10 +53,11 @@ private:
     base::Result<void> ask(int id, base::Duration patience);
     base::Result<void> listen(base::Duration span);
     void collectStrays();
+    void tell(base::Duration planned) const;
 
     const device::Context& m_context;
     const ScanSpec& m_spec;
-    std::function<void(base::Duration)> m_onAsked;
+    OnAsked m_onAsked;
     std::map<int, Contact> m_contacts;
     std::vector<Garble> m_garbles; ///< heard while all IDs were asked
     int m_lateReplies = 0;

@@ -83,6 +83,8 @@ constexpr std::array entries{
           QT_TRANSLATE_NOOP("text", "It answered %1 ms after the restart.")},
     Entry{NoticeCode::RateChanged, "rate-changed",
           QT_TRANSLATE_NOOP("text", "It answers at %1 baud now.")},
+    Entry{NoticeCode::StillMoving, "still-moving",
+          QT_TRANSLATE_NOOP("text", "It is still on its way to the goal; torque off stops it.")},
     Entry{NoticeCode::IdChanged, "id-changed",
           QT_TRANSLATE_NOOP("text", "It answers as ID %1 now.")},
 };

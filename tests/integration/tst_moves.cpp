@@ -85,6 +85,7 @@ private Q_SLOTS:
     void onlyGivenFieldsAreWritten();
     void moveArrives_data();
     void moveArrives();
+    void stoppingTheWaitIsNotStoppingTheServo();
     void refusedMoves_data();
     void refusedMoves();
     void timeActsOnScs();
@@ -259,6 +260,23 @@ void TestMoves::moveArrives()
     QVERIFY(samples > 5);
     QVERIFY2(std::abs(shaft(bench, 1) - degrees) < 2.0,
              qPrintable(QString::number(shaft(bench, 1))));
+}
+
+void TestMoves::stoppingTheWaitIsNotStoppingTheServo()
+{
+    SimBench bench(text("sts3215@1"));
+    device::Servo servo = bench.servo(1);
+    MoveOrder order = to("3072");
+    order.servo = &servo;
+    order.speed = text("100");
+    std::vector<MovePlan> plans{*device::planMove(bench.context(), order)};
+    QVERIFY(device::sendMoves(bench.context(), plans, MoveHow::Write));
+    bench.letTimePass(500ms);
+    const auto waited = device::waitForArrival(
+        bench.context(), plans, 10s, [&](const device::MoveProgress&) { bench.stop().request(); });
+    QVERIFY(!waited);
+    QCOMPARE(waited.error().code, ErrorCode::Stopped);
+    QVERIFY(noted(bench, device::NoticeCode::StillMoving));
 }
 
 void TestMoves::refusedMoves_data()

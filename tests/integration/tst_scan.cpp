@@ -262,6 +262,10 @@ void TestScan::progressRisesToTheEnd()
     QCOMPARE(seen.back().baud, 500'000);
     QCOMPARE(seen.back().fraction, 1.0);
     QCOMPARE(seen.back().found, 2);
+    // Whoever has answered counts at once, not at the end of its rate.
+    QVERIFY(std::any_of(seen.begin(), seen.end(), [](const jobs::Progress& p) {
+        return p.baud == fast && p.fraction < 0.4 && p.found == 1;
+    }));
     QVERIFY(std::is_sorted(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
         return a.fraction < b.fraction || a.remaining > b.remaining;
     }));
