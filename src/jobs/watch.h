@@ -2,7 +2,8 @@
 // Regular reading of several servos through the bus' poll plan, decoded into registers. Writes
 // nothing. The caller gets rows in time order; sampling does not wait for it.
 // Errors: BadArgument (no servo, servo not identified), UnknownRegister (a key no servo has, a
-// servo without any of the keys), LinkLost, and whatever onRow returns.
+// servo without any of the keys), NotSupported (it has them, but measures none), LinkLost, and
+// whatever onRow returns.
 #pragma once
 
 #include "device/servo.h"

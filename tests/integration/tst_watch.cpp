@@ -2,8 +2,7 @@
 // Watching servos through the poll plan: columns, units, rates, and what happens when answers stay
 // out. Values are held against what the simulated servos really do.
 #include "device/reader.h"
-#include "jobs/watch.h"
-#include "support/sim_bench.h"
+#include "integration/watch_help.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -17,62 +16,7 @@ using std::chrono::seconds;
 using support::BenchOptions;
 using support::SimBench;
 
-namespace {
-constexpr int fast = 1'000'000;
-
-using Rows = std::vector<jobs::WatchRow>;
-
-struct Watched {
-    base::Result<jobs::WatchReport> report;
-    Rows rows;
-};
-
-Watched watch(SimBench& bench, const jobs::WatchSpec& spec)
-{
-    Rows rows;
-    auto report = jobs::watch(bench.context(), spec, [&](const jobs::WatchRow& row) {
-        rows.push_back(row);
-        return base::Result<void>{};
-    });
-    return {std::move(report), std::move(rows)};
-}
-
-jobs::WatchSpec specFor(SimBench& bench, const std::vector<int>& ids, base::Duration period,
-                        base::Duration length)
-{
-    jobs::WatchSpec spec;
-    for (const int id : ids)
-        spec.servos.push_back(bench.servo(id));
-    spec.period = period;
-    spec.length = length;
-    return spec;
-}
-
-std::size_t column(const std::vector<jobs::WatchColumn>& columns, const QString& key,
-                   const QString& unit = {})
-{
-    const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto& c) {
-        return c.key == key && (unit.isEmpty() || c.unit == unit);
-    });
-    return std::size_t(found - columns.begin());
-}
-
-QStringList headers(const std::vector<jobs::WatchColumn>& columns)
-{
-    QStringList texts;
-    for (const jobs::WatchColumn& c : columns)
-        texts.append(QStringLiteral("%1[%2]").arg(c.key, c.unit));
-    return texts;
-}
-
-Rows rowsOf(const Rows& rows, int id)
-{
-    Rows result;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(result),
-                 [id](const jobs::WatchRow& row) { return row.id == id; });
-    return result;
-}
-} // namespace
+using namespace watch_help;
 
 class TestWatch : public QObject {
     Q_OBJECT
@@ -88,11 +32,8 @@ private Q_SLOTS:
     void showsWhatTheServoHolds();
     void speedAgreesWithTheWayCovered_data();
     void speedAgreesWithTheWayCovered();
-    void joinsDistantRegistersInOneRow();
     void asksFamiliesThatCanTogether();
-    void rowsComeInTimeOrder();
     void countsWhatIsMissed();
-    void joinsRowsAlsoWhenBlocksAreMissed();
     void stopsWithin100Milliseconds();
     void endsWhenTheReceiverCannotGoOn();
     void endsWhenTheLinkIsCut();
@@ -261,25 +202,6 @@ void TestWatch::speedAgreesWithTheWayCovered()
     QVERIFY(std::abs(rpm) > 5.0);
 }
 
-void TestWatch::joinsDistantRegistersInOneRow()
-{
-    SimBench bench(QStringLiteral("sts3215@1,sts3250@2"));
-    auto spec = specFor(bench, {1, 2}, milliseconds(20), milliseconds(200));
-    spec.keys = {QStringLiteral("present_temperature"), QStringLiteral("id"),
-                 QStringLiteral("torque_switch")};
-    const auto [report, rows] = watch(bench, spec);
-    QVERIFY(report);
-    QCOMPARE(headers(report->columns),
-             QStringList({QStringLiteral("present_temperature[degC]"), QStringLiteral("id[]"),
-                          QStringLiteral("torque_switch[]")}));
-    QVERIFY(rows.size() >= 18 && rows.size() <= 22);
-    for (const jobs::WatchRow& row : rows) {
-        QCOMPARE(row.values[0], std::optional<double>(25.0));
-        QCOMPARE(row.values[1], std::optional<double>(row.id));
-        QCOMPARE(row.values[2], std::optional<double>(0.0));
-    }
-}
-
 void TestWatch::asksFamiliesThatCanTogether()
 {
     BenchOptions options;
@@ -296,25 +218,6 @@ void TestWatch::asksFamiliesThatCanTogether()
     for (const int id : {3, 4}) // these do not know sync reads
         QCOMPARE(bench.framesTo(id), rounds);
     QCOMPARE(int(rows.size()), 4 * rounds);
-}
-
-void TestWatch::rowsComeInTimeOrder()
-{
-    BenchOptions options;
-    options.servoBaud = fast;
-    SimBench bench(QStringLiteral("demo"), options);
-    const auto [report, rows] =
-        watch(bench, specFor(bench, {1, 2, 3, 4, 5, 6}, base::Duration{}, seconds(1)));
-    QVERIFY(report);
-    QVERIFY(rows.size() > 600);
-    QVERIFY(std::is_sorted(rows.begin(), rows.end(),
-                           [](const auto& a, const auto& b) { return a.at < b.at; }));
-    // Nobody is starved.
-    const auto share = rows.size() / 6;
-    for (int id = 1; id <= 6; ++id) {
-        const std::size_t own = rowsOf(rows, id).size();
-        QVERIFY(own >= share - 2 && own <= share + 2);
-    }
 }
 
 void TestWatch::countsWhatIsMissed()
@@ -336,35 +239,6 @@ void TestWatch::countsWhatIsMissed()
     QVERIFY(heard.size() >= 195 && heard.size() <= 201);
     QCOMPARE(report->rows, heard.size());
     QVERIFY(std::all_of(heard.begin(), heard.end(), [](const auto& row) { return row.answered; }));
-}
-
-void TestWatch::joinsRowsAlsoWhenBlocksAreMissed()
-{
-    BenchOptions options;
-    options.wire.seed = 7;
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"), options);
-    auto spec = specFor(bench, {1, 2}, milliseconds(100), seconds(60));
-    spec.keys = {QStringLiteral("id"), QStringLiteral("present_temperature")};
-    bench.wireConfig().faults.drop = 0.3;
-    const auto [report, rows] = watch(bench, spec);
-    QVERIFY(report);
-    QVERIFY(report->missed > 200);
-    int partial = 0;
-    for (const jobs::WatchRow& row : rows) {
-        partial += row.values[0].has_value() != row.values[1].has_value() ? 1 : 0;
-        QCOMPARE(row.answered, row.values[0].has_value() || row.values[1].has_value());
-        QCOMPARE(row.values[0].value_or(row.id), double(row.id));
-        QCOMPARE(row.values[1].value_or(25.0), 25.0);
-    }
-    QVERIFY(partial > 100);
-    QVERIFY(std::is_sorted(rows.begin(), rows.end(),
-                           [](const auto& a, const auto& b) { return a.at < b.at; }));
-    // A block missed ends the row of its round; no row mixes two rounds.
-    for (const int id : {1, 2}) {
-        const Rows own = rowsOf(rows, id);
-        for (std::size_t i = 1; i < own.size(); ++i)
-            QVERIFY(own[i].at - own[i - 1].at > milliseconds(10));
-    }
 }
 
 void TestWatch::stopsWithin100Milliseconds()
