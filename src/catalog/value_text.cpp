@@ -183,7 +183,10 @@ base::Result<std::int64_t> parseValue(const QString& text, const Register& reg,
     bool whole = false;
     const qlonglong raw =
         split.number.toLongLong(&whole, split.number.contains(u'x', Qt::CaseInsensitive) ? 16 : 10);
-    const double number = whole ? static_cast<double>(raw) : split.number.toDouble();
+    bool numeric = whole; // a hexadecimal number too long for 64 bits is none
+    const double number = whole ? static_cast<double>(raw) : split.number.toDouble(&numeric);
+    if (!numeric)
+        return tl::unexpected(expected(reg, expectation(reg, meaning)));
     if (!split.suffix.isEmpty())
         return parsePhysical(number, split.suffix, reg, meaning);
     if (whole)

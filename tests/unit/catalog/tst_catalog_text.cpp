@@ -180,6 +180,7 @@ void TestCatalogText::parseRefuses_data()
     row("max_voltage", "--5");
     row("max_voltage", "0xZZ");
     row("max_voltage", "0x10V");
+    row("max_voltage", "0x7fffffffffffffffff");
     row("max_voltage", "99999999999999999999999");
     row("protection_time", "4ms");
     row("id", "7deg");
