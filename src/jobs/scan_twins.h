@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Do two servos answer under one ID? Reads identity and feedback again and looks for what one servo
-// could not say: repeatedly broken checksums, a second reply to one request, another identity, a
-// jump no shaft can make. Only READs. Used by scan() only; its thread.
+// Do two servos answer under one ID? Reads the feedback twice, and after any failure the identity
+// again, and looks for what one servo could not say: repeatedly broken checksums, a second reply to
+// one request, another identity, a jump no shaft can make. Only READs. Used by scan() only; its
+// thread.
 #pragma once
 
 #include "device/context.h"
