@@ -650,10 +650,6 @@
         <translation>选项缺少数值，或重复给出（%1）</translation>
     </message>
     <message>
-        <source>device path, tcp://HOST:PORT, or a simulated bus: sim:demo, sim:trouble, sim:sts3215@1,scs15@2</source>
-        <translation>设备路径、tcp://主机:端口，或仿真总线：sim:demo、sim:trouble、sim:sts3215@1,scs15@2</translation>
-    </message>
-    <message>
         <source>baud rate, or auto to try all (usual: 1000000)</source>
         <translation>波特率，或 auto 逐个尝试（默认 1000000）</translation>
     </message>
@@ -888,6 +884,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>no answer</source>
         <translation>无应答</translation>
+    </message>
+    <message>
+        <source>device path, tcp://HOST:PORT, or a simulated bus: sim:demo, sim:trouble, sim:sts3215@1,scs15@2 (starts anew with each run)</source>
+        <translation>设备路径、tcp://主机:端口，或仿真总线：sim:demo、sim:trouble、sim:sts3215@1,scs15@2（每次运行从头开始）</translation>
     </message>
 </context>
 <context>

@@ -83,9 +83,7 @@ base::Result<int> parseWhole(const QString& word, int min, int max)
     const auto number = wholeNumber(word);
     if (!number || *number < min || *number > max)
         return badArgument(translate("cli", "\"%1\" is no whole number from %2 to %3")
-                               .arg(word)
-                               .arg(min)
-                               .arg(max));
+                               .arg(word, QString::number(min), QString::number(max)));
     return *number;
 }
 

@@ -22,12 +22,11 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     if (!snapshot)
         return tl::unexpected(snapshot.error());
     const auto count = static_cast<int>(snapshot->registers.size());
-    run.finish(Json::object().add("id", *id).add("file", file).add("registers", count),
-               translate("cli", "Servo %1, %2: registers saved to %3: %4")
-                       .arg(*id)
-                       .arg(servoTitle(*servo), file)
-                       .arg(count) +
-                   QLatin1Char('\n'));
+    run.finish(
+        Json::object().add("id", *id).add("file", file).add("registers", count),
+        translate("cli", "Servo %1, %2: registers saved to %3: %4")
+                .arg(QString::number(*id), servoTitle(*servo), file, QString::number(count)) +
+            QLatin1Char('\n'));
     return Exit::Done;
 }
 

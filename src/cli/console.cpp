@@ -41,7 +41,13 @@ void Console::write(const QByteArray& bytes)
 
 void Console::say(const QString& line)
 {
-    const QByteArray bytes = line.toUtf8() + '\n';
+    // What was typed is repeated in complaints; a terminal must not take it for commands.
+    QByteArray bytes = line.toUtf8() + '\n';
+    for (char& byte : bytes) {
+        const auto code = static_cast<unsigned char>(byte);
+        if ((code < 0x20 && byte != '\n') || code == 0x7f)
+            byte = '?';
+    }
     std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stderr);
 }
 

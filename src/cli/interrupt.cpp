@@ -31,6 +31,8 @@ Interrupt::Interrupt()
 {
     // A reader that goes away ("| head") must not kill a program that holds a lock open.
     std::signal(SIGPIPE, SIG_IGN);
+    // Nor must a file size limit; the failed write says so.
+    std::signal(SIGXFSZ, SIG_IGN);
     const sigset_t set = endingSignals();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
     m_receiver = std::thread(&Interrupt::receive, this);

@@ -29,7 +29,7 @@ void addOptions(CLI::App& app, const std::vector<Option>& options, Slots& into)
         if (option.value != nullptr)
             app.add_option(option.flag, place.second);
         else
-            app.add_flag(option.flag);
+            app.add_flag(option.flag)->disable_flag_override();
     }
 }
 
@@ -40,7 +40,9 @@ CLI::App* addCommand(CLI::App& parent, const QString& name)
     const auto known =
         parent.get_subcommands([&first](const CLI::App* sub) { return sub->get_name() == first; });
     CLI::App* app =
-        known.empty() ? parent.add_subcommand(first)->fallthrough()->allow_extras() : known.front();
+        known.empty()
+            ? parent.add_subcommand(first)->fallthrough()->allow_extras()->require_subcommand(0, 1)
+            : known.front();
     return blank < 0 ? app : addCommand(*app, name.mid(blank + 1));
 }
 
@@ -149,7 +151,7 @@ private:
 
 Parser::Parser()
 {
-    m_app.allow_extras();
+    m_app.allow_extras()->require_subcommand(0, 1);
     m_app.set_version_flag("--version", "");
     m_globals.app = &m_app;
     addOptions(m_app, globalOptions(), m_globals);
@@ -217,7 +219,7 @@ const std::vector<Option>& globalOptions()
     static const std::vector<Option> options{
         {"--port",
          QT_TRANSLATE_NOOP("cli", "device path, tcp://HOST:PORT, or a simulated bus: sim:demo, "
-                                  "sim:trouble, sim:sts3215@1,scs15@2"),
+                                  "sim:trouble, sim:sts3215@1,scs15@2 (starts anew with each run)"),
          "P"},
         {"--baud", QT_TRANSLATE_NOOP("cli", "baud rate, or auto to try all (usual: 1000000)"),
          "N|auto"},

@@ -7,6 +7,8 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <csignal>
+
 using support::CliProgram;
 using support::Ran;
 using support::SimProgram;
@@ -184,7 +186,7 @@ void TestCliWire::busyPortNamesWhoHasIt()
     QCOMPARE(errorCode(ran), QStringLiteral("port-busy"));
     const QString message = ran.json()[QLatin1String("error")][QLatin1String("message")].toString();
     QVERIFY2(message.contains(QStringLiteral("servodesk-cli")), qPrintable(message));
-    first.interrupt();
+    first.signal(SIGINT);
     QCOMPARE(first.finish().exit, 0);
 }
 

@@ -45,7 +45,8 @@ void CliProgram::setEnvironment(const QString& name, const QString& value)
 
 void CliProgram::start(const QStringList& arguments)
 {
-    m_seen.clear();
+    m_out.clear();
+    m_err.clear();
     m_process.setProcessEnvironment(m_environment);
     QStringList all = arguments;
     if (!m_port.isEmpty())
@@ -54,19 +55,40 @@ void CliProgram::start(const QStringList& arguments)
     m_process.waitForStarted(patienceMs);
 }
 
-bool CliProgram::waitForOutput(const QByteArray& text)
+void CliProgram::collect()
 {
-    while (!m_seen.contains(text)) {
-        if (!m_process.waitForReadyRead(patienceMs))
-            return false;
-        m_seen += m_process.readAllStandardOutput();
-    }
-    return true;
+    m_out += m_process.readAllStandardOutput();
+    m_err += m_process.readAllStandardError();
 }
 
-void CliProgram::interrupt()
+bool CliProgram::waitFor(const QByteArray& seen, const QByteArray& text)
 {
-    ::kill(static_cast<pid_t>(m_process.processId()), SIGINT);
+    // In slices, because what comes on the other channel wakes nobody.
+    constexpr int sliceMs = 50;
+    for (int waited = 0; waited < patienceMs; waited += sliceMs) {
+        collect();
+        if (seen.contains(text))
+            return true;
+        if (m_process.state() == QProcess::NotRunning)
+            return false;
+        m_process.waitForReadyRead(sliceMs);
+    }
+    return false;
+}
+
+bool CliProgram::waitForOutput(const QByteArray& text)
+{
+    return waitFor(m_out, text);
+}
+
+bool CliProgram::waitForRemark(const QByteArray& text)
+{
+    return waitFor(m_err, text);
+}
+
+void CliProgram::signal(int number)
+{
+    ::kill(static_cast<pid_t>(m_process.processId()), number);
 }
 
 Ran CliProgram::finish()
@@ -74,10 +96,9 @@ Ran CliProgram::finish()
     m_process.closeWriteChannel();
     const bool ended =
         m_process.state() == QProcess::NotRunning || m_process.waitForFinished(patienceMs);
-    m_seen += m_process.readAllStandardOutput();
+    collect();
     const bool normal = ended && m_process.exitStatus() == QProcess::NormalExit;
-    return {normal ? m_process.exitCode() : -1, QString::fromUtf8(m_seen),
-            QString::fromUtf8(m_process.readAllStandardError())};
+    return {normal ? m_process.exitCode() : -1, QString::fromUtf8(m_out), QString::fromUtf8(m_err)};
 }
 
 Ran CliProgram::run(const QStringList& arguments)

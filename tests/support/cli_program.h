@@ -37,15 +37,20 @@ public:
     void start(const QStringList& arguments);
     QProcess& process() { return m_process; }
     bool waitForOutput(const QByteArray& text); ///< on stdout
-    void interrupt();
+    bool waitForRemark(const QByteArray& text); ///< on stderr
+    void signal(int number);
     Ran finish();
 
 private:
+    bool waitFor(const QByteArray& seen, const QByteArray& text);
+    void collect();
+
     QTemporaryDir m_data;
     QString m_port = QStringLiteral("sim:demo");
     QProcessEnvironment m_environment;
     QProcess m_process;
-    QByteArray m_seen;
+    QByteArray m_out;
+    QByteArray m_err;
 };
 
 class SimProgram {

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ctrl-C and SIGTERM at the built program: it ends soon, says what became of things, and leaves no
+// lock open.
+#include "support/cli_program.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <csignal>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using support::CliProgram;
+using support::Ran;
+using support::SimProgram;
+using support::words;
+
+namespace {
+bool journalHas(const CliProgram& cli, const char* text)
+{
+    QFile file(cli.dataFolder() + QStringLiteral("/journal.jsonl"));
+    return file.open(QIODevice::ReadOnly) && file.readAll().contains(text);
+}
+/// A pipe that takes nothing any more and that nobody reads: who writes to it hangs.
+class FullPipe {
+public:
+    explicit FullPipe(const QString& path)
+        : m_path(path)
+    {
+        const QByteArray name = QFile::encodeName(path);
+        ::mkfifo(name.constData(), 0600);
+        m_descriptor = ::open(name.constData(), O_RDWR | O_NONBLOCK);
+        const QByteArray block(4096, 'x');
+        while (::write(m_descriptor, block.constData(), std::size_t(block.size())) > 0) {
+        }
+    }
+    ~FullPipe() { ::close(m_descriptor); }
+    FullPipe(const FullPipe&) = delete;
+    FullPipe& operator=(const FullPipe&) = delete;
+    QString path() const { return m_path; }
+
+private:
+    QString m_path;
+    int m_descriptor = -1;
+};
+} // namespace
+
+class TestCliInterrupt : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void watchEndsWithItsSummary_data();
+    void watchEndsWithItsSummary();
+    void writeStopsBetweenStepsAndLocks();
+    void scanShowsWhatWasFound();
+    void secondSignalEndsAHungProgram();
+};
+
+void TestCliInterrupt::watchEndsWithItsSummary_data()
+{
+    QTest::addColumn<int>("signal");
+    QTest::newRow("Ctrl-C") << SIGINT;
+    QTest::newRow("terminate") << SIGTERM;
+    QTest::newRow("hang up") << SIGHUP;
+}
+
+void TestCliInterrupt::watchEndsWithItsSummary()
+{
+    QFETCH(int, signal);
+    CliProgram cli;
+    const QString csv = cli.dataFolder() + QStringLiteral("/w.csv");
+    cli.start(words("watch 1-6 --json --csv") << csv);
+    QVERIFY(cli.waitForOutput("time_us"));
+    cli.signal(signal);
+    const Ran ran = cli.finish();
+    QCOMPARE(ran.exit, 0);
+    QVERIFY(ran.json().contains(QLatin1String("summary")));
+    QFile file(csv);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().endsWith('\n'));
+}
+
+void TestCliInterrupt::writeStopsBetweenStepsAndLocks()
+{
+    CliProgram cli;
+    // 16 ms a transaction: five registers take most of a second.
+    SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
+    cli.setPort(sim.port());
+    cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 speed_p=20 "
+                    "overload_torque=70 --json"));
+    QTRY_VERIFY_WITH_TIMEOUT(journalHas(cli, "begin"), 60'000);
+    cli.signal(SIGINT);
+    const Ran ran = cli.finish();
+    QCOMPARE(ran.exit, 1);
+    QCOMPARE(ran.json()[QLatin1String("lock")].toString(), QStringLiteral("closed"));
+    const QJsonArray writes = ran.json()[QLatin1String("writes")].toArray();
+    QCOMPARE(writes.size(), 5);
+    QCOMPARE(writes[4][QLatin1String("outcome")].toString(), QStringLiteral("refused"));
+
+    const Ran after =
+        cli.json("read 1 max_temperature max_voltage position_p speed_p overload_torque lock");
+    QHash<QString, int> shown;
+    for (const QJsonValue& row : after.json()[QLatin1String("registers")].toArray())
+        shown[row[QLatin1String("key")].toString()] = row[QLatin1String("raw")].toInt();
+    for (const QJsonValue& write : writes) {
+        QCOMPARE(shown.value(write[QLatin1String("key")].toString(), -1),
+                 write[QLatin1String("read_back")].toInt());
+    }
+    QCOMPARE(shown.value(QStringLiteral("lock")), 1);
+    QCOMPARE(cli.json("recover").json()[QLatin1String("intents")].toArray().size(), 0);
+}
+
+void TestCliInterrupt::scanShowsWhatWasFound()
+{
+    CliProgram cli;
+    cli.start(words("scan --bauds all --json"));
+    QVERIFY(cli.waitForRemark("baud")); // its progress, after a second
+    cli.signal(SIGINT);
+    const Ran ran = cli.finish();
+    QCOMPARE(ran.exit, 1);
+    QCOMPARE(ran.json()[QLatin1String("stopped")].toBool(), true);
+}
+
+void TestCliInterrupt::secondSignalEndsAHungProgram()
+{
+    CliProgram cli;
+    const FullPipe pipe(cli.dataFolder() + QStringLiteral("/pipe"));
+    cli.process().setStandardOutputFile(pipe.path());
+    cli.start(words("watch 1"));
+    QVERIFY(cli.waitForRemark("SIMULATED"));
+    QElapsedTimer timer;
+    timer.start();
+    // Signals of a kind do not queue up, hence the repetition.
+    do {
+        cli.signal(SIGINT);
+    } while (!cli.process().waitForFinished(50) && timer.elapsed() < 60'000);
+    QCOMPARE(cli.finish().exit, 128 + SIGINT);
+    QVERIFY2(timer.elapsed() >= 1900, "a lock being closed has two seconds");
+}
+
+QTEST_GUILESS_MAIN(TestCliInterrupt)
+#include "tst_cli_interrupt.moc"
