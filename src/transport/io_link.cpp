@@ -3,6 +3,8 @@
 
 #include <QDeadlineTimer>
 
+#include <thread>
+
 namespace transport {
 IoLink::IoLink(QIODevice& device, QString name)
     : m_device(device)
@@ -62,10 +64,17 @@ base::Result<bool> IoLink::waitReadable(base::Duration span)
     return readable;
 }
 
-// Qt counts in milliseconds; a started one is waited out.
+// Qt counts in milliseconds. The rest is slept, then looked at once: waiting out a started
+// millisecond would cost a search a tenth of a second.
 bool IoLink::waitOnce(base::Duration span)
 {
-    const auto whole = std::chrono::ceil<std::chrono::milliseconds>(span);
-    return m_device.waitForReadyRead(static_cast<int>(whole.count()));
+    const auto whole = std::chrono::floor<std::chrono::milliseconds>(span);
+    if (whole.count() > 0 && m_device.waitForReadyRead(static_cast<int>(whole.count())))
+        return true;
+    if (noticeLoss())
+        return false;
+    if (const base::Duration rest = span - whole; rest.count() > 0)
+        std::this_thread::sleep_for(rest);
+    return m_device.waitForReadyRead(0);
 }
 } // namespace transport
