@@ -4,20 +4,15 @@
 // interleaved pairs each; prints every ratio and the median. POSIX, since the bare loop is.
 #include "base/clock.h"
 #include "bus/bus_thread.h"
+#include "integration/raw_client.h"
 #include "protocol/codec.h"
 #include "transport/port_opener.h"
 
 #include <QCoreApplication>
-#include <QProcess>
 #include <QTextStream>
 
 #include <algorithm>
-#include <fcntl.h>
-#include <poll.h>
-#include <termios.h>
-#include <unistd.h>
 
-using base::Bytes;
 using base::Duration;
 using namespace std::chrono_literals;
 
@@ -29,42 +24,20 @@ constexpr int count = 15;
 
 base::SystemClock wallClock;
 
-int openRaw(const QString& path)
-{
-    const int descriptor = open(path.toLocal8Bit().constData(), O_RDWR | O_NOCTTY);
-    termios settings{};
-    if (descriptor < 0 || tcgetattr(descriptor, &settings) != 0)
-        qFatal("cannot open the simulated port");
-    cfmakeraw(&settings);
-    cfsetspeed(&settings, B1000000);
-    tcsetattr(descriptor, TCSANOW, &settings);
-    wallClock.sleepFor(50ms); // what the client before has asked for passes
-    tcflush(descriptor, TCIOFLUSH);
-    return descriptor;
-}
-
 /// Exchanges a second of the loop that every simple program has.
-double bareRate(const QString& path, const Bytes& request, std::size_t replyBytes)
+double bareRate(const QString& path, const QByteArray& request, qsizetype replyBytes)
 {
-    const int descriptor = openRaw(path);
-    std::array<std::uint8_t, 4096> buffer;
+    const raw::Client client(path);
+    wallClock.sleepFor(50ms); // what the client before has asked for passes
     int exchanges = 0;
     const Duration start = wallClock.now();
     while (wallClock.now() < start + span) {
-        if (write(descriptor, request.data(), request.size()) != ssize_t(request.size()))
-            qFatal("cannot write");
-        std::size_t got = 0;
-        while (got < replyBytes) {
-            pollfd wait{descriptor, POLLIN, 0};
-            if (poll(&wait, 1, 100) != 1)
-                break;
-            got += std::size_t(std::max<ssize_t>(read(descriptor, buffer.data(), 4096), 0));
-        }
-        exchanges += got == replyBytes ? 1 : 0;
+        client.say(request);
+        if (client.hear(replyBytes).size() != replyBytes)
+            qFatal("no answer from the simulated bus");
+        ++exchanges;
     }
-    const double seconds = std::chrono::duration<double>(wallClock.now() - start).count();
-    close(descriptor);
-    return exchanges / seconds;
+    return exchanges / std::chrono::duration<double>(wallClock.now() - start).count();
 }
 
 /// Rounds a second of a poll plan over these servos.
@@ -98,10 +71,11 @@ void compare(QTextStream& out, const QString& what, const QString& path,
 {
     const auto request = ids.size() == 1 ? protocol::Request::read(ids.front(), address, count)
                                          : protocol::Request::syncRead(address, count, ids);
-    const Bytes frame = protocol::feetechCodec().encode(request).value();
+    const base::Bytes frame = protocol::feetechCodec().encode(request).value();
+    const QByteArray bytes(reinterpret_cast<const char*>(frame.data()), qsizetype(frame.size()));
     std::vector<double> ratios;
     for (int pair = 0; pair < pairs; ++pair) {
-        const double bare = bareRate(path, frame, ids.size() * std::size_t(6 + count));
+        const double bare = bareRate(path, bytes, qsizetype(ids.size()) * (6 + count));
         const double plan = planRate(path, ids);
         ratios.push_back(plan / bare);
         out << QStringLiteral("%1: bare %2/s, plan %3/s, ratio %4\n")
@@ -124,20 +98,12 @@ int main(int argc, char* argv[])
 {
     const QCoreApplication application(argc, argv);
     QTextStream out(stdout);
-    QProcess simulator;
-    simulator.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    simulator.start(QStringLiteral(BIN_DIR "/servodesk-sim"),
-                    {QStringLiteral("--servos"),
-                     QStringLiteral("sts3215@1,sts3215@2,sts3215@3,sts3215@4,sts3215@5,sts3215@6"),
-                     QStringLiteral("--baud"), QStringLiteral("1000000"),
-                     QStringLiteral("--wire-time")});
-    if (!simulator.waitForStarted() || !simulator.waitForReadyRead())
-        qFatal("cannot start servodesk-sim");
-    const QString line = QString::fromLocal8Bit(simulator.readLine()).trimmed();
-    const QString path = line.section(QStringLiteral(": "), 1);
+    const raw::Simulator simulator(
+        {QStringLiteral("--servos"),
+         QStringLiteral("sts3215@1,sts3215@2,sts3215@3,sts3215@4,sts3215@5,sts3215@6"),
+         QStringLiteral("--baud"), QStringLiteral("1000000"), QStringLiteral("--wire-time")});
+    const QString path = simulator.port();
     compare(out, QStringLiteral("read of one servo"), path, {1}, 0.95);
     compare(out, QStringLiteral("sync read of six"), path, {1, 2, 3, 4, 5, 6}, 0.97);
-    simulator.terminate();
-    simulator.waitForFinished();
     return 0;
 }
