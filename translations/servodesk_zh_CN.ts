@@ -889,6 +889,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>device path, tcp://HOST:PORT, or a simulated bus: sim:demo, sim:trouble, sim:sts3215@1,scs15@2 (starts anew with each run)</source>
         <translation>设备路径、tcp://主机:端口，或仿真总线：sim:demo、sim:trouble、sim:sts3215@1,scs15@2（每次运行从头开始）</translation>
     </message>
+    <message>
+        <source>The EPROM lock is open; to close it: servodesk-cli write %1 lock=1</source>
+        <translation>EPROM 没有上锁；上锁命令：servodesk-cli write %1 lock=1</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -1396,10 +1400,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>保持在当前位置（%3 = %1）。</translation>
     </message>
     <message>
-        <source>The EPROM lock stood open.</source>
-        <translation>EPROM 原来没有上锁。</translation>
-    </message>
-    <message>
         <source>The EPROM lock has been closed.</source>
         <translation>EPROM 已上锁。</translation>
     </message>
@@ -1567,6 +1567,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Torque was switched off.</source>
         <translation>扭矩已关闭。</translation>
+    </message>
+    <message>
+        <source>The EPROM lock was found open.</source>
+        <translation>发现 EPROM 没有上锁。</translation>
     </message>
 </context>
 </TS>

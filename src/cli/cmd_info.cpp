@@ -108,7 +108,15 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (const auto read = device::readAll(*context, *servo); !read)
         return tl::unexpected(read.error());
     device::noteAlarms(*context, *servo);
-    run.finish(jsonInfo(*servo), infoText(*servo));
+    QString text = infoText(*servo);
+    const catalog::Register* lock = registerOf(*servo, Role::Lock);
+    if (lock != nullptr && servo->raw(*lock) == 0) {
+        text +=
+            translate("cli", "The EPROM lock is open; to close it: servodesk-cli write %1 lock=1")
+                .arg(*id) +
+            QLatin1Char('\n');
+    }
+    run.finish(jsonInfo(*servo), text);
     return Exit::Done;
 }
 } // namespace

@@ -12,14 +12,17 @@ namespace cli {
 namespace {
 constexpr auto redrawEvery = std::chrono::milliseconds(100);
 constexpr int timeWidth = 8;
-constexpr int idWidth = 4;
+constexpr int idWidth = 5;
+constexpr int alarmsWidth = 9;
 constexpr int valueWidth = 8;
 
 QString title(const jobs::WatchColumn& column)
 {
     QString key = column.key;
-    key.remove(QLatin1String("present_"));
-    return column.unit.isEmpty() ? key : QStringLiteral("%1[%2]").arg(key, column.unit);
+    key.remove(QLatin1String("present_")).remove(QLatin1String("active_"));
+    QString unit = column.unit;
+    unit.replace(QLatin1String("deg"), QStringLiteral("°"));
+    return QStringLiteral("%1[%2]").arg(key, unit);
 }
 
 QString shortened(const QString& line, int width)
@@ -33,12 +36,15 @@ QString shortened(const QString& line, int width)
 
 WatchView::WatchView(Console& console, const jobs::WatchSpec& spec, bool quiet)
     : m_console(console)
-    , m_columns(jobs::watchColumns(spec))
     , m_inPlace(console.resultTerminal())
     , m_quiet(console.json() || (quiet && !m_inPlace))
 {
-    for (const jobs::WatchColumn& column : m_columns)
-        m_widths.push_back(std::max(valueWidth, displayWidth(title(column))));
+    const auto columns = jobs::watchColumns(spec);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const QString text = title(columns[i]);
+        if (!columns[i].unit.isEmpty())
+            m_columns.push_back({i, text, std::max(valueWidth, displayWidth(text))});
+    }
     for (const device::Servo& servo : spec.servos)
         m_profiles[servo.id] = servo.profile;
 }
@@ -46,31 +52,34 @@ WatchView::WatchView(Console& console, const jobs::WatchSpec& spec, bool quiet)
 QString WatchView::header() const
 {
     QString text = padded(translate("cli", "time[s]"), timeWidth, true) +
-                   padded(translate("cli", "ID"), idWidth + 1, true);
-    for (std::size_t i = 0; i < m_columns.size(); ++i)
-        text += QStringLiteral("  ") + padded(title(m_columns[i]), m_widths[i], true);
-    return text + QStringLiteral("  ") + translate("cli", "alarms");
+                   padded(translate("cli", "ID"), idWidth, true) + QStringLiteral("  ") +
+                   padded(translate("cli", "alarms"), alarmsWidth);
+    for (const Column& column : m_columns)
+        text += QStringLiteral("  ") + padded(column.title, column.width, true);
+    return text;
 }
 
 QString WatchView::line(const jobs::WatchRow& row) const
 {
     const double seconds = std::chrono::duration<double>(row.at - *m_start).count();
-    QString text = padded(QString::number(seconds, 'f', 3), timeWidth, true) +
-                   padded(QString::number(row.id), idWidth + 1, true);
-    if (!row.answered)
-        return text + QStringLiteral("  ") + translate("cli", "no answer");
-    for (std::size_t i = 0; i < m_columns.size(); ++i) {
-        const auto value = i < row.values.size() ? row.values[i] : std::nullopt;
-        const int decimals = m_columns[i].unit.isEmpty() ? 0 : 1;
-        text += QStringLiteral("  ") +
-                padded(value ? QString::number(*value, 'f', decimals) : QStringLiteral("–"),
-                       m_widths[i], true);
-    }
     const auto profile = m_profiles.find(row.id);
-    return text + QStringLiteral("  ") +
-           text::statusWords(row.status,
-                             profile != m_profiles.end() ? profile->second.get() : nullptr,
-                             text::inChinese());
+    const QString state =
+        row.answered
+            ? text::statusWords(row.status,
+                                profile != m_profiles.end() ? profile->second.get() : nullptr,
+                                text::inChinese())
+            : translate("cli", "no answer");
+    QString text = padded(QString::number(seconds, 'f', 3), timeWidth, true) +
+                   padded(QString::number(row.id), idWidth, true) + QStringLiteral("  ") +
+                   padded(state, alarmsWidth);
+    for (const Column& column : m_columns) {
+        const auto value =
+            column.place < row.values.size() ? row.values[column.place] : std::nullopt;
+        text += QStringLiteral("  ") +
+                padded(value ? QString::number(*value, 'f', 1) : QStringLiteral("–"), column.width,
+                       true);
+    }
+    return text;
 }
 
 void WatchView::add(const jobs::WatchRow& row)

@@ -26,8 +26,13 @@ private:
     void redraw();
 
     Console& m_console;
-    std::vector<jobs::WatchColumn> m_columns;
-    std::vector<int> m_widths;
+    /// Measured values only: flags are in the alarms, and in the file.
+    struct Column {
+        std::size_t place = 0; ///< in a row's values
+        QString title;
+        int width = 0;
+    };
+    std::vector<Column> m_columns;
     std::map<int, catalog::ProfilePtr> m_profiles;
     std::map<int, jobs::WatchRow> m_latest;
     std::optional<base::Duration> m_start;

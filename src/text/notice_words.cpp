@@ -26,7 +26,7 @@ constexpr std::array entries{
     Entry{NoticeCode::HoldingAt, "holding-at",
           QT_TRANSLATE_NOOP("text", "It holds where it is (%3 = %1).")},
     Entry{NoticeCode::LockFoundOpen, "lock-found-open",
-          QT_TRANSLATE_NOOP("text", "The EPROM lock stood open.")},
+          QT_TRANSLATE_NOOP("text", "The EPROM lock was found open.")},
     Entry{NoticeCode::LockClosed, "lock-closed",
           QT_TRANSLATE_NOOP("text", "The EPROM lock has been closed.")},
     Entry{NoticeCode::LockLeftOpen, "lock-left-open",

@@ -60,6 +60,8 @@ private Q_SLOTS:
     void writeStopsBetweenStepsAndLocks();
     void scanShowsWhatWasFound();
     void secondSignalEndsAHungProgram();
+    void killedWriteIsRecovered_data();
+    void killedWriteIsRecovered();
 };
 
 void TestCliInterrupt::watchEndsWithItsSummary_data()
@@ -142,6 +144,48 @@ void TestCliInterrupt::secondSignalEndsAHungProgram()
     } while (!cli.process().waitForFinished(50) && timer.elapsed() < 60'000);
     QCOMPARE(cli.finish().exit, 128 + SIGINT);
     QVERIFY2(timer.elapsed() >= 1900, "a lock being closed has two seconds");
+}
+
+void TestCliInterrupt::killedWriteIsRecovered_data()
+{
+    QTest::addColumn<QString>("how");
+    QTest::addColumn<int>("temperature");
+    QTest::addColumn<int>("overload");
+    QTest::newRow("finish") << QStringLiteral("--finish") << 60 << 70;
+    QTest::newRow("undo") << QStringLiteral("--undo") << 70 << 80;
+}
+
+void TestCliInterrupt::killedWriteIsRecovered()
+{
+    QFETCH(QString, how);
+    QFETCH(int, temperature);
+    QFETCH(int, overload);
+    CliProgram cli;
+    SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
+    cli.setPort(sim.port());
+    cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70"));
+    QTRY_VERIFY_WITH_TIMEOUT(journalHas(cli, "begin"), 60'000);
+    cli.signal(SIGKILL);
+    QCOMPARE(cli.finish().exit, -1);
+
+    const Ran look = cli.json("recover");
+    QCOMPARE(look.exit, 0);
+    const QJsonArray intents = look.json()[QLatin1String("intents")].toArray();
+    QCOMPARE(intents.size(), 1);
+    QCOMPARE(intents[0][QLatin1String("kind")].toString(), QStringLiteral("write"));
+    QCOMPARE(intents[0][QLatin1String("items")].toArray().size(), 4);
+    QCOMPARE(intents[0][QLatin1String("done")].toBool(true), false);
+
+    const Ran settled = cli.run(words("recover --json") << how);
+    QVERIFY2(settled.exit == 0, qPrintable(settled.out));
+    QCOMPARE(settled.json()[QLatin1String("intents")][0][QLatin1String("done")].toBool(), true);
+    const QJsonArray rows = cli.json("read 1 max_temperature overload_torque lock")
+                                .json()[QLatin1String("registers")]
+                                .toArray();
+    QCOMPARE(rows[0][QLatin1String("raw")].toInt(), temperature);
+    QCOMPARE(rows[1][QLatin1String("raw")].toInt(), overload);
+    QCOMPARE(rows[2][QLatin1String("raw")].toInt(), 1);
+    QCOMPARE(cli.json("recover").json()[QLatin1String("intents")].toArray().size(), 0);
 }
 
 QTEST_GUILESS_MAIN(TestCliInterrupt)
