@@ -50,17 +50,15 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
     const int oldId = servo.id;
     constexpr int sends = 2;
     for (int attempt = 0; attempt < sends; ++attempt) {
-        (void)context.bus.takeStrays();
         auto request = protocol::Request::write(
             oldId, reg.address, device::wireBytes(servo, reg, newId), protocol::Repeat::Never);
         request.acknowledged = servo.answersWrites();
+        request.answersAs = newId;
         const auto sent = sendOnce(context, std::move(request));
         if (!sent)
             return tl::unexpected(sent.error());
-        for (const bus::Stray& stray : context.bus.takeStrays()) {
-            if (stray.id == newId)
-                context.note(NoticeCode::AckFromNewId, oldId, reg.key, newId);
-        }
+        if (sent->answeredBy == newId)
+            context.note(NoticeCode::AckFromNewId, oldId, reg.key, newId);
         context.bus.clock().sleepFor(device::epromWriteTime);
         const auto place = locate(context, oldId, newId);
         if (!place)

@@ -29,9 +29,9 @@ base::Result<Sent> sendOnce(const device::Context& context, protocol::Request re
     transaction.hold = context.hold;
     const auto outcome = context.bus.transact(transaction);
     if (outcome)
-        return Sent{};
+        return Sent{false, outcome->parts.empty() ? -1 : outcome->parts.front().id};
     if (device::answerLost(outcome.error()))
-        return Sent{true};
+        return Sent{true, -1};
     return tl::unexpected(outcome.error());
 }
 

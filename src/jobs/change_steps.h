@@ -12,6 +12,7 @@ base::Result<bool> answers(const device::Context& context, int id, base::Duratio
 /// One write that is never repeated blindly. `lost` is true when its answer did not come.
 struct Sent {
     bool lost = false;
+    int answeredBy = -1; ///< the ID in the acknowledgement
 };
 base::Result<Sent> sendOnce(const device::Context& context, protocol::Request request);
 
