@@ -159,7 +159,7 @@ Condition readCondition(const QJsonValue& value, QString& problem)
     Fields fields(value);
     Condition condition;
     const QJsonArray series = fields.array("series");
-    for (const QJsonValue& word : series) {
+    for (const QJsonValue word : series) {
         if (!word.isString())
             fields.complain(QStringLiteral("\"series\" is not a list of words"));
         condition.series << word.toString();
@@ -174,7 +174,7 @@ Condition readCondition(const QJsonValue& value, QString& problem)
 std::vector<Condition> readConditions(const QJsonArray& array, QString& problem)
 {
     std::vector<Condition> conditions;
-    for (const QJsonValue& value : array)
+    for (const QJsonValue value : array)
         conditions.push_back(readCondition(value, problem));
     return conditions;
 }

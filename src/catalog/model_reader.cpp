@@ -95,7 +95,7 @@ std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& problem)
                                                 {"instruction0B", Centering::Instruction0B}},
                                                Centering::None);
     const QJsonArray modes = fields.array("modes");
-    for (const QJsonValue& mode : modes)
+    for (const QJsonValue mode : modes)
         series.modes.push_back(readMode(mode, fields));
     problem = fields.problem();
     return problem.isEmpty() ? std::optional(series) : std::nullopt;

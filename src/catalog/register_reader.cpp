@@ -67,7 +67,7 @@ void readValues(Fields& fields, RegisterDef& def, RawRange possible)
     const bool bits = def.reg.encoding == Encoding::Bits;
     const std::int64_t largest = bits ? def.reg.size * 8 - 1 : possible.max;
     const QJsonArray rows = fields.array("values");
-    for (const QJsonValue& row : rows) {
+    for (const QJsonValue row : rows) {
         Fields item(row);
         NamedValue value;
         item.require("value");
@@ -189,7 +189,7 @@ RegisterDef readPlain(const QJsonObject& row, QString& problem)
     readNumbers(fields, def.reg, possible);
     readValues(fields, def, possible);
     const QJsonArray variants = fields.array("variants");
-    for (const QJsonValue& variant : variants) {
+    for (const QJsonValue variant : variants) {
         QString wrong;
         def.reg.variants.push_back(readVariant(variant, def.reg, wrong));
         if (!wrong.isEmpty())
@@ -230,7 +230,7 @@ std::optional<RegisterRow> readRegister(const QJsonValue& value, QString& proble
     if (problem.isEmpty())
         problem = fields.complaint();
     row.base = readPlain(plain, problem);
-    for (const QJsonValue& rule : rules)
+    for (const QJsonValue rule : rules)
         readRule(rule, plain, row, problem);
     return problem.isEmpty() ? std::optional(row) : std::nullopt;
 }
