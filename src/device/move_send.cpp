@@ -320,6 +320,7 @@ base::Result<void> energise(const Context& context, MovePlan& plan)
 base::Result<void> sendMoves(const Context& outer, std::vector<MovePlan>& plans, MoveHow how)
 {
     std::vector<int> ids;
+    ids.reserve(plans.size());
     for (const MovePlan& plan : plans)
         ids.push_back(plan.servo->id);
     const Owned owned = own(outer, ids);
