@@ -1572,5 +1572,21 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>The EPROM lock was found open.</source>
         <translation>发现 EPROM 没有上锁。</translation>
     </message>
+    <message>
+        <source>it restarted meanwhile, so the value is not kept</source>
+        <translation>期间舵机重启，数值未能保存</translation>
+    </message>
+    <message>
+        <source>its memory table has no such register</source>
+        <translation>其内存表没有这个寄存器</translation>
+    </message>
+    <message>
+        <source>nobody could follow it through a TCP bridge</source>
+        <translation>经 TCP 网桥无法跟随其新波特率</translation>
+    </message>
+    <message>
+        <source>something answered there, but not readably</source>
+        <translation>该处有应答，但无法识别</translation>
+    </message>
 </context>
 </TS>

@@ -17,6 +17,8 @@ base::Result<void> Tour::search()
     auto report = jobs::scan(*context(), {});
     if (!report)
         return tl::unexpected(report.error());
+    if (report->stopped)
+        return base::fail(base::ErrorCode::Stopped, QStringLiteral("tour"));
     m_found = std::move(*report);
     Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Firmware"),
                  translate("cli", "Map"), translate("cli", "Alarms")});
