@@ -15,13 +15,18 @@ constexpr base::Duration readEvery = std::chrono::milliseconds(20);
 /// The moving flag of a servo that has just got its goal may not be up yet.
 constexpr base::Duration settleTime = std::chrono::milliseconds(100);
 constexpr int quietReadings = 3;
+/// The flag stays down when the goal written equals the one before, and a slow goal may run ahead
+/// of the shaft until friction gives way. Far from its goal a servo rests when it has not stirred
+/// for so long.
+constexpr int stuckReadings = 50;
 /// Friction leaves 2–8 steps without I (error-diagnosis row 14) and a heavy arm sags further; more
 /// than this share of a turn (5.6°) means that something is in the way.
 constexpr std::int64_t restShare = 64;
 
 struct Waiting {
     MovePlan* plan = nullptr;
-    int quiet = 0;
+    int quiet = 0; ///< readings in a row without motion
+    std::optional<std::int64_t> place{};
 };
 
 base::Result<void> look(const Context& context, Waiting& waiting,
@@ -33,7 +38,12 @@ base::Result<void> look(const Context& context, Waiting& waiting,
     if (!done)
         return done;
     const bool moving = servo.raw(Role::Moving).value_or(0) != 0;
-    waiting.quiet = moving ? 0 : waiting.quiet + 1;
+    const auto place = servo.raw(Role::PresentPosition);
+    // The last step of the encoder comes and goes.
+    const bool stirred = place && waiting.place && std::abs(*place - *waiting.place) > 1;
+    if (stirred || !waiting.place)
+        waiting.place = place;
+    waiting.quiet = moving || stirred ? 0 : waiting.quiet + 1;
     if (onSample)
         onSample({servo.id, servo.physical(Role::PresentPosition), moving, servo.status});
     return {};
@@ -89,7 +99,7 @@ base::Result<void> waitForArrival(const Context& context, std::vector<MovePlan>&
         }
         const base::Duration elapsed = clock.now() - start;
         const bool quiet = std::all_of(waiting.begin(), waiting.end(), [](const Waiting& one) {
-            return one.quiet >= quietReadings;
+            return one.quiet >= (checkArrived(*one.plan) ? quietReadings : stuckReadings);
         });
         if (quiet && elapsed >= settleTime)
             break;

@@ -85,6 +85,7 @@ private Q_SLOTS:
     void onlyGivenFieldsAreWritten();
     void moveArrives_data();
     void moveArrives();
+    void motionWithoutTheFlagIsSeen();
     void stoppingTheWaitIsNotStoppingTheServo();
     void refusedMoves_data();
     void refusedMoves();
@@ -260,6 +261,20 @@ void TestMoves::moveArrives()
     QVERIFY(samples > 5);
     QVERIFY2(std::abs(shaft(bench, 1) - degrees) < 2.0,
              qPrintable(QString::number(shaft(bench, 1))));
+}
+
+/// The goal register holds 0 after power-on; writing 0 again moves, but raises no moving flag.
+void TestMoves::motionWithoutTheFlagIsSeen()
+{
+    SimBench bench(text("sts3215@1"));
+    device::Servo servo = bench.servo(1);
+    MoveOrder order = to("0");
+    order.servo = &servo;
+    order.speed = text("10rpm");
+    std::vector<MovePlan> plans{*device::planMove(bench.context(), order)};
+    QVERIFY(device::sendMoves(bench.context(), plans, MoveHow::Write));
+    const auto arrived = device::waitForArrival(bench.context(), plans, 30s, {});
+    QVERIFY2(arrived, arrived ? "" : qPrintable(arrived.error().detail));
 }
 
 void TestMoves::stoppingTheWaitIsNotStoppingTheServo()
