@@ -59,6 +59,7 @@ private Q_SLOTS:
     void watchEndsWithItsSummary();
     void writeStopsBetweenStepsAndLocks();
     void scanShowsWhatWasFound();
+    void tourEndsAtOnce();
     void secondSignalEndsAHungProgram();
     void killedWriteIsRecovered_data();
     void killedWriteIsRecovered();
@@ -127,6 +128,17 @@ void TestCliInterrupt::scanShowsWhatWasFound()
     const Ran ran = cli.finish();
     QCOMPARE(ran.exit, 1);
     QCOMPARE(ran.json()[QLatin1String("stopped")].toBool(), true);
+}
+
+void TestCliInterrupt::tourEndsAtOnce()
+{
+    CliProgram cli;
+    cli.start(words("tour"));
+    QVERIFY(cli.waitForOutput("1/8"));
+    cli.signal(SIGINT);
+    const Ran ran = cli.finish();
+    QCOMPARE(ran.exit, 1);
+    QVERIFY2(!ran.out.contains(QStringLiteral("3/8")), qPrintable(ran.out));
 }
 
 void TestCliInterrupt::secondSignalEndsAHungProgram()
