@@ -8,14 +8,12 @@
 
 #ifdef Q_OS_UNIX
 #include <pthread.h>
-#include <unistd.h>
 #endif
 
 namespace cli {
 #ifdef Q_OS_UNIX
 namespace {
 constexpr auto graceForLocks = std::chrono::seconds(2);
-constexpr int exitAfterSignal = 128;
 
 sigset_t endingSignals()
 {
@@ -24,6 +22,17 @@ sigset_t endingSignals()
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         sigaddset(&set, signal);
     return set;
+}
+
+/// As if it had never been blocked, so that the caller (a shell) sees what ended the program.
+/// _exit would do, but not under a sanitizer: its own version flushes stdout first, and that may
+/// be just what the program hangs in.
+void dieOf(int signal)
+{
+    std::signal(signal, SIG_DFL);
+    const sigset_t set = endingSignals();
+    pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+    pthread_kill(pthread_self(), signal);
 }
 } // namespace
 
@@ -58,7 +67,7 @@ void Interrupt::receive()
     while (std::chrono::steady_clock::now() < lastMoment && !m_ending)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     if (!m_ending)
-        _exit(exitAfterSignal + signal);
+        dieOf(signal);
 }
 #else
 namespace {
