@@ -55,6 +55,8 @@ QString errorName(ErrorCode code)
         return QStringLiteral("unknown-model");
     case ErrorCode::IdentityDiffers:
         return QStringLiteral("identity-differs");
+    case ErrorCode::SeveralProtocols:
+        return QStringLiteral("several-protocols");
     case ErrorCode::TurnsUnknown:
         return QStringLiteral("turns-unknown");
     case ErrorCode::FileMissing:

@@ -137,6 +137,8 @@ public:
     virtual void setPatience(base::Duration patience) = 0;
     /// The largest reply delay of any servo on this bus (SMS: up to 508 µs).
     virtual void setReplyDelay(base::Duration delay) = 0;
+    /// Replaces the silence a protocol asks for between frames (Modbus: 1.75 ms above 19200 baud).
+    virtual void setSilence(base::Duration silence) = 0;
 
     virtual Statistics statistics() const = 0;
     virtual std::vector<TraceEntry> takeTrace() = 0;

@@ -28,6 +28,8 @@ QString operationName(Op op)
         return QStringLiteral("write");
     case Op::Action:
         return QStringLiteral("action");
+    case Op::Halt:
+        return QStringLiteral("halt");
     case Op::Restore:
         return QStringLiteral("restore");
     case Op::Backup:
@@ -55,6 +57,27 @@ ErrorCode errorFor(const std::vector<Fault>& faults)
     return code;
 }
 
+/// A servo that refuses in so many words (Modbus exceptions) is not asked again.
+std::optional<Error> refusalIn(const Attempt& attempt)
+{
+    for (const Arrival& arrival : attempt.arrivals) {
+        switch (arrival.part.exception) {
+        case 0:
+            continue;
+        case 1:
+            return Error{ErrorCode::Refused, {}, QStringLiteral("illegal-function")};
+        case 2:
+            return Error{ErrorCode::Refused, {}, QStringLiteral("illegal-address")};
+        case 3:
+            return Error{ErrorCode::Refused, {}, QStringLiteral("illegal-value")};
+        default:
+            return Error{
+                ErrorCode::Refused, {}, QStringLiteral("exception %1").arg(arrival.part.exception)};
+        }
+    }
+    return std::nullopt;
+}
+
 std::vector<protocol::Part> partsOf(std::vector<Arrival> arrivals)
 {
     std::vector<protocol::Part> parts;
@@ -68,7 +91,6 @@ std::vector<protocol::Part> partsOf(std::vector<Arrival> arrivals)
 BusCore::BusCore(std::unique_ptr<transport::Link> link, const protocol::Codec& codec,
                  base::Clock& clock, CoreOptions options)
     : m_clock(clock)
-    , m_codec(codec)
     , m_options(options)
     , m_thread(std::this_thread::get_id())
     , m_statistics(clock.now())
@@ -108,7 +130,7 @@ Result<Outcome> BusCore::execute(const Transaction& transaction, HoldTable::Acce
 Result<Outcome> BusCore::run(const Transaction& transaction)
 {
     const protocol::Request& request = transaction.request;
-    const auto frame = m_codec.encode(request);
+    const auto frame = protocol::codecFor(request.protocol).encode(request);
     if (!frame)
         return tl::unexpected(frame.error());
     if (serveEmergency() && transaction.priority != Priority::Emergency) {
@@ -142,6 +164,8 @@ Result<Outcome> BusCore::repeat(const Transaction& transaction, base::ByteView f
             m_exchange.run(request, frame, transaction.patience, replyDelay(), interrupt);
         if (!attempt)
             return tl::unexpected(described(attempt.error(), request, outcome.attempts));
+        if (const auto refusal = refusalIn(*attempt))
+            return tl::unexpected(described(*refusal, request, outcome.attempts));
         if (!attempt->arrivals.empty() || !attempt->fault) {
             outcome.sentAt = attempt->sentAt;
             outcome.roundTrip = attempt->endedAt - attempt->sentAt;

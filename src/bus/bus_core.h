@@ -22,7 +22,8 @@ struct CoreOptions {
 
 class BusCore final : public Bus {
 public:
-    /// Takes the open link and finds out whether it echoes (about 50 ms if it does not).
+    /// Takes the open link and finds out whether it echoes (about 50 ms if it does not), asking in
+    /// the language of `codec`. Requests carry their own.
     BusCore(std::unique_ptr<transport::Link> link, const protocol::Codec& codec, base::Clock& clock,
             CoreOptions options = {});
 
@@ -49,6 +50,8 @@ public:
     void setRetries(int retries) override { m_retries.store(retries); }
     void setPatience(base::Duration patience) override { m_guard.setPatience(patience); }
     void setReplyDelay(base::Duration delay) override { m_replyDelay.store(delay.count()); }
+
+    void setSilence(base::Duration silence) override { m_exchange.setSilence(silence); }
 
     Statistics statistics() const override;
     std::vector<TraceEntry> takeTrace() override { return m_trace.take(); }
@@ -84,7 +87,6 @@ private:
     base::Error described(base::Error error, const protocol::Request& request, int attempts) const;
 
     base::Clock& m_clock;
-    const protocol::Codec& m_codec;
     CoreOptions m_options;
     std::thread::id m_thread;
     std::atomic<bool> m_emergency{false};

@@ -47,10 +47,11 @@ bool BusCore::runPoll()
     if (!read)
         return false;
     const auto request =
-        read->ids.size() == 1
-            ? protocol::Request::read(read->ids.front(), read->block.address, read->block.count)
-            : protocol::Request::syncRead(read->block.address, read->block.count, read->ids);
-    const auto frame = m_codec.encode(request);
+        (read->ids.size() == 1
+             ? protocol::Request::read(read->ids.front(), read->block.address, read->block.count)
+             : protocol::Request::syncRead(read->block.address, read->block.count, read->ids))
+            .in(read->protocol);
+    const auto frame = protocol::codecFor(request.protocol).encode(request);
     if (!frame) {
         Attempt refused;
         refused.missing = read->ids;
@@ -72,8 +73,10 @@ void BusCore::storeSamples(const PollRead& read, Attempt attempt, base::ErrorCod
     m_polls.finished(read, attempt.missing, attempt.endedAt);
     for (Arrival& arrival : attempt.arrivals) {
         protocol::Part& part = arrival.part;
-        m_samples.add(read.plan, {part.id, read.block.address, std::move(part.data), part.status,
-                                  arrival.at, true, error});
+        const bool answered = part.exception == 0;
+        m_samples.add(read.plan,
+                      {part.id, read.block.address, std::move(part.data), part.status, arrival.at,
+                       answered, answered ? error : base::ErrorCode::Refused});
     }
     for (const int id : attempt.missing)
         m_samples.add(read.plan, {id, read.block.address, {}, 0, attempt.endedAt, false, error});

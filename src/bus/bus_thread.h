@@ -52,6 +52,7 @@ public:
     void setRetries(int retries) override { m_core->setRetries(retries); }
     void setPatience(base::Duration patience) override { m_core->setPatience(patience); }
     void setReplyDelay(base::Duration delay) override { m_core->setReplyDelay(delay); }
+    void setSilence(base::Duration silence) override { m_core->setSilence(silence); }
 
     Statistics statistics() const override { return m_core->statistics(); }
     std::vector<TraceEntry> takeTrace() override { return m_core->takeTrace(); }

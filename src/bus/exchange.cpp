@@ -78,10 +78,11 @@ struct Exchange::Wait {
     }
 };
 
-Exchange::Exchange(Line& line, const protocol::Codec& codec, base::Clock& clock, LateGuard& guard,
-                   StatisticsCollector& statistics, TraceRing& trace, StrayList& strays)
+Exchange::Exchange(Line& line, const protocol::Codec& probeCodec, base::Clock& clock,
+                   LateGuard& guard, StatisticsCollector& statistics, TraceRing& trace,
+                   StrayList& strays)
     : m_line(line)
-    , m_codec(codec)
+    , m_codec(&probeCodec)
     , m_clock(clock)
     , m_guard(guard)
     , m_statistics(statistics)
@@ -96,9 +97,11 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
         return tl::unexpected(quiet.error());
     const bool raw = request.op == protocol::Op::Raw;
     Wait wait;
-    wait.expected = m_codec.expect(request);
+    m_codec = &protocol::codecFor(request.protocol);
+    wait.expected = m_codec->expect(request);
     const std::size_t replies = wait.expected.ids.size();
     m_guard.sending(request);
+    keepSilence();
     const auto sentAt = m_line.send(frame);
     if (!sentAt)
         return tl::unexpected(sentAt.error());
@@ -215,7 +218,7 @@ void Exchange::giveUp(Wait& wait, bool interrupted)
 void Exchange::digest(Wait& wait, bool atDeadline)
 {
     while (!m_line.pending().empty()) {
-        protocol::ScanResult result = m_codec.scan(m_line.pending(), wait.expected, atDeadline);
+        protocol::ScanResult result = m_codec->scan(m_line.pending(), wait.expected, atDeadline);
         if (result.kind == ScanKind::Incomplete)
             return;
         const base::ByteView bytes = m_line.pending().first(result.consumed);

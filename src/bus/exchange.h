@@ -11,6 +11,7 @@
 #include "bus/stray_list.h"
 #include "protocol/codec.h"
 
+#include <atomic>
 #include <optional>
 
 namespace bus {
@@ -33,7 +34,7 @@ struct Attempt {
 
 class Exchange {
 public:
-    Exchange(Line& line, const protocol::Codec& codec, base::Clock& clock, LateGuard& guard,
+    Exchange(Line& line, const protocol::Codec& probeCodec, base::Clock& clock, LateGuard& guard,
              StatisticsCollector& statistics, TraceRing& trace, StrayList& strays);
 
     /// `frame` is the encoded request. `patience` 0: adaptive.
@@ -51,6 +52,8 @@ public:
     base::Result<void> sendStopFrames(const std::vector<base::Bytes>& frames,
                                       base::Duration replyDelay);
 
+    void setSilence(base::Duration silence) { m_silence.store(silence.count()); }
+
     /// Finds out whether the adapter returns what is sent.
     base::Result<bool> probeEcho(const Interrupt& interrupt);
 
@@ -67,15 +70,17 @@ private:
     void takeForeign(Wait& wait, protocol::Part part, base::ByteView frame);
     void takeBadCheck(Wait& wait, int id);
     void giveUp(Wait& wait, bool interrupted);
+    void keepSilence();
     base::Result<bool> echoedOnce(base::ByteView probe, bool& heard, const Interrupt& interrupt);
 
     Line& m_line;
-    const protocol::Codec& m_codec;
+    const protocol::Codec* m_codec; ///< of the latest request, which names what strays in
     base::Clock& m_clock;
     LateGuard& m_guard;
     StatisticsCollector& m_statistics;
     TraceRing& m_trace;
     StrayList& m_strays;
+    std::atomic<base::Duration::rep> m_silence{-1}; ///< replaces the protocols' own
     base::Duration m_repliesUntil{}; ///< when the wire is free of the replies asked for
     bool m_unsettled = true;         ///< the last exchange did not end with its reply's last byte
 };

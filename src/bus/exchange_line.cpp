@@ -16,6 +16,7 @@ constexpr int silentTries = 2; ///< the first transaction after opening may be l
 /// Room for the shortest reply after a stop frame, and for a servo that is slow to begin.
 constexpr std::size_t shortestReply = 6;
 constexpr Duration stopFrameMargin = 500us;
+constexpr int fastestModbus = 256'000;
 } // namespace
 
 Result<void> Exchange::listenUntil(Duration instant, const Interrupt& interrupt)
@@ -70,11 +71,16 @@ Result<void> Exchange::sendStopFrames(const std::vector<base::Bytes>& frames, Du
         clearAt = std::max(clearAt, m_line.lastByteAt() + m_line.silence());
     }
     const int rounds = clearAt > limit ? 2 : 1;
+    // A Modbus station takes only what follows a silence; above its fastest rate there is none.
+    const bool modbusPossible = m_line.baud() <= fastestModbus;
+    const Duration margin =
+        modbusPossible ? std::max(stopFrameMargin, protocol::modbusCodec().silence(m_line.baud()))
+                       : stopFrameMargin;
     for (int round = 0; round < rounds; ++round) {
         for (const base::Bytes& frame : frames) {
             if (const auto sent = m_line.send(frame); !sent)
                 return tl::unexpected(sent.error());
-            const Duration room = replyDelay + m_line.wireTime(shortestReply) + stopFrameMargin;
+            const Duration room = replyDelay + m_line.wireTime(shortestReply) + margin;
             if (const auto heard = listenUntil(m_line.freeAt() + room, {}); !heard)
                 return heard;
         }
@@ -84,9 +90,20 @@ Result<void> Exchange::sendStopFrames(const std::vector<base::Bytes>& frames, Du
     return {};
 }
 
+/// Some protocols know where a frame begins by the silence before it.
+void Exchange::keepSilence()
+{
+    const Duration::rep chosen = m_silence.load(std::memory_order_relaxed);
+    const Duration own = m_codec->silence(m_line.baud());
+    const Duration silence = own > 0us && chosen >= 0 ? Duration(chosen) : own;
+    const Duration from = std::max(m_line.lastByteAt(), m_line.freeAt()) + silence;
+    if (silence > 0us && m_clock.now() < from)
+        m_clock.sleepUntil(from);
+}
+
 Result<bool> Exchange::probeEcho(const Interrupt& interrupt)
 {
-    const auto probe = m_codec.encode(m_codec.echoProbe());
+    const auto probe = m_codec->encode(m_codec->echoProbe());
     if (!probe)
         return tl::unexpected(probe.error());
     int silent = 0;

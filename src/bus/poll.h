@@ -6,6 +6,7 @@
 #include "base/bytes.h"
 #include "base/clock.h"
 #include "base/error.h"
+#include "base/protocol.h"
 
 #include <cstdint>
 #include <vector>
@@ -16,16 +17,21 @@ using PollId = std::uint64_t;
 struct PollSpan {
     int address = 0;
     int count = 0;
+    int every = 1; ///< read in every n-th round only, for what changes slowly
     bool operator==(const PollSpan&) const = default;
 };
 
 struct PollServo {
     int id = 0;
-    std::vector<PollSpan> spans; ///< overlapping and nearby spans are merged into block reads
+    /// Spans of equal `every` that overlap or lie near are merged into block reads.
+    std::vector<PollSpan> spans;
     /// Servos with equal spans, equal `group` and syncRead are read by one sync read. Group tells
     /// families apart that must not share a packet.
     bool syncRead = false;
     int group = 0;
+    base::Protocol protocol = base::Protocol::Feetech;
+    int mergeGap = 12;  ///< so many unwanted bytes are read along; -1: spans are read as they are
+    int maxBlock = 128; ///< bytes in one merged read
 };
 
 struct PollPlan {

@@ -82,13 +82,17 @@ void PollRunner::beginRound(Plan& plan, Duration now, const FreeFrom& freeFrom)
                 (group.reads.sync && !group.servos[i].single ? together : singly).push_back(id);
         }
         for (const PollSpan& block : group.reads.blocks) {
+            if (plan.rounds % std::uint64_t(std::max(block.every, 1)) != 0)
+                continue;
             if (!together.empty())
-                plan.round.push_back({plan.id, g, together, block});
+                plan.round.push_back({plan.id, g, group.reads.protocol, together, block});
             for (const int id : singly)
-                plan.round.push_back({plan.id, g, {id}, block});
+                plan.round.push_back({plan.id, g, group.reads.protocol, {id}, block});
         }
     }
-    if (!plan.inRound())
+    if (plan.inRound())
+        ++plan.rounds;
+    else
         plan.due = std::max({plan.due + plan.period, now + idlePause, earliest});
 }
 

@@ -13,6 +13,7 @@ namespace bus {
 struct PollRead {
     PollId plan = 0;
     std::size_t group = 0;
+    base::Protocol protocol = base::Protocol::Feetech;
     std::vector<int> ids; ///< more than one: a sync read
     PollSpan block;
 };
@@ -52,6 +53,7 @@ private:
         std::vector<Group> groups;
         std::vector<PollRead> round;
         std::size_t position = 0;
+        std::uint64_t rounds = 0;
         bool inRound() const { return position < round.size(); }
     };
     void beginRound(Plan& plan, base::Duration now, const FreeFrom& freeFrom);

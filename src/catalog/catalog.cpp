@@ -100,7 +100,7 @@ void addRegisters(Profile& profile, const MapDef& map, Version firmware)
             profile.registers.push_back(resolveRegister(*def, profile, firmware));
     }
     std::sort(profile.registers.begin(), profile.registers.end(),
-              [](const Register& a, const Register& b) { return a.address < b.address; });
+              [](const Register& a, const Register& b) { return a.offset < b.offset; });
 }
 
 void takeSeries(Profile& profile, const SeriesDef& series)

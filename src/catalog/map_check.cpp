@@ -51,13 +51,13 @@ std::vector<Situation> situations(const MapDef& map)
 /// The row that is in the way of `rows[i]` in this situation marks it as dropped.
 void markOverlaps(const MapDef& map, const Situation& situation, std::vector<QString>& reasons)
 {
-    std::array<int, 256> owner;
+    std::array<int, 1024> owner;
     owner.fill(-1);
     for (std::size_t i = 0; i < map.rows.size(); ++i) {
         const RegisterDef* def = map.rows[i].pick(situation.series, situation.firmware);
         if (!def || !reasons[i].isEmpty())
             continue;
-        for (int byte = def->reg.address; byte < def->reg.address + def->reg.size; ++byte) {
+        for (int byte = def->reg.offset; byte < def->reg.offset + def->reg.size; ++byte) {
             const int other = owner[static_cast<std::size_t>(byte)];
             if (other >= 0) {
                 reasons[i] = QStringLiteral("address %1 belongs to \"%2\"")

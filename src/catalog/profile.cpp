@@ -42,10 +42,10 @@ const Register* Profile::byRole(Role role) const
     return firstOf(registers, [&](const Register& reg) { return reg.role == role; });
 }
 
-const Register* Profile::at(int address) const
+const Register* Profile::at(int offset) const
 {
     return firstOf(registers, [&](const Register& reg) {
-        return reg.address <= address && address < reg.address + reg.size;
+        return reg.offset <= offset && offset < reg.offset + reg.size;
     });
 }
 

@@ -4,18 +4,21 @@
 #pragma once
 
 #include "base/bytes.h"
+#include "base/protocol.h"
 #include "catalog/register.h"
 
 #include <memory>
 
 namespace catalog {
-/// The first five bytes of every Feetech table.
+/// What a servo says of itself: the first five bytes of every Feetech table; the two version words
+/// of a Modbus servo as firmware; an LX servo says nothing.
 struct Identity {
     int firmwareMajor = -1;
     int firmwareMinor = -1;
     int byteOrderFlag = -1; ///< 0 little, 1 big, -1 could not be read
     int modelMajor = -1;
     int modelMinor = -1;
+    base::Protocol protocol = base::Protocol::Feetech;
     bool operator==(const Identity&) const = default;
     QString firmware() const; ///< "3.10"
     QString modelId() const;  ///< "9.3"
@@ -27,7 +30,12 @@ enum class Line : std::uint8_t { Unknown, Ttl, Rs485 };
 enum class CurrentSensing : std::uint8_t { Unknown, No, Yes, UnlessPhaseBit5 };
 
 /// How to calibrate the present position to the middle.
-enum class Centering : std::uint8_t { None, Write128, Instruction0B };
+enum class Centering : std::uint8_t {
+    None,
+    Write128,
+    Instruction0B,
+    FaultReset4, ///< Modbus: 4 to the fault reset register
+};
 
 /// An operating mode as the technician names it, and what the registers hold in it.
 struct Mode {
@@ -44,7 +52,7 @@ struct Profile {
     bool modelKnown = false;
     QString series; ///< "STS", "SMS", "SCS"
     QString mapKey; ///< "sts-sms", "scs"
-    QString protocol = QStringLiteral("feetech");
+    base::Protocol protocol = base::Protocol::Feetech;
     base::ByteOrder byteOrder = base::ByteOrder::Little;
     Line line = Line::Unknown;
     bool writable = true; ///< false: firmware unknown; identity and feedback may be read only
@@ -57,13 +65,15 @@ struct Profile {
     bool syncRead = false;
     bool damping = false;
     bool multiTurn = false;
+    int readGap = 8;   ///< so many unwanted bytes are read along; -1: blocks are read as they are
+    int maxRead = 128; ///< bytes in one read
     Centering centering = Centering::None;
     std::vector<Mode> modes;
-    std::vector<Register> registers; ///< by address
+    std::vector<Register> registers; ///< by offset
 
     const Register* find(const QString& key) const;
     const Register* byRole(Role role) const;
-    const Register* at(int address) const; ///< the register that covers this byte
+    const Register* at(int offset) const; ///< the register that covers this byte
     const Mode* mode(const QString& key) const;
 };
 

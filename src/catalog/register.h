@@ -72,6 +72,7 @@ enum class Role : std::uint8_t {
     GoalPosition,
     GoalPwm,
     GoalTime,
+    GoalCurrent, ///< HLS 44: a limit, or the target in current mode
     GoalSpeed,
     TorqueLimit,
     Lock,
@@ -85,6 +86,10 @@ enum class Role : std::uint8_t {
     Status,
     Moving,
     ActiveGoal,
+    FaultReset,
+    Led,
+    StoredGoal, ///< LX: what Op::Action starts
+    StoredTime,
 };
 
 /// A named number of an enum, or a named bit of a bit field (`value` = bit number).
@@ -116,9 +121,32 @@ struct Variant {
     bool andBothLimitsZero = false; ///< SCS motor mode: 9 = 11 = 0 instead of whenKey
 };
 
+/// Registers that travel together (LX command pairs): one read brings all of them, and a write
+/// carries all of them, so changing one means reading, changing and writing the block.
+struct Block {
+    int offset = 0;
+    int size = 0;
+    int writeOffset = 0;
+    bool operator==(const Block&) const = default;
+};
+
+/// Whether a value written survives power-off.
+enum class Persistence : std::uint8_t {
+    ByArea,    ///< EPROM and factory rows do while the lock is open, others do not
+    Kept,      ///< always, as the sheet says (LX)
+    Lost,      ///< never
+    AfterSave, ///< only after the save command
+    NotStated, ///< the sheet does not say
+};
+
 struct Register {
     QString key;
-    int address = 0;
+    int address = 0;     ///< as the sheet has it: byte, Modbus register, LX read command
+    int offset = 0;      ///< where reads find it, in bytes of the table (protocol/request.h)
+    int writeOffset = 0; ///< where writes go; differs from `offset` with LX only
+    std::optional<Block> block;
+    int saveOffset = -1; ///< LX: an empty write here makes the value stay
+    Persistence persistence = Persistence::ByArea;
     int size = 1;
     Role role = Role::None;
     Area area = Area::Eprom;

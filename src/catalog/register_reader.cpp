@@ -139,6 +139,7 @@ void readShape(Fields& fields, Register& reg)
         fields.complain(QStringLiteral("\"size\" must be 1, 2 or 4"));
     if (reg.address + reg.size > 256)
         fields.complain(QStringLiteral("the register reaches beyond address 255"));
+    reg.offset = reg.writeOffset = reg.address;
     reg.area = fields.oneOf<Area>("area", {{"EPROM", Area::Eprom},
                                            {"SRAM", Area::Sram},
                                            {"FEEDBACK", Area::Feedback},

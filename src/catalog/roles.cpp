@@ -53,6 +53,7 @@ constexpr RoleWord RoleWords[] = {
     {"goal_position", Role::GoalPosition},
     {"goal_pwm", Role::GoalPwm},
     {"goal_time", Role::GoalTime},
+    {"goal_current", Role::GoalCurrent},
     {"goal_speed", Role::GoalSpeed},
     {"torque_limit", Role::TorqueLimit},
     {"lock", Role::Lock},
@@ -66,6 +67,10 @@ constexpr RoleWord RoleWords[] = {
     {"status", Role::Status},
     {"moving", Role::Moving},
     {"active_goal", Role::ActiveGoal},
+    {"fault_reset", Role::FaultReset},
+    {"led", Role::Led},
+    {"stored_goal", Role::StoredGoal},
+    {"stored_time", Role::StoredTime},
 };
 } // namespace
 

@@ -50,7 +50,7 @@ Json jsonInfo(const device::Servo& servo)
     return Json::object()
         .add("id", servo.id)
         .add("port", servo.port)
-        .add("protocol", profile.protocol)
+        .add("protocol", base::protocolName(profile.protocol))
         .add("model", profile.modelName)
         .add("model_id", profile.identity.modelId())
         .add("model_known", profile.modelKnown)
@@ -82,7 +82,7 @@ QString infoText(const device::Servo& servo)
     row(translate("cli", "Series, map"),
         QStringLiteral("%1, %2").arg(profile.series, profile.mapKey));
     row(translate("cli", "Protocol, line"),
-        QStringLiteral("%1, %2").arg(profile.protocol, text::lineWord(profile.line)));
+        QStringLiteral("%1, %2").arg(base::protocolName(profile.protocol), text::lineWord(profile.line)));
     row(translate("cli", "Port, baud rate"),
         QStringLiteral("%1, %2").arg(servo.port).arg(servo.baud));
     row(translate("cli", "Mode"),

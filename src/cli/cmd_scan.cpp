@@ -17,7 +17,7 @@ Json jsonFound(const jobs::Found& found)
     const catalog::Profile* profile = found.servo.profile.get();
     Json json = Json::object();
     json.add("id", found.servo.id)
-        .add("protocol", profile != nullptr ? profile->protocol : QStringLiteral("feetech"))
+        .add("protocol", base::protocolName(found.servo.protocol))
         .add("model", profile != nullptr ? Json(profile->modelName) : Json())
         .add("model_id", profile != nullptr ? Json(profile->identity.modelId()) : Json())
         .add("map", profile != nullptr ? Json(profile->mapKey) : Json())

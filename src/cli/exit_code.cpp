@@ -37,6 +37,7 @@ Exit exitCode(base::ErrorCode code)
     case ErrorCode::UnknownModel:
     case ErrorCode::IdentityDiffers:
     case ErrorCode::TurnsUnknown:
+    case ErrorCode::SeveralProtocols:
         return Exit::NotDone;
     case ErrorCode::FileMissing:
     case ErrorCode::FileUnreadable:

@@ -4,48 +4,49 @@
 #include <algorithm>
 
 namespace device {
-void Image::store(int address, base::ByteView bytes, base::Duration at)
+void Image::store(int offset, base::ByteView bytes, base::Duration at)
 {
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        const std::size_t place = static_cast<std::size_t>(address) + i;
-        if (place >= tableSize)
-            return;
-        m_bytes[place] = bytes[i];
-        m_at[place] = at.count() + 1;
-    }
+    const auto first = static_cast<std::size_t>(std::max(offset, 0));
+    if (m_cells.size() < first + bytes.size())
+        m_cells.resize(first + bytes.size());
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        m_cells[first + i] = {bytes[i], true, at};
 }
 
-void Image::forget(int address, int count)
+void Image::forget(int offset, int count)
 {
-    for (int i = 0; i < count; ++i) {
-        const std::size_t place = static_cast<std::size_t>(address + i);
-        if (place < tableSize)
-            m_at[place] = 0;
-    }
+    const auto first = static_cast<std::size_t>(std::max(offset, 0));
+    const auto end = std::min(first + static_cast<std::size_t>(std::max(count, 0)), m_cells.size());
+    for (std::size_t place = first; place < end; ++place)
+        m_cells[place].read = false;
 }
 
 void Image::clear()
 {
-    m_at.fill(0);
+    m_cells.clear();
 }
 
-std::optional<base::Bytes> Image::bytes(int address, int count) const
+const Image::Cell* Image::cell(int offset) const
+{
+    const auto place = static_cast<std::size_t>(std::max(offset, 0));
+    return place < m_cells.size() && m_cells[place].read ? &m_cells[place] : nullptr;
+}
+
+std::optional<base::Bytes> Image::bytes(int offset, int count) const
 {
     base::Bytes result;
     for (int i = 0; i < count; ++i) {
-        const std::size_t place = static_cast<std::size_t>(address + i);
-        if (place >= tableSize || m_at[place] == 0)
+        const Cell* known = cell(offset + i);
+        if (known == nullptr)
             return std::nullopt;
-        result.push_back(m_bytes[place]);
+        result.push_back(known->value);
     }
     return result;
 }
 
-std::optional<base::Duration> Image::readAt(int address) const
+std::optional<base::Duration> Image::readAt(int offset) const
 {
-    const std::size_t place = static_cast<std::size_t>(address);
-    if (place >= tableSize || m_at[place] == 0)
-        return std::nullopt;
-    return base::Duration(m_at[place] - 1);
+    const Cell* known = cell(offset);
+    return known != nullptr ? std::optional(known->at) : std::nullopt;
 }
 } // namespace device

@@ -1,30 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What has really been read of a servo's memory table, byte by byte, with the time of reading.
-// A plain value; never holds a number that did not come from the wire. Times are bus-clock
-// instants.
+// A plain value; never holds a number that did not come from the wire. Places are bytes of the
+// table (catalog::Register::offset). Times are bus-clock instants.
 #pragma once
 
 #include "base/bytes.h"
 #include "base/clock.h"
 #include "catalog/profile.h"
 
-#include <array>
 #include <optional>
+#include <vector>
 
 namespace device {
 class Image {
 public:
-    void store(int address, base::ByteView bytes, base::Duration at);
-    void forget(int address, int count);
+    void store(int offset, base::ByteView bytes, base::Duration at);
+    void forget(int offset, int count);
     void clear();
 
     /// The bytes of a register, if all of them have been read.
-    std::optional<base::Bytes> bytes(int address, int count) const;
-    std::optional<base::Duration> readAt(int address) const;
+    std::optional<base::Bytes> bytes(int offset, int count) const;
+    std::optional<base::Duration> readAt(int offset) const;
 
 private:
-    static constexpr std::size_t tableSize = 256;
-    std::array<std::uint8_t, tableSize> m_bytes{};
-    std::array<std::int64_t, tableSize> m_at{}; ///< microseconds + 1; 0 = never read
+    struct Cell {
+        std::uint8_t value = 0;
+        bool read = false;
+        base::Duration at{};
+    };
+    const Cell* cell(int offset) const; ///< null: never read
+
+    std::vector<Cell> m_cells; ///< as far as anything has been read
 };
 } // namespace device

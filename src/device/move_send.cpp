@@ -30,9 +30,9 @@ std::vector<Block> blocksOf(const MovePlan& plan)
         const catalog::Register& reg = *profile.find(field.key);
         const bool joins =
             !blocks.empty() &&
-            blocks.back().address + static_cast<int>(blocks.back().data.size()) == reg.address;
+            blocks.back().address + static_cast<int>(blocks.back().data.size()) == reg.writeOffset;
         if (!joins)
-            blocks.push_back({reg.address, {}, false});
+            blocks.push_back({reg.writeOffset, {}, false});
         const base::Bytes bytes = wireBytes(*plan.servo, reg, field.raw);
         blocks.back().data.insert(blocks.back().data.end(), bytes.begin(), bytes.end());
         blocks.back().goal |= reg.role == plan.goalRole;

@@ -9,38 +9,40 @@
 
 namespace device {
 namespace {
-// A gap of n undefined bytes costs n byte times; another transaction costs 14 and a turn-around.
-constexpr int maxGap = 8;
-// Well under the 250-byte packet cap of the vendor's own library.
-constexpr int maxBlock = 128;
 // Firmware, byte order, model, ID, rate, delay, level: the same place in every Feetech table.
 constexpr int identityBytes = 9;
 } // namespace
 
-std::vector<bus::PollSpan> planSpans(const std::vector<const catalog::Register*>& registers)
+std::vector<bus::PollSpan> planSpans(const catalog::Profile& profile,
+                                     const std::vector<const catalog::Register*>& registers)
 {
     std::vector<const catalog::Register*> sorted = registers;
     std::sort(sorted.begin(), sorted.end(),
-              [](const auto* a, const auto* b) { return a->address < b->address; });
+              [](const auto* a, const auto* b) { return a->offset < b->offset; });
     std::vector<bus::PollSpan> spans;
     for (const catalog::Register* reg : sorted) {
-        const int end = reg->address + reg->size;
-        if (!spans.empty()) {
+        const bus::PollSpan own = reg->block ? bus::PollSpan{reg->block->offset, reg->block->size}
+                                             : bus::PollSpan{reg->offset, reg->size};
+        const int end = own.address + own.count;
+        if (!spans.empty() && spans.back() == own)
+            continue;
+        if (!spans.empty() && profile.readGap >= 0) {
             bus::PollSpan& last = spans.back();
             const int lastEnd = last.address + last.count;
-            if (reg->address <= lastEnd + maxGap && end - last.address <= maxBlock) {
+            if (own.address <= lastEnd + profile.readGap && end - last.address <= profile.maxRead) {
                 last.count = std::max(lastEnd, end) - last.address;
                 continue;
             }
         }
-        spans.push_back({reg->address, reg->size});
+        spans.push_back(own);
     }
     return spans;
 }
 
-base::Result<Servo> identify(const Context& context, int id)
+base::Result<Servo> identify(const Context& context, int id, base::Protocol protocol)
 {
     Servo servo;
+    servo.protocol = protocol;
     servo.id = id;
     servo.baud = context.bus.baud();
     servo.port = context.bus.portName();
@@ -63,7 +65,7 @@ base::Result<Servo> identify(const Context& context, int id)
 base::Result<void> read(const Context& context, Servo& servo,
                         const std::vector<const catalog::Register*>& registers)
 {
-    for (const bus::PollSpan& span : planSpans(registers)) {
+    for (const bus::PollSpan& span : planSpans(*servo.profile, registers)) {
         const auto done = readBlock(context, servo, span.address, span.count);
         if (!done)
             return done;

@@ -10,12 +10,20 @@
 #include <QStringList>
 
 namespace device {
-/// The blocks that cover these registers: gaps of a few bytes are read along, because a few bytes
-/// cost less than another transaction.
-std::vector<bus::PollSpan> planSpans(const std::vector<const catalog::Register*>& registers);
+/// The blocks that cover these registers. Gaps are read along as far as the profile allows, because
+/// a few bytes cost less than another transaction; registers that travel as a block stay one.
+std::vector<bus::PollSpan> planSpans(const catalog::Profile& profile,
+                                     const std::vector<const catalog::Register*>& registers);
 
-/// Reads registers 0–8 (equal in all Feetech tables) and chooses the profile. Writes nothing.
-base::Result<Servo> identify(const Context& context, int id);
+/// Reads what the servo says of itself (Feetech: registers 0–8, equal in all tables) and chooses
+/// the profile. Writes nothing.
+base::Result<Servo> identify(const Context& context, int id,
+                             base::Protocol protocol = base::Protocol::Feetech);
+
+/// The servo that answers to `id` in one of these languages. SeveralProtocols if more than one
+/// does: two servos share the ID, and nobody knows which is meant.
+base::Result<Servo> identifyAmong(const Context& context, int id,
+                                  const std::vector<base::Protocol>& protocols);
 
 base::Result<void> read(const Context& context, Servo& servo,
                         const std::vector<const catalog::Register*>& registers);

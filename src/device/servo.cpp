@@ -12,7 +12,7 @@ catalog::Lookup Servo::lookup() const
         const catalog::Register* reg = profile ? profile->find(key) : nullptr;
         if (reg == nullptr)
             return std::nullopt;
-        const auto wire = image.bytes(reg->address, reg->size);
+        const auto wire = image.bytes(reg->offset, reg->size);
         if (!wire)
             return std::nullopt;
         const auto plain = catalog::meaningOf(*reg, *profile, catalog::knowNothing);
@@ -27,7 +27,7 @@ catalog::Meaning Servo::meaning(const catalog::Register& reg) const
 
 std::optional<std::int64_t> Servo::raw(const catalog::Register& reg) const
 {
-    const auto wire = image.bytes(reg.address, reg.size);
+    const auto wire = image.bytes(reg.offset, reg.size);
     if (!wire)
         return std::nullopt;
     return catalog::decodeRaw(*wire, reg, meaning(reg), profile->byteOrder);

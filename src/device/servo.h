@@ -15,6 +15,7 @@ const catalog::Mode* modeFor(const catalog::Profile& profile,
                              std::optional<std::int64_t> maxAngle);
 
 struct Servo {
+    base::Protocol protocol = base::Protocol::Feetech;
     int id = -1;
     int baud = 0;
     QString port;

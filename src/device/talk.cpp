@@ -7,6 +7,7 @@ base::Result<bus::Outcome> say(const Context& context, Servo& servo, protocol::R
 {
     bus::Transaction transaction;
     transaction.request = std::move(request);
+    transaction.request.protocol = servo.protocol;
     transaction.priority = context.priority;
     transaction.hold = context.hold;
     auto outcome = context.bus.transact(transaction);
@@ -28,7 +29,7 @@ base::Result<void> readBlock(const Context& context, Servo& servo, int address, 
 base::Result<std::int64_t> readRegister(const Context& context, Servo& servo,
                                         const catalog::Register& reg)
 {
-    auto done = readBlock(context, servo, reg.address, reg.size);
+    auto done = readBlock(context, servo, reg.offset, reg.size);
     if (!done) {
         done.error().registerKey = reg.key;
         return tl::unexpected(done.error());
@@ -88,7 +89,7 @@ base::Result<void> writeVerified(const Context& context, Servo& servo, const cat
     constexpr int tries = 2;
     base::Error last;
     for (int attempt = 0; attempt < tries; ++attempt) {
-        const auto sent = writeBlock(context, servo, reg.address, wireBytes(servo, reg, raw),
+        const auto sent = writeBlock(context, servo, reg.writeOffset, wireBytes(servo, reg, raw),
                                      protocol::Repeat::Safe);
         if (!sent && sent.error().code == base::ErrorCode::LinkLost)
             return sent;

@@ -65,7 +65,7 @@ checkItems(const Servo& servo, const std::vector<WriteItem>& items, const WriteO
         checked.push_back({reg, item.raw});
     }
     std::sort(checked.begin(), checked.end(), [](const CheckedItem& a, const CheckedItem& b) {
-        return a.reg->address < b.reg->address;
+        return a.reg->writeOffset < b.reg->writeOffset;
     });
     return checked;
 }

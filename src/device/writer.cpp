@@ -197,8 +197,8 @@ void WriteRun::writeAll()
         // Neighbours go in one frame: both angle limits change at once, never one alone.
         std::size_t last = first + 1;
         while (last < m_items.size() &&
-               m_items[last].reg->address ==
-                   m_items[last - 1].reg->address + m_items[last - 1].reg->size)
+               m_items[last].reg->writeOffset ==
+                   m_items[last - 1].reg->writeOffset + m_items[last - 1].reg->size)
             ++last;
         if (m_context.stop.requested()) {
             m_context.note(NoticeCode::BelowStop, m_servo.id, m_items[first].reg->key);
@@ -227,7 +227,7 @@ base::Result<void> WriteRun::sendGroup(std::size_t first, std::size_t last)
                                     m_items.begin() + static_cast<std::ptrdiff_t>(last),
                                     [](const CheckedItem& item) { return item.reg->motion; });
     const auto repeat = motion ? protocol::Repeat::Never : protocol::Repeat::Safe;
-    return writeBlock(m_context, m_servo, m_items[first].reg->address, std::move(data), repeat);
+    return writeBlock(m_context, m_servo, m_items[first].reg->writeOffset, std::move(data), repeat);
 }
 
 void WriteRun::writeGroup(std::size_t first, std::size_t last)

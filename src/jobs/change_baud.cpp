@@ -59,8 +59,9 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
     const int oldBaud = context.bus.baud();
     constexpr int sends = 2;
     for (int attempt = 0; attempt < sends; ++attempt) {
-        auto request = protocol::Request::write(
-            servo.id, reg.address, device::wireBytes(servo, reg, code), protocol::Repeat::Never);
+        auto request =
+            protocol::Request::write(servo.id, reg.writeOffset, device::wireBytes(servo, reg, code),
+                                     protocol::Repeat::Never);
         request.acknowledged = servo.answersWrites();
         if (const auto sent = sendOnce(context, std::move(request)); !sent)
             return tl::unexpected(sent.error());

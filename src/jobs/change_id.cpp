@@ -51,7 +51,7 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
     constexpr int sends = 2;
     for (int attempt = 0; attempt < sends; ++attempt) {
         auto request = protocol::Request::write(
-            oldId, reg.address, device::wireBytes(servo, reg, newId), protocol::Repeat::Never);
+            oldId, reg.writeOffset, device::wireBytes(servo, reg, newId), protocol::Repeat::Never);
         request.acknowledged = servo.answersWrites();
         request.answersAs = newId;
         const auto sent = sendOnce(context, std::move(request));

@@ -85,7 +85,7 @@ private:
             if (reg.area == catalog::Area::Feedback)
                 registers.push_back(&reg);
         }
-        return device::planSpans(registers);
+        return device::planSpans(*m_servo.profile, registers);
     }
 
     bool suspicious() const { return m_broken >= brokenReadsSuspicious || m_secondReply; }

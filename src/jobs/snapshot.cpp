@@ -15,9 +15,12 @@ base::Result<record::Snapshot> takeSnapshot(const device::Context& context, devi
     snapshot.at = QDateTime::currentDateTimeUtc();
     snapshot.port = servo.port;
     snapshot.baud = servo.baud;
-    snapshot.servo = {
-        servo.id,       profile.modelName, profile.identity.modelId(), profile.identity.firmware(),
-        profile.mapKey, profile.protocol};
+    snapshot.servo = {servo.id,
+                      profile.modelName,
+                      profile.identity.modelId(),
+                      profile.identity.firmware(),
+                      profile.mapKey,
+                      base::protocolName(profile.protocol)};
     for (const catalog::Register& reg : profile.registers) {
         const catalog::Meaning meaning = servo.meaning(reg);
         const auto raw = servo.raw(reg);

@@ -19,7 +19,7 @@ QStringList feedbackKeys(const std::vector<device::Servo>& servos)
     for (const device::Servo& servo : servos) {
         for (const catalog::Register& reg : servo.profile->registers) {
             if (reg.area == catalog::Area::Feedback && servo.measures(reg))
-                sorted.emplace_back(reg.address, reg.key);
+                sorted.emplace_back(reg.offset, reg.key);
         }
     }
     std::sort(sorted.begin(), sorted.end());
@@ -127,7 +127,8 @@ base::Result<void> WatchDecoder::addServo(const device::Servo& servo, const QStr
     if (registers.empty())
         return base::fail(known ? ErrorCode::NotSupported : ErrorCode::UnknownRegister,
                           QStringLiteral("watch"), keys.join(QLatin1Char(',')), servo.id);
-    source.spans = bus::mergeSpans(device::planSpans(registers));
+    source.spans = bus::mergeSpans(device::planSpans(*servo.profile, registers),
+                                   servo.profile->readGap, servo.profile->maxRead);
     source.row = emptyRow(servo.id);
     m_sources[servo.id] = std::move(source);
     return {};
@@ -137,8 +138,11 @@ bus::PollPlan WatchDecoder::plan() const
 {
     bus::PollPlan plan;
     plan.period = m_period;
-    for (const auto& [id, source] : m_sources)
-        plan.servos.push_back({id, source.spans, source.profile->syncRead, source.group});
+    for (const auto& [id, source] : m_sources) {
+        const catalog::Profile& profile = *source.profile;
+        plan.servos.push_back({id, source.spans, profile.syncRead, source.group, profile.protocol,
+                               profile.readGap, profile.maxRead});
+    }
     return plan;
 }
 
@@ -207,7 +211,7 @@ void WatchDecoder::decode(const Source& source, const bus::Sample& sample, Watch
     row.answered = true;
     row.status = sample.status;
     for (const Field& field : source.fields) {
-        const int offset = field.reg->address - sample.address;
+        const int offset = field.reg->offset - sample.address;
         if (offset < 0 || offset + field.reg->size > int(sample.data.size()))
             continue;
         const auto wire =

@@ -3,6 +3,7 @@
 // no I/O; one instance may be shared by all threads. A protocol is known in one codec only.
 #pragma once
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "protocol/request.h"
 
@@ -16,6 +17,7 @@ struct Expectation {
     int alsoFrom = -1;    ///< this ID is as good as the first of `ids` (Request::answersAs)
     int replyBytes = 0;   ///< length of one whole reply on the wire
     int dataBytes = 0;    ///< payload of one reply
+    int command = -1;     ///< Modbus function, LX command: what the reply must repeat
     bool any() const { return !ids.empty(); }
 };
 
@@ -41,6 +43,10 @@ public:
 
     virtual QString name() const = 0; ///< "feetech"
 
+    /// How long the wire must have been silent before a request may begin: Modbus-RTU knows frames
+    /// by the gaps between them.
+    virtual base::Duration silence(int baud) const;
+
     /// BadArgument when the request cannot exist on this wire (ID, length, unsupported operation).
     virtual base::Result<base::Bytes> encode(const Request& request) const = 0;
 
@@ -61,6 +67,9 @@ public:
 };
 
 const Codec& feetechCodec();
+const Codec& modbusCodec();
+const Codec& lxCodec();
+const Codec& codecFor(base::Protocol protocol);
 
 /// A request frame as a servo sees it on a Feetech line, for the simulator. Kind Reply: a valid
 /// frame, the rest is filled in; BadCheck, Incomplete and Noise as in Codec::scan. A servo that
@@ -77,4 +86,15 @@ RequestScan scanFeetechRequest(base::ByteView buffer);
 
 /// A status packet of a Feetech servo.
 base::Bytes encodeFeetechStatus(int id, std::uint8_t status, base::ByteView data);
+
+/// The same for a Modbus-RTU station and for an LX servo: `instruction` is the function or command
+/// code, `params` what follows it, the checksum left out. `buffer` begins where a silence ended;
+/// a Modbus frame is whole when its length by function and its CRC fit.
+RequestScan scanModbusRequest(base::ByteView buffer);
+RequestScan scanLxRequest(base::ByteView buffer);
+
+/// `data` is everything between function code and CRC. An exception is function + 0x80 with the
+/// reason as its one byte.
+base::Bytes encodeModbusReply(int station, std::uint8_t function, base::ByteView data);
+base::Bytes encodeLxReply(int id, std::uint8_t command, base::ByteView params);
 } // namespace protocol

@@ -25,6 +25,8 @@ QString operationName(Op op)
         return QStringLiteral("reg-write");
     case Op::Action:
         return QStringLiteral("action");
+    case Op::Halt:
+        return QStringLiteral("halt");
     case Op::Restore:
         return QStringLiteral("restore");
     case Op::Backup:
@@ -190,9 +192,11 @@ Result<Bytes> encodeUnicast(const Request& request)
     case Op::SyncRead:
     case Op::SyncWrite:
     case Op::Raw:
+        return refuse(request, QStringLiteral("not addressed to one servo"));
+    case Op::Halt:
         break;
     }
-    return refuse(request, QStringLiteral("not addressed to one servo"));
+    return refuse(request, QStringLiteral("no such instruction"));
 }
 } // namespace
 

@@ -49,6 +49,15 @@ Request Request::action(int id)
     return simple(Op::Action, id, Repeat::Never);
 }
 
+Request Request::halt(int id)
+{
+    Request request;
+    request.op = Op::Halt;
+    request.id = id;
+    request.repeat = Repeat::Safe;
+    return request;
+}
+
 Request Request::restore(int id)
 {
     return simple(Op::Restore, id, Repeat::Never);

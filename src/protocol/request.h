@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be asked of servos, independent of the bytes that ask it: the same request type serves
-// every protocol. Values; any thread. Addresses and counts are in bytes of the servo's table.
+// every protocol. Values; any thread. Addresses and counts are in bytes of the servo's table, which
+// each codec turns into what its wire has: Feetech bytes as they are; Modbus two bytes a register
+// (address 256 of the sheet is 512 here); LX eight bytes a command (reading 21 is 168, writing 20
+// is 160), so that a parameter's place is a byte behind that.
 // Source of the operations: Feetech protocol page (instructions 0x01–0x0B, 0x82, 0x83).
 #pragma once
 
 #include "base/bytes.h"
+#include "base/protocol.h"
 
 #include <cstdint>
 #include <optional>
@@ -15,16 +19,17 @@ constexpr int broadcastId = 254;
 constexpr int maxId = 253;
 
 enum class Op : std::uint8_t {
-    Ping,
+    Ping, ///< to 254: "who is there?", for one servo on the bus only
     Read,
     Write,
     RegWrite,   ///< held until Action
-    Action,     ///< carries out what RegWrite holds
+    Action,     ///< carries out what RegWrite (LX: a stored move) holds
+    Halt,       ///< LX 12: ends a move and holds
     Restore,    ///< 0x06: parameters back to what Backup stored, ID excepted
     Backup,     ///< 0x09
     StateReset, ///< 0x0A: turn count
     Calibrate,  ///< 0x0B, with or without a value
-    Reboot,     ///< 0x08: never answered
+    Reboot,     ///< 0x08, Modbus 0x41: never answered
     SyncRead,
     SyncWrite,
     Raw, ///< bytes as given; everything that comes back until the deadline is the answer
@@ -40,6 +45,7 @@ struct Target {
 };
 
 struct Request {
+    base::Protocol protocol = base::Protocol::Feetech;
     Op op = Op::Ping;
     int id = 0;
     int address = 0;
@@ -50,11 +56,20 @@ struct Request {
     bool acknowledged = true; ///< false: the servo is at response level 0 and stays silent
     int answersAs = -1; ///< the reply may also name this ID: the new one, when the ID is written
 
+    /// The same request in another language.
+    Request in(base::Protocol language) const
+    {
+        Request request = *this;
+        request.protocol = language;
+        return request;
+    }
+
     static Request ping(int id);
     static Request read(int id, int address, int count);
     static Request write(int id, int address, base::Bytes data, Repeat repeat);
     static Request regWrite(int id, int address, base::Bytes data, Repeat repeat);
     static Request action(int id = broadcastId);
+    static Request halt(int id);
     static Request restore(int id);
     static Request backup(int id);
     static Request stateReset(int id);
@@ -70,5 +85,6 @@ struct Part {
     int id = 0;
     std::uint8_t status = 0;
     base::Bytes data;
+    std::uint8_t exception = 0; ///< Modbus: refused; 1 function, 2 address, 3 value
 };
 } // namespace protocol

@@ -15,7 +15,7 @@ Memory::Memory(const catalog::Profile& profile)
         const bool eprom = reg.eprom();
         const Kind kind = reg.writable() ? (eprom ? Kind::Eprom : Kind::Sram)
                                          : (eprom ? Kind::EpromReadOnly : Kind::ReadOnly);
-        for (int i = reg.address; i < std::min(size, reg.address + reg.size); ++i) {
+        for (int i = reg.offset; i < std::min(size, reg.offset + reg.size); ++i) {
             m_kinds[std::size_t(i)] = kind;
             if (eprom) {
                 m_epromSize = std::max(m_epromSize, std::size_t(i) + 1);

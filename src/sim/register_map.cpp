@@ -8,7 +8,7 @@ namespace sim {
 namespace {
 Field fieldOf(const catalog::Register& reg)
 {
-    Field field{reg.address, reg.size};
+    Field field{reg.offset, reg.size};
     if (reg.encoding == catalog::Encoding::SignBit) {
         field.signBit = reg.signBit;
     } else if (reg.encoding == catalog::Encoding::SignBit11Ext12) {
@@ -49,7 +49,7 @@ RegisterMap::RegisterMap(const catalog::Profile& profile)
 {
     for (const catalog::Register& reg : profile.registers) {
         if (reg.role != catalog::Role::None && reg.size <= 2 &&
-            reg.address + reg.size <= Memory::size) {
+            reg.offset + reg.size <= Memory::size) {
             m_fields[std::size_t(reg.role)] = fieldOf(reg);
         }
     }

@@ -136,8 +136,8 @@ void VirtualServo::State::fillFactoryValues()
         const base::Bytes bytes =
             base::writeUnsigned(std::uint64_t(std::max<std::int64_t>(0, value)),
                                 std::size_t(reg.size), profile->byteOrder);
-        for (std::size_t i = 0; i < bytes.size() && reg.address + int(i) < Memory::size; ++i) {
-            memory.setInitial(reg.address + int(i), bytes[i]);
+        for (std::size_t i = 0; i < bytes.size() && reg.offset + int(i) < Memory::size; ++i) {
+            memory.setInitial(reg.offset + int(i), bytes[i]);
         }
     }
 }

@@ -94,7 +94,7 @@ std::int64_t VirtualServo::raw(const QString& key) const
     m_state->publish();
     const auto meaning = catalog::meaningOf(*reg, *m_state->profile,
                                             [this](const QString& other) { return raw(other); });
-    return catalog::decodeRaw(m_state->memory.view(reg->address, reg->size), *reg, meaning,
+    return catalog::decodeRaw(m_state->memory.view(reg->offset, reg->size), *reg, meaning,
                               m_state->profile->byteOrder);
 }
 
@@ -106,7 +106,7 @@ void VirtualServo::poke(const QString& key, std::int64_t raw)
     }
     const auto meaning = catalog::meaningOf(
         *reg, *m_state->profile, [this](const QString& other) { return this->raw(other); });
-    m_state->write(reg->address,
+    m_state->write(reg->offset,
                    catalog::encodeRaw(raw, *reg, meaning, m_state->profile->byteOrder));
 }
 

@@ -151,6 +151,11 @@ constexpr std::array servoEntries{
                                     "one reports a single turn only."),
           QT_TRANSLATE_NOOP("text", "Move it to a known position with a goal of your own, or "
                                     "reference the axis first.")},
+    Entry{ErrorCode::SeveralProtocols,
+          QT_TRANSLATE_NOOP("text", "this ID answers in more than one protocol"),
+          QT_TRANSLATE_NOOP("text", "Servos of different makes share the line and the ID."),
+          QT_TRANSLATE_NOOP("text", "Say which is meant with --protocol, or give one of them "
+                                    "another ID.")},
 };
 
 constexpr std::array fileEntries{

@@ -76,7 +76,7 @@ private Q_SLOTS:
     {
         QFETCH(const std::vector<PollSpan>, spans);
         QFETCH(const QString, blocks);
-        QCOMPARE(shown(mergeSpans(spans)), blocks);
+        QCOMPARE(shown(mergeSpans(spans, 12, 128)), blocks);
     }
 
     void servosAreGrouped_data()
