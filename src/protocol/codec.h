@@ -18,6 +18,7 @@ struct Expectation {
     int replyBytes = 0;   ///< length of one whole reply on the wire
     int dataBytes = 0;    ///< payload of one reply
     int command = -1;     ///< Modbus function, LX command: what the reply must repeat
+    base::Bytes head{};   ///< Modbus: what stands between function and data (byte count, address)
     bool any() const { return !ids.empty(); }
 };
 
@@ -47,7 +48,8 @@ public:
     /// by the gaps between them.
     virtual base::Duration silence(int baud) const;
 
-    /// BadArgument when the request cannot exist on this wire (ID, length, unsupported operation).
+    /// BadArgument when the request cannot exist on this wire (ID, length); NotSupported when the
+    /// language has no such operation.
     virtual base::Result<base::Bytes> encode(const Request& request) const = 0;
 
     virtual Expectation expect(const Request& request) const = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/feetech_codec.h"
 #include "protocol/feetech_frame.h"
+#include "protocol/refusal.h"
 
 #include <bitset>
 
@@ -12,50 +13,11 @@ using base::Result;
 constexpr int tableSize = 256;
 constexpr int maxReadCount = static_cast<int>(feetech::maxFrame - feetech::overhead);
 
-QString operationName(Op op)
-{
-    switch (op) {
-    case Op::Ping:
-        return QStringLiteral("ping");
-    case Op::Read:
-        return QStringLiteral("read");
-    case Op::Write:
-        return QStringLiteral("write");
-    case Op::RegWrite:
-        return QStringLiteral("reg-write");
-    case Op::Action:
-        return QStringLiteral("action");
-    case Op::Halt:
-        return QStringLiteral("halt");
-    case Op::Restore:
-        return QStringLiteral("restore");
-    case Op::Backup:
-        return QStringLiteral("backup");
-    case Op::StateReset:
-        return QStringLiteral("state-reset");
-    case Op::Calibrate:
-        return QStringLiteral("calibrate");
-    case Op::Reboot:
-        return QStringLiteral("reboot");
-    case Op::SyncRead:
-        return QStringLiteral("sync-read");
-    case Op::SyncWrite:
-        return QStringLiteral("sync-write");
-    case Op::Raw:
-        return QStringLiteral("raw");
-    }
-    return {};
-}
-
-tl::unexpected<base::Error> refuse(const Request& request, const QString& why)
-{
-    return base::fail(base::ErrorCode::BadArgument, operationName(request.op), why, request.id);
-}
-
 Result<Bytes> framed(const Request& request, int id, std::uint8_t instruction, const Bytes& params)
 {
     if (params.size() + feetech::overhead > feetech::maxFrame)
-        return refuse(request, QStringLiteral("packet longer than 250 bytes"));
+        return refuse(request,
+                      QStringLiteral("packet longer than %1 bytes").arg(feetech::maxFrame));
     return feetech::buildFrame(id, instruction, params);
 }
 
@@ -156,15 +118,6 @@ Result<Bytes> encodeSyncWrite(const Request& request)
         });
 }
 
-Result<Bytes> encodeRaw(const Request& request)
-{
-    if (request.data.empty())
-        return refuse(request, QStringLiteral("no bytes"));
-    if (request.data.size() > feetech::maxFrame)
-        return refuse(request, QStringLiteral("packet longer than 250 bytes"));
-    return request.data;
-}
-
 Result<Bytes> encodeUnicast(const Request& request)
 {
     const auto plain = [&](std::uint8_t code) { return framed(request, request.id, code, {}); };
@@ -196,7 +149,7 @@ Result<Bytes> encodeUnicast(const Request& request)
     case Op::Halt:
         break;
     }
-    return refuse(request, QStringLiteral("no such instruction"));
+    return refuseUnknown(request);
 }
 } // namespace
 
@@ -208,7 +161,7 @@ Result<Bytes> encodeFeetech(const Request& request)
     case Op::SyncWrite:
         return encodeSyncWrite(request);
     case Op::Raw:
-        return encodeRaw(request);
+        return encodeRaw(request, feetech::maxFrame);
     default:
         return checkId(request).and_then([&] { return encodeUnicast(request); });
     }
