@@ -11,35 +11,42 @@
 
 namespace base {
 enum class NoticeCode : std::uint8_t {
-    TorqueSwitchedOff,   ///< because a register or mode asked for it
-    TorqueSwitchedOn,    ///< the goal written energises the servo
-    TorqueStaysOff,      ///< after the manoeuvre; on only when asked
-    HoldingAt,           ///< a = goal raw at which the servo holds
-    LockFoundOpen,       ///< someone left the EPROM lock open
-    LockClosed,          ///< after LockFoundOpen, or recovered
-    LockLeftOpen,        ///< could not be closed; it is in the journal
-    CommandZeroed,       ///< key = goal_speed / goal_pwm …
-    LimitsKept,          ///< a, b = limits remembered for the way back
-    LimitsRestored,      ///< a, b
-    LimitsDefaulted,     ///< a, b: nothing was remembered, factory values used
-    SpeedRestored,       ///< a = raw speed for position mode put back
-    SpeedZeroForTime,    ///< SCS: the time acts only while the speed is 0, so 46 was set to 0
-    AnswerLostButDone,   ///< the acknowledgement was lost, reading proved the write
-    AnswerLostSentAgain, ///< the acknowledgement was lost, reading proved nothing had happened
-    AckFromNewId,        ///< a = the ID that acknowledged
-    AlreadySo,           ///< nothing to do
-    ActsAfterRestart,    ///< the new rate or bit takes effect at the next power-on
-    AboveUsual,          ///< key, a = value above what the sheet calls useful
-    BelowStop,           ///< stopped by the user before key was written
-    OverloadHolds,       ///< overload: released by a goal away from the stall
-    OvercurrentHolds,    ///< overcurrent: torque is off until a new goal
-    VoltageHolds,        ///< voltage alarm: passes when the supply returns to its limits
-    TemperatureHolds,    ///< temperature alarm: passes by cooling only
-    SensorHolds,         ///< encoder alarm: power-cycle, repair if it returns
-    RebootedAfter,       ///< a = milliseconds until it answered
-    RateChanged,         ///< a = baud at which it answers now
-    StillMoving,         ///< stopped waiting; the servo itself goes on to its goal
-    IdChanged,           ///< a = ID at which it answers now
+    TorqueSwitchedOff,    ///< because a register or mode asked for it
+    TorqueSwitchedOn,     ///< the goal written energises the servo
+    TorqueStaysOff,       ///< after the manoeuvre; on only when asked
+    HoldingAt,            ///< a = goal raw at which the servo holds
+    LockFoundOpen,        ///< someone left the EPROM lock open
+    LockClosed,           ///< after LockFoundOpen, or recovered
+    LockLeftOpen,         ///< could not be closed; it is in the journal
+    CommandZeroed,        ///< key = goal_speed / goal_pwm …
+    LimitsKept,           ///< a, b = limits remembered for the way back
+    LimitsRestored,       ///< a, b
+    LimitsDefaulted,      ///< a, b: nothing was remembered, factory values used
+    SpeedRestored,        ///< a = raw speed for position mode put back
+    SpeedZeroForTime,     ///< SCS: the time acts only while the speed is 0, so 46 was set to 0
+    AnswerLostButDone,    ///< the acknowledgement was lost, reading proved the write
+    AnswerLostSentAgain,  ///< the acknowledgement was lost, reading proved nothing had happened
+    AckFromNewId,         ///< a = the ID that acknowledged
+    AlreadySo,            ///< nothing to do
+    ActsAfterRestart,     ///< the new rate or bit takes effect at the next power-on
+    AboveUsual,           ///< key, a = value above what the sheet calls useful
+    BelowStop,            ///< stopped by the user before key was written
+    OverloadHolds,        ///< overload: released by a goal away from the stall
+    OvercurrentHolds,     ///< overcurrent: torque is off until a new goal
+    VoltageHolds,         ///< voltage alarm: passes when the supply returns to its limits
+    TemperatureHolds,     ///< temperature alarm: passes by cooling only
+    SensorHolds,          ///< encoder alarm: power-cycle, repair if it returns
+    RebootedAfter,        ///< a = milliseconds until it answered
+    RateChanged,          ///< a = baud at which it answers now
+    StillMoving,          ///< stopped waiting; the servo itself goes on to its goal
+    IdChanged,            ///< a = ID at which it answers now
+    SentAgain,            ///< reading proved that a write without acknowledgement never arrived
+    PersistenceNotStated, ///< nobody says whether key survives power-off
+    SavedPerSheet,        ///< the save command was sent; only a power cycle could prove it
+    NoCurrentAllowed,     ///< key = the current limit, which is 0: no torque at all
+    CurrentRestored,      ///< key, a = current limit put back after a mode that uses it otherwise
+    DerivedTemperature,   ///< key, a = reading, b = limit: worked out here, not reported
+    DerivedVoltage,       ///< key, a = reading, b = the limit it is beyond
 };
 
 struct Notice {

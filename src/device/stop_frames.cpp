@@ -1,27 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/stop_frames.h"
 
-namespace device {
-namespace {
-/// The torque switch has this place in every Feetech table (protocol sheet §4).
-constexpr int torqueSwitchAddress = 40;
+#include "protocol/codec.h"
 
-void append(std::vector<base::Bytes>& frames, const protocol::Codec& codec, int id, int address)
+namespace device {
+using base::Protocol;
+using catalog::Role;
+
+namespace {
+/// Where every servo of a language has its torque switch, and what "off" looks like there.
+struct TorqueOff {
+    int offset = 0;
+    base::Bytes data;
+};
+
+TorqueOff torqueOffIn(Protocol protocol)
 {
-    auto off = protocol::Request::write(id, address, {0}, protocol::Repeat::Safe);
-    if (auto frame = codec.encode(off))
+    constexpr int lxUnload = 8 * 31;
+    constexpr int modbusTorqueSwitch = 2 * 129;
+    constexpr int feetechTorqueSwitch = 40; // the same place in every table (protocol sheet §4)
+    switch (protocol) {
+    case Protocol::Lx:
+        return {lxUnload, {0}};
+    case Protocol::Modbus:
+        return {modbusTorqueSwitch, {0, 0}};
+    case Protocol::Feetech:
+        break;
+    }
+    return {feetechTorqueSwitch, {0}};
+}
+
+void append(std::vector<base::Bytes>& frames, Protocol protocol, int id, const TorqueOff& off)
+{
+    const auto request =
+        protocol::Request::write(id, off.offset, off.data, protocol::Repeat::Safe).in(protocol);
+    if (auto frame = protocol::codecFor(protocol).encode(request))
         frames.push_back(std::move(*frame));
 }
 } // namespace
 
-std::vector<base::Bytes> stopFrames(const protocol::Codec& codec, const std::vector<Servo>& known)
+std::vector<base::Bytes> stopFrames(const std::vector<Protocol>& protocols,
+                                    const std::vector<Servo>& known)
 {
     std::vector<base::Bytes> frames;
-    append(frames, codec, protocol::broadcastId, torqueSwitchAddress);
+    for (const Protocol protocol : protocols)
+        append(frames, protocol, protocol::broadcastId, torqueOffIn(protocol));
     for (const Servo& servo : known) {
+        TorqueOff off = torqueOffIn(servo.protocol);
         const catalog::Register* torque =
-            servo.profile ? servo.profile->byRole(catalog::Role::TorqueSwitch) : nullptr;
-        append(frames, codec, servo.id, torque != nullptr ? torque->address : torqueSwitchAddress);
+            servo.profile ? servo.profile->byRole(Role::TorqueSwitch) : nullptr;
+        if (torque != nullptr)
+            off = {torque->writeOffset, base::Bytes(static_cast<std::size_t>(torque->size), 0)};
+        append(frames, servo.protocol, servo.id, off);
     }
     return frames;
 }

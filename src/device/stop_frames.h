@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ready-made frames that take torque off, for the bus' emergency lane: once to everybody, then once
-// to each known servo, because a broadcast is never acknowledged. Pure.
+// Ready-made frames that take torque off, for the bus' emergency lane: once to everybody in each
+// language, then once to each known servo, because a broadcast is never acknowledged. Pure.
 #pragma once
 
 #include "device/servo.h"
-#include "protocol/codec.h"
 
 namespace device {
-std::vector<base::Bytes> stopFrames(const protocol::Codec& codec,
+/// `protocols`: the languages somebody on this line may speak. A known servo is spoken to in its
+/// own, whether that is among them or not.
+std::vector<base::Bytes> stopFrames(const std::vector<base::Protocol>& protocols,
                                     const std::vector<Servo>& known = {});
 } // namespace device

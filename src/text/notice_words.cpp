@@ -87,6 +87,24 @@ constexpr std::array entries{
           QT_TRANSLATE_NOOP("text", "It is still on its way to the goal; torque off stops it.")},
     Entry{NoticeCode::IdChanged, "id-changed",
           QT_TRANSLATE_NOOP("text", "It answers as ID %1 now.")},
+    Entry{NoticeCode::SentAgain, "sent-again",
+          QT_TRANSLATE_NOOP("text", "Reading proved that nothing had happened, so it was sent "
+                                    "again.")},
+    Entry{NoticeCode::PersistenceNotStated, "persistence-not-stated",
+          QT_TRANSLATE_NOOP("text", "Whether %3 survives power-off is not documented.")},
+    Entry{NoticeCode::SavedPerSheet, "saved-per-sheet",
+          QT_TRANSLATE_NOOP("text", "%3 was saved, as the data sheet has it; only switching the "
+                                    "servo off and on could prove it.")},
+    Entry{NoticeCode::NoCurrentAllowed, "no-current-allowed",
+          QT_TRANSLATE_NOOP("text", "%3 is 0, which allows no current: the servo has no torque.")},
+    Entry{NoticeCode::CurrentRestored, "current-restored",
+          QT_TRANSLATE_NOOP("text", "The current limit %1 (%3) is back.")},
+    Entry{NoticeCode::DerivedTemperature, "derived-temperature",
+          QT_TRANSLATE_NOOP("text", "The temperature is above its limit (derived from its limits, "
+                                    "not reported by the servo).")},
+    Entry{NoticeCode::DerivedVoltage, "derived-voltage",
+          QT_TRANSLATE_NOOP("text", "The voltage is outside its limits (derived from its limits, "
+                                    "not reported by the servo).")},
 };
 
 const Entry* entryFor(NoticeCode code)

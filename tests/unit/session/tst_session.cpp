@@ -152,7 +152,7 @@ void TestSession::stopFramesNameEverybodyAndEachServo()
 {
     device::Servo servo;
     servo.id = 1;
-    const auto frames = device::stopFrames(protocol::feetechCodec(), {servo});
+    const auto frames = device::stopFrames({base::Protocol::Feetech}, {servo});
     QCOMPARE(frames.size(), std::size_t(2));
     // Write 0 to address 40: checksum is the low byte of NOT(ID + 4 + 3 + 40 + 0).
     QCOMPARE(base::toHex(frames[0]), QStringLiteral("FF FF FE 04 03 28 00 D2"));
