@@ -26,6 +26,23 @@ const SeriesDef* seriesByKey(const Catalog::Data& data, const QString& key)
     return it == data.series.end() ? nullptr : &*it;
 }
 
+bool firmwareFits(const SeriesDef& series, Version firmware)
+{
+    return (!series.from || firmware >= *series.from) && (!series.to || firmware <= *series.to);
+}
+
+/// What speaks another language than Feetech's has no model number, and its language names it.
+const SeriesDef* seriesByProtocol(const Catalog::Data& data, base::Protocol protocol,
+                                  Version firmware)
+{
+    const SeriesDef* found = nullptr;
+    for (const SeriesDef& series : data.series) {
+        if (series.protocol == protocol && firmwareFits(series, firmware))
+            found = &series;
+    }
+    return found;
+}
+
 /// The last one that fits, so that a user's series comes before a built-in one. Without a byte
 /// order only an unambiguous firmware counts.
 const SeriesDef* seriesByFirmware(const Catalog::Data& data, Version firmware,
@@ -33,7 +50,8 @@ const SeriesDef* seriesByFirmware(const Catalog::Data& data, Version firmware,
 {
     const SeriesDef* found = nullptr;
     for (const SeriesDef& series : data.series) {
-        if (firmware < series.from || firmware > series.to || (order && series.byteOrder != *order))
+        if (series.protocol != base::Protocol::Feetech || !firmwareFits(series, firmware) ||
+            (order && series.byteOrder != *order))
             continue;
         if (!order && found && found->byteOrder != series.byteOrder)
             return nullptr;
@@ -54,6 +72,11 @@ const ModelEntry* modelByNumber(const Catalog::Data& data, int major, int minor,
     return nullptr;
 }
 
+std::optional<base::ByteOrder> orderOf(const SeriesDef* series)
+{
+    return series ? std::optional(series->byteOrder) : std::nullopt;
+}
+
 /// What register 2 said, else what the model list says, else what the firmware alone implies.
 std::optional<base::ByteOrder> byteOrderOf(const Catalog::Data& data, const Identity& identity,
                                            Version firmware)
@@ -66,8 +89,7 @@ std::optional<base::ByteOrder> byteOrderOf(const Catalog::Data& data, const Iden
         modelByNumber(data, identity.modelMajor, identity.modelMinor, base::ByteOrder::Big);
     if ((little == nullptr) != (big == nullptr))
         return little ? base::ByteOrder::Little : base::ByteOrder::Big;
-    const SeriesDef* series = seriesByFirmware(data, firmware, std::nullopt);
-    return series ? std::optional(series->byteOrder) : std::nullopt;
+    return orderOf(seriesByFirmware(data, firmware, std::nullopt));
 }
 
 /// Steps become degrees where the model's range is known.
@@ -113,6 +135,23 @@ void takeSeries(Profile& profile, const SeriesDef& series)
     profile.syncRead = series.syncRead;
 }
 
+/// How blocks may be read: LX commands one by one, Modbus without the holes between its areas.
+void takeProtocol(Profile& profile, base::Protocol protocol)
+{
+    profile.protocol = protocol;
+    switch (protocol) {
+    case base::Protocol::Feetech:
+        return;
+    case base::Protocol::Modbus:
+        profile.readGap = 0;
+        profile.maxRead = 58; // the vendor's library has a buffer of 64 bytes
+        return;
+    case base::Protocol::Lx:
+        profile.readGap = -1;
+        return;
+    }
+}
+
 /// What the servo can do beyond reading needs a map to do it with.
 void takeAbilities(Profile& profile, const SeriesDef& series)
 {
@@ -137,16 +176,24 @@ void takeModel(Profile& profile, const ModelEntry& model)
         profile.defaultBaud = model.defaultBaud;
 }
 
+QString genericName(const Profile& profile)
+{
+    if (profile.identity.protocol != base::Protocol::Feetech)
+        return profile.series.isEmpty() ? QStringLiteral("?") : profile.series;
+    const QString kind = profile.series.isEmpty() ? QStringLiteral("?") : profile.series;
+    return QStringLiteral("%1 (%2)").arg(kind, profile.identity.modelId());
+}
+
 ProfilePtr build(const Catalog::Data& data, const Identity& identity, const ModelEntry* model,
-                 std::optional<base::ByteOrder> order)
+                 const SeriesDef* series, std::optional<base::ByteOrder> order)
 {
     const Version firmware{identity.firmwareMajor, identity.firmwareMinor};
-    const SeriesDef* series = order ? seriesByFirmware(data, firmware, order) : nullptr;
     const bool supported = series && !series->map.isEmpty() && (!model || model->supported);
     const SeriesDef* family = series || !model ? series : seriesByKey(data, model->series);
 
     auto profile = std::make_shared<Profile>();
     profile->identity = identity;
+    takeProtocol(*profile, identity.protocol);
     profile->byteOrder = order.value_or(base::ByteOrder::Little);
     profile->mapKey = UnknownMap;
     profile->writable = false;
@@ -159,11 +206,10 @@ ProfilePtr build(const Catalog::Data& data, const Identity& identity, const Mode
         if (!series || !model->supported)
             profile->series = model->series;
     } else {
-        const QString kind = profile->series.isEmpty() ? QStringLiteral("?") : profile->series;
-        profile->modelName = QStringLiteral("%1 (%2)").arg(kind, identity.modelId());
+        profile->modelName = genericName(*profile);
     }
     const auto map = data.maps.find(profile->mapKey);
-    if (map != data.maps.end())
+    if (map != data.maps.end() && map->second.protocol == profile->protocol)
         addRegisters(*profile, map->second, firmware);
     return profile;
 }
@@ -193,17 +239,23 @@ Catalog::Loaded Catalog::load(const QStringList& userFolders)
 ProfilePtr Catalog::resolve(const Identity& identity) const
 {
     const Version firmware{identity.firmwareMajor, identity.firmwareMinor};
+    if (identity.protocol != base::Protocol::Feetech) {
+        const SeriesDef* series = seriesByProtocol(*m_data, identity.protocol, firmware);
+        return build(*m_data, identity, nullptr, series, orderOf(series));
+    }
     const auto order = byteOrderOf(*m_data, identity, firmware);
     const ModelEntry* model =
         order ? modelByNumber(*m_data, identity.modelMajor, identity.modelMinor, *order) : nullptr;
-    return build(*m_data, identity, model, order);
+    const SeriesDef* series = order ? seriesByFirmware(*m_data, firmware, order) : nullptr;
+    return build(*m_data, identity, model, series, order);
 }
 
 const ModelEntry* Catalog::model(const QString& name) const
 {
+    const QString wanted = foldedModelName(name);
     const auto it =
         std::find_if(m_data->models.begin(), m_data->models.end(), [&](const ModelEntry& entry) {
-            return entry.name.compare(name, Qt::CaseInsensitive) == 0;
+            return foldedModelName(entry.name) == wanted;
         });
     return it == m_data->models.end() ? nullptr : &*it;
 }
@@ -215,9 +267,21 @@ const std::vector<ModelEntry>& Catalog::models() const
 
 ProfilePtr Catalog::profileFor(const ModelEntry& model, int firmwareMajor, int firmwareMinor) const
 {
+    const SeriesDef* named = seriesByKey(*m_data, model.series);
+    if (named && named->protocol != base::Protocol::Feetech) {
+        Identity identity;
+        identity.protocol = named->protocol;
+        if (named->protocol == base::Protocol::Modbus) {
+            identity.firmwareMajor = firmwareMajor;
+            identity.firmwareMinor = firmwareMinor;
+        }
+        return build(*m_data, identity, &model, named, named->byteOrder);
+    }
     const bool big = model.byteOrder == base::ByteOrder::Big;
     const Identity identity{firmwareMajor, firmwareMinor, big ? 1 : 0, model.major, model.minor};
-    return build(*m_data, identity, &model, model.byteOrder);
+    const SeriesDef* series =
+        seriesByFirmware(*m_data, {firmwareMajor, firmwareMinor}, model.byteOrder);
+    return build(*m_data, identity, &model, series, model.byteOrder);
 }
 
 QStringList Catalog::mapKeys() const

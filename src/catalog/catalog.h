@@ -50,12 +50,17 @@ public:
     /// gets a generic name; an unknown firmware gets a read-only profile (identity and feedback).
     ProfilePtr resolve(const Identity& identity) const;
 
-    /// For files and the simulator: a model by its name ("STS3215", case ignored); null if unknown.
+    /// For files and the simulator: a model by its name; case, blanks and '-' are ignored
+    /// ("lx16a"). Null if unknown.
     const ModelEntry* model(const QString& name) const;
     const std::vector<ModelEntry>& models() const;
     /// Profile of a model at a firmware, as the servo would report it.
     ProfilePtr profileFor(const ModelEntry& model, int firmwareMajor, int firmwareMinor) const;
     QStringList mapKeys() const;
+
+    /// The languages that can be met at this rate, in the order Feetech, LX, Modbus: those whose
+    /// servos can be set to it or leave the factory with it. Feetech alone for a rate nobody names.
+    std::vector<base::Protocol> protocolsAt(int baud) const;
 
 private:
     std::shared_ptr<const Data> m_data;

@@ -18,6 +18,13 @@ bool anyFits(const std::vector<Condition>& conditions, const QString& series, Ve
            });
 }
 
+QString foldedModelName(const QString& name)
+{
+    QString folded = name.toLower();
+    folded.remove(QLatin1Char('-')).remove(QLatin1Char(' '));
+    return folded;
+}
+
 const RegisterDef* RegisterRow::pick(const QString& series, Version firmware) const
 {
     if (!anyFits(only, series, firmware))

@@ -47,15 +47,17 @@ struct RegisterRow {
 
 struct MapDef {
     QString key;
+    base::Protocol protocol = base::Protocol::Feetech;
     std::vector<RegisterRow> rows;
 };
 
 /// A family: which firmware it has, and what its servos can do.
 struct SeriesDef {
     QString key;
-    QString map; ///< empty: no register map is known
-    Version from;
-    Version to; ///< inclusive
+    QString map;                                       ///< empty: no register map is known
+    base::Protocol protocol = base::Protocol::Feetech; ///< its map's, if it has one
+    std::optional<Version> from; ///< both or neither: with Feetech the firmware names the family,
+    std::optional<Version> to;   ///< elsewhere the language may do so alone; inclusive
     base::ByteOrder byteOrder = base::ByteOrder::Little;
     Line line = Line::Unknown;
     int stepsPerTurn = 4096;
@@ -67,6 +69,9 @@ struct SeriesDef {
     Centering centering = Centering::None;
     std::vector<Mode> modes;
 };
+
+/// A model's name as people type it: neither case, blanks nor '-' matter ("lx16a" is "LX-16A").
+QString foldedModelName(const QString& name);
 
 struct Catalog::Data {
     std::vector<SeriesDef> series;

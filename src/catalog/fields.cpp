@@ -154,6 +154,15 @@ std::optional<Version> parseVersion(const QString& text)
     return version;
 }
 
+base::Protocol readProtocol(Fields& fields)
+{
+    const QString word = fields.optionalWord("protocol", base::protocolName({}));
+    const auto protocol = base::protocolFromName(word);
+    if (!protocol)
+        fields.complain(QStringLiteral("unknown protocol \"%1\"").arg(word.left(40)));
+    return protocol.value_or(base::Protocol{});
+}
+
 Condition readCondition(const QJsonValue& value, QString& problem)
 {
     Fields fields(value);

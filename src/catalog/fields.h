@@ -67,5 +67,8 @@ std::optional<Version> parseVersion(const QString& text);
 Condition readCondition(const QJsonValue& value, QString& problem);
 std::vector<Condition> readConditions(const QJsonArray& array, QString& problem);
 
+/// "protocol"; Feetech if left out.
+base::Protocol readProtocol(Fields& fields);
+
 Role roleFromWord(const QString& word, bool& known);
 } // namespace catalog

@@ -3,6 +3,7 @@
 
 #include "catalog/fields.h"
 #include "catalog/map_check.h"
+#include "catalog/place.h"
 #include "catalog/readers.h"
 
 #include <QDir>
@@ -145,6 +146,7 @@ void Loader::addMap(const QJsonValue& value, const QString& where)
     Fields fields(value);
     MapDef map;
     map.key = fields.word("key");
+    map.protocol = readProtocol(fields);
     const QJsonArray rows = fields.array("registers");
     if (!fields.problem().isEmpty())
         return warn(where, fields.problem());
@@ -152,7 +154,7 @@ void Loader::addMap(const QJsonValue& value, const QString& where)
         return warn(where, QStringLiteral("more than %1 registers").arg(MostRegisters));
     for (int i = 0; i < rows.size(); ++i) {
         QString problem;
-        auto row = readRegister(rows.at(i), problem);
+        auto row = readRegister(rows.at(i), map.protocol, problem);
         if (row)
             map.rows.push_back(std::move(*row));
         else
@@ -163,6 +165,7 @@ void Loader::addMap(const QJsonValue& value, const QString& where)
     });
     if (map.rows.empty())
         return warn(where, QStringLiteral("no usable register"));
+    formBlocks(map);
     m_data.maps[map.key] = std::move(map);
 }
 
@@ -172,9 +175,20 @@ void Loader::addSeries(const QJsonValue& value, const QString& where)
     auto series = readSeries(value, problem);
     if (!series)
         return warn(where, problem);
+    takeProtocol(*series);
+    if (series->protocol == base::Protocol::Feetech && !series->from)
+        return warn(where, QStringLiteral("\"firmware\" is missing"));
     const QString key = series->key;
     putOrReplace(m_data.series, std::move(*series),
                  [&](const SeriesDef& other) { return other.key == key; });
+}
+
+/// A series speaks what its map says; its own member counts while the map is not known.
+void Loader::takeProtocol(SeriesDef& series) const
+{
+    const auto map = m_data.maps.find(series.map);
+    if (map != m_data.maps.end())
+        series.protocol = map->second.protocol;
 }
 
 void Loader::addModel(const QJsonValue& value, const QString& where)
@@ -185,7 +199,7 @@ void Loader::addModel(const QJsonValue& value, const QString& where)
         return warn(where, problem);
     putOrReplace(m_data.models, *model, [&](const ModelEntry& other) {
         if (model->major < 0)
-            return other.major < 0 && other.name.compare(model->name, Qt::CaseInsensitive) == 0;
+            return other.major < 0 && foldedModelName(other.name) == foldedModelName(model->name);
         return other.major == model->major && other.minor == model->minor &&
                other.byteOrder == model->byteOrder;
     });
@@ -195,6 +209,7 @@ Catalog::Loaded Loader::finish()
 {
     m_fileWarnings = 0;
     for (SeriesDef& series : m_data.series) {
+        takeProtocol(series);
         if (!series.map.isEmpty() && m_data.maps.find(series.map) == m_data.maps.end()) {
             m_file.clear();
             warn(QStringLiteral("series ") + series.key,

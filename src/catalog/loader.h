@@ -22,6 +22,7 @@ private:
     void addContent(const QJsonObject& object);
     void addMap(const QJsonValue& row, const QString& where);
     void addSeries(const QJsonValue& row, const QString& where);
+    void takeProtocol(SeriesDef& series) const;
     void addModel(const QJsonValue& row, const QString& where);
     void eachRow(const QJsonObject& object, const char* name,
                  const std::function<void(const QJsonValue&, const QString&)>& add);

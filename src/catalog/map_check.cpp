@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/map_check.h"
 
+#include "catalog/place.h"
+
 #include <QSet>
 
 #include <array>
+#include <map>
 #include <set>
 
 namespace catalog {
@@ -48,25 +51,60 @@ std::vector<Situation> situations(const MapDef& map)
     return all;
 }
 
-/// The row that is in the way of `rows[i]` in this situation marks it as dropped.
+/// Which row owns a byte of the table.
+class Owners {
+public:
+    Owners() { m_rows.fill(-1); }
+
+    /// The row that already has one of the bytes, or -1 and they are taken.
+    int take(int offset, int size, int row)
+    {
+        for (int byte = offset; byte < offset + size; ++byte) {
+            int& owner = m_rows[static_cast<std::size_t>(byte)];
+            if (owner >= 0 && owner != row)
+                return owner;
+            owner = row;
+        }
+        return -1;
+    }
+
+private:
+    std::array<int, TableBytes> m_rows;
+};
+
+/// The row that is in the way of `rows[i]` in this situation marks it as dropped. Reads and writes
+/// share one table: an LX command number is either read or written.
 void markOverlaps(const MapDef& map, const Situation& situation, std::vector<QString>& reasons)
 {
-    std::array<int, 1024> owner;
-    owner.fill(-1);
+    Owners owners;
     for (std::size_t i = 0; i < map.rows.size(); ++i) {
         const RegisterDef* def = map.rows[i].pick(situation.series, situation.firmware);
         if (!def || !reasons[i].isEmpty())
             continue;
-        for (int byte = def->reg.offset; byte < def->reg.offset + def->reg.size; ++byte) {
-            const int other = owner[static_cast<std::size_t>(byte)];
-            if (other >= 0) {
-                reasons[i] = QStringLiteral("address %1 belongs to \"%2\"")
-                                 .arg(byte)
-                                 .arg(map.rows[static_cast<std::size_t>(other)].base.reg.key);
-                break;
-            }
-            owner[static_cast<std::size_t>(byte)] = static_cast<int>(i);
+        const Register& reg = def->reg;
+        const int row = static_cast<int>(i);
+        int other = owners.take(reg.offset, reg.size, row);
+        if (other < 0)
+            other = owners.take(reg.writeOffset, reg.size, row);
+        if (other >= 0) {
+            const Register& owner = map.rows[static_cast<std::size_t>(other)].base.reg;
+            reasons[i] =
+                QStringLiteral("address %1 belongs to \"%2\"").arg(owner.address).arg(owner.key);
         }
+    }
+}
+
+/// LX rows that are read by one command are written by one command, in the same order.
+void markTornBlocks(const MapDef& map, std::vector<QString>& reasons)
+{
+    std::map<int, int> distances; // from read to write, by read command
+    for (std::size_t i = 0; i < map.rows.size(); ++i) {
+        const Register& reg = map.rows[i].base.reg;
+        if (map.protocol != base::Protocol::Lx || !reasons[i].isEmpty() || !reg.writable())
+            continue;
+        const auto [it, first] = distances.emplace(reg.address, reg.writeOffset - reg.offset);
+        if (!first && it->second != reg.writeOffset - reg.offset)
+            reasons[i] = QStringLiteral("\"write\" differs from that of its neighbour");
     }
 }
 
@@ -122,6 +160,7 @@ void dropConflicts(MapDef& map,
     }
     markDuplicates(map, reasons);
     markMissingReferences(map, reasons);
+    markTornBlocks(map, reasons);
     for (const Situation& situation : all)
         markOverlaps(map, situation, reasons);
     std::vector<RegisterRow> kept;

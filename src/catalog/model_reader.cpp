@@ -54,13 +54,17 @@ Mode readMode(const QJsonValue& row, Fields& owner)
 
 void readFirmwareRange(Fields& fields, SeriesDef& series)
 {
+    if (!fields.has("firmware")) {
+        fields.array("firmware");
+        return;
+    }
     const QJsonArray range = fields.array("firmware");
     const auto from = parseVersion(range.at(0).toString());
     const auto to = parseVersion(range.at(1).toString());
     if (range.size() != 2 || !from || !to || *from > *to)
         fields.complain(QStringLiteral("\"firmware\" is not a range like [\"3.0\", \"3.39\"]"));
-    series.from = from.value_or(Version{});
-    series.to = to.value_or(Version{});
+    series.from = from;
+    series.to = to;
 }
 
 void readModelNumber(Fields& fields, ModelEntry& model)
@@ -79,6 +83,7 @@ std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& problem)
     SeriesDef series;
     series.key = fields.word("key");
     series.map = fields.optionalWord("map");
+    series.protocol = readProtocol(fields);
     readFirmwareRange(fields, series);
     series.byteOrder = readByteOrder(fields);
     series.line =
@@ -92,7 +97,8 @@ std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& problem)
     series.centering = fields.oneOf<Centering>("centering",
                                                {{"none", Centering::None},
                                                 {"write128", Centering::Write128},
-                                                {"instruction0B", Centering::Instruction0B}},
+                                                {"instruction0B", Centering::Instruction0B},
+                                                {"fault_reset4", Centering::FaultReset4}},
                                                Centering::None);
     const QJsonArray modes = fields.array("modes");
     for (const QJsonValue mode : modes)

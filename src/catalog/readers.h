@@ -8,7 +8,8 @@
 #include <QJsonValue>
 
 namespace catalog {
-std::optional<RegisterRow> readRegister(const QJsonValue& row, QString& problem);
+std::optional<RegisterRow> readRegister(const QJsonValue& row, base::Protocol protocol,
+                                        QString& problem);
 std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& problem);
 
 /// `line` is not in the row: it follows from the series and is filled in by the loader.

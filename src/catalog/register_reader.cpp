@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/fields.h"
+#include "catalog/place.h"
 #include "catalog/raw_range.h"
 #include "catalog/readers.h"
 
@@ -81,7 +82,8 @@ void readValues(Fields& fields, RegisterDef& def, RawRange possible)
             item.complain(problem);
         bool number = false;
         const auto asNumber = value.key.toLongLong(&number);
-        if (number && asNumber <= possible.max && asNumber != value.value)
+        const std::int64_t largestRaw = def.reg.max.value_or(possible.max);
+        if (number && asNumber <= largestRaw && asNumber != value.value)
             item.complain(QStringLiteral("the key \"%1\" is another raw value").arg(value.key));
         for (const NamedValue& other : def.reg.values) {
             if (other.value == value.value || other.key == value.key)
@@ -128,24 +130,26 @@ Variant readVariant(const QJsonValue& row, const Register& reg, QString& problem
     return variant;
 }
 
-void readShape(Fields& fields, Register& reg)
+void readShape(Fields& fields, Register& reg, base::Protocol protocol)
 {
     reg.key = fields.word("key");
-    fields.require("address");
-    fields.require("size");
-    reg.address = static_cast<int>(fields.integer("address", 0, 255).value_or(0));
-    reg.size = static_cast<int>(fields.integer("size", 1, 4).value_or(1));
-    if (reg.size == 3)
-        fields.complain(QStringLiteral("\"size\" must be 1, 2 or 4"));
-    if (reg.address + reg.size > 256)
-        fields.complain(QStringLiteral("the register reaches beyond address 255"));
-    reg.offset = reg.writeOffset = reg.address;
+    readPlace(fields, reg, protocol);
     reg.area = fields.oneOf<Area>("area", {{"EPROM", Area::Eprom},
                                            {"SRAM", Area::Sram},
                                            {"FEEDBACK", Area::Feedback},
                                            {"FACTORY", Area::Factory}});
     reg.access =
         fields.oneOf<Access>("access", {{"ro", Access::ReadOnly}, {"rw", Access::ReadWrite}});
+    if (protocol == base::Protocol::Lx && reg.writable() != fields.has("write"))
+        fields.complain(QStringLiteral("\"write\" and \"access\" contradict each other"));
+    reg.persistence = fields.oneOf<Persistence>("persistence",
+                                                {{"kept", Persistence::Kept},
+                                                 {"lost", Persistence::Lost},
+                                                 {"after_save", Persistence::AfterSave},
+                                                 {"not_stated", Persistence::NotStated}},
+                                                Persistence::ByArea);
+    if ((reg.persistence == Persistence::AfterSave) != (reg.saveOffset >= 0))
+        fields.complain(QStringLiteral("\"save\" and \"after_save\" belong together"));
     readEncoding(fields.word("encoding"), reg.encoding, reg.signBit, fields);
     checkFits(reg.size, reg.encoding, reg.signBit, fields);
     bool known = true;
@@ -181,11 +185,11 @@ void readWords(Fields& fields, Register& reg)
         TorqueOff::NotNeeded);
 }
 
-RegisterDef readPlain(const QJsonObject& row, QString& problem)
+RegisterDef readPlain(const QJsonObject& row, base::Protocol protocol, QString& problem)
 {
     Fields fields(row);
     RegisterDef def;
-    readShape(fields, def.reg);
+    readShape(fields, def.reg, protocol);
     const RawRange possible = representable(def.reg.size, def.reg.encoding, def.reg.signBit);
     readNumbers(fields, def.reg, possible);
     readValues(fields, def, possible);
@@ -204,22 +208,24 @@ RegisterDef readPlain(const QJsonObject& row, QString& problem)
     return def;
 }
 
-void readRule(const QJsonValue& rule, const QJsonObject& plain, RegisterRow& row, QString& problem)
+void readRule(const QJsonValue& rule, const QJsonObject& plain, base::Protocol protocol,
+              RegisterRow& row, QString& problem)
 {
     QJsonObject change = rule.toObject();
     const Condition when = readCondition(change.take(QStringLiteral("when")), problem);
-    for (const char* fixed : {"key", "address"}) {
+    for (const char* fixed : {"key", "address", "write", "save", "place"}) {
         if (change.contains(QLatin1String(fixed)) && problem.isEmpty())
             problem = QStringLiteral("\"set\" must not change \"%1\"").arg(QLatin1String(fixed));
     }
     QJsonObject merged = plain;
     for (auto it = change.constBegin(); it != change.constEnd(); ++it)
         merged.insert(it.key(), it.value());
-    row.set.emplace_back(when, readPlain(merged, problem));
+    row.set.emplace_back(when, readPlain(merged, protocol, problem));
 }
 } // namespace
 
-std::optional<RegisterRow> readRegister(const QJsonValue& value, QString& problem)
+std::optional<RegisterRow> readRegister(const QJsonValue& value, base::Protocol protocol,
+                                        QString& problem)
 {
     Fields fields(value);
     QJsonObject plain = value.toObject();
@@ -230,9 +236,9 @@ std::optional<RegisterRow> readRegister(const QJsonValue& value, QString& proble
     const QJsonArray rules = fields.array("set");
     if (problem.isEmpty())
         problem = fields.complaint();
-    row.base = readPlain(plain, problem);
+    row.base = readPlain(plain, protocol, problem);
     for (const QJsonValue rule : rules)
-        readRule(rule, plain, row, problem);
+        readRule(rule, plain, protocol, row, problem);
     return problem.isEmpty() ? std::optional(row) : std::nullopt;
 }
 } // namespace catalog

@@ -65,7 +65,8 @@ void TestCatalogChoice::builtInFilesAreClean()
     for (const LoadWarning& warning : loaded.warnings)
         qInfo() << warning.file << warning.where << warning.detail;
     QVERIFY(loaded.warnings.empty());
-    const QStringList maps{QStringLiteral("scs"), QStringLiteral("sts-sms"),
+    const QStringList maps{QStringLiteral("lx"), QStringLiteral("scs"),
+                           QStringLiteral("sms-modbus"), QStringLiteral("sts-sms"),
                            QStringLiteral("unknown")};
     QCOMPARE(loaded.catalog.mapKeys(), maps);
     QVERIFY(loaded.catalog.models().size() > 100);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a row of a map lies: from the address as the sheet prints it (byte, Modbus register, LX
+// command) to bytes of the flat table that requests count in (protocol/request.h), and which rows
+// travel together. Pure functions; any thread.
+#pragma once
+
+#include "catalog/fields.h"
+
+namespace catalog {
+inline constexpr int TableBytes = 1024; ///< every offset of every language lies below
+
+/// address and size; LX also place, write and save. Complains about what lies outside the table.
+void readPlace(Fields& fields, Register& reg, base::Protocol protocol);
+
+/// Gives every row of an LX map its block: all rows with the same read command.
+void formBlocks(MapDef& map);
+} // namespace catalog

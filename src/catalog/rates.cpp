@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "catalog/definition.h"
+
+#include <algorithm>
+
+namespace catalog {
+namespace {
+bool names(const RegisterDef& def, const QString& baud)
+{
+    return def.reg.role == Role::BaudRate &&
+           std::any_of(def.reg.values.begin(), def.reg.values.end(),
+                       [&](const NamedValue& value) { return value.key == baud; });
+}
+
+/// Whether servos with this map can be set to the rate, whatever their firmware.
+bool names(const MapDef& map, const QString& baud)
+{
+    return std::any_of(map.rows.begin(), map.rows.end(), [&](const RegisterRow& row) {
+        return names(row.base, baud) ||
+               std::any_of(row.set.begin(), row.set.end(),
+                           [&](const auto& rule) { return names(rule.second, baud); });
+    });
+}
+
+bool canExist(const Catalog::Data& data, base::Protocol protocol, int baud)
+{
+    const QString word = QString::number(baud);
+    return std::any_of(data.series.begin(), data.series.end(), [&](const SeriesDef& series) {
+        if (series.protocol != protocol)
+            return false;
+        const auto map = data.maps.find(series.map);
+        return series.defaultBaud == baud || (map != data.maps.end() && names(map->second, word));
+    });
+}
+} // namespace
+
+std::vector<base::Protocol> Catalog::protocolsAt(int baud) const
+{
+    std::vector<base::Protocol> found;
+    for (const auto protocol :
+         {base::Protocol::Feetech, base::Protocol::Lx, base::Protocol::Modbus}) {
+        if (canExist(*m_data, protocol, baud))
+            found.push_back(protocol);
+    }
+    // Only Feetech has families without a public map, whose rates nobody knows.
+    if (found.empty())
+        found.push_back(base::Protocol::Feetech);
+    return found;
+}
+} // namespace catalog
