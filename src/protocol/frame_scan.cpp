@@ -27,11 +27,15 @@ struct Look {
         return from;
     }
 
-    std::size_t nextStart() const
+    /// Where the next frame may begin. At the deadline half frames will not become whole any more.
+    std::size_t nextStart(bool atDeadline) const
     {
+        const auto starts = [&](Fit fit) {
+            return fit == Fit::Valid || (fit == Fit::Partial && !atDeadline);
+        };
         std::size_t place = 1;
-        while (place < buffer.size() && replyAt(place).fit == Fit::None &&
-               rules.frameAt(buffer.subspan(place)).fit == Fit::None)
+        while (place < buffer.size() && !starts(rules.frameAt(buffer.subspan(place)).fit) &&
+               !starts(replyAt(place).fit) && replyAt(place).fit != Fit::Broken)
             ++place;
         return place;
     }
@@ -69,7 +73,7 @@ ScanResult scanFrames(const FrameRules& rules, ByteView buffer, const Expectatio
     }
     if (mayWait && (wanted.fit == Fit::Partial || frame.fit == Fit::Partial))
         return {};
-    return {ScanKind::Noise, std::min(look.nextStart(), reply), {}};
+    return {ScanKind::Noise, std::min(look.nextStart(atDeadline), reply), {}};
 }
 
 bool mayAnswer(int id, int highest, const Expectation& expected)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes to replies. Good frames are the vendor's worked examples; everything around them is what
 // a bad line makes of them.
-#include "protocol/codec.h"
+#include "unit/protocol/scan_words.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -12,11 +12,6 @@ using namespace protocol;
 using base::Bytes;
 
 namespace {
-Bytes hex(const QString& text)
-{
-    return base::fromHex(text).value();
-}
-
 Expectation expectFrom(std::vector<int> ids, int dataBytes)
 {
     Expectation expected;
@@ -24,47 +19,6 @@ Expectation expectFrom(std::vector<int> ids, int dataBytes)
     expected.dataBytes = dataBytes;
     expected.replyBytes = 6 + dataBytes;
     return expected;
-}
-
-QString kindName(ScanKind kind)
-{
-    switch (kind) {
-    case ScanKind::Incomplete:
-        return QStringLiteral("wait");
-    case ScanKind::Reply:
-        return QStringLiteral("reply");
-    case ScanKind::Foreign:
-        return QStringLiteral("foreign");
-    case ScanKind::BadCheck:
-        return QStringLiteral("bad");
-    case ScanKind::Noise:
-        return QStringLiteral("noise");
-    }
-    return {};
-}
-
-/// One word an event, as "noise 3, reply 1 00: 18 05". Stops at the first reply if asked to.
-QStringList verdicts(Bytes buffer, const Expectation& expected, bool atDeadline)
-{
-    QStringList words;
-    while (!buffer.empty()) {
-        const ScanResult result = feetechCodec().scan(buffer, expected, atDeadline);
-        if (result.kind == ScanKind::Incomplete) {
-            words += QStringLiteral("wait %1").arg(buffer.size());
-            break;
-        }
-        QString word = kindName(result.kind);
-        if (result.kind == ScanKind::Reply || result.kind == ScanKind::Foreign)
-            word += QStringLiteral(" %1 %2 [%3]")
-                        .arg(result.part.id)
-                        .arg(result.part.status, 2, 16, QLatin1Char('0'))
-                        .arg(base::toHex(result.part.data));
-        else
-            word += QStringLiteral(" %1").arg(result.consumed);
-        words += word;
-        buffer.erase(buffer.begin(), buffer.begin() + std::ptrdiff_t(result.consumed));
-    }
-    return words;
 }
 
 const auto reply1 = QStringLiteral("FF FF 01 04 00 18 05 DD ");
@@ -164,7 +118,7 @@ private Q_SLOTS:
         QFETCH(const Expectation, expected);
         QFETCH(const QString, bytes);
         QFETCH(const QStringList, said);
-        QCOMPARE(verdicts(hex(bytes), expected, false), said);
+        QCOMPARE(verdicts(feetechCodec(), hex(bytes), expected, false), said);
     }
 
     void atDeadlineNothingIsLeftWaiting_data()
@@ -187,7 +141,7 @@ private Q_SLOTS:
     {
         QFETCH(const QString, bytes);
         QFETCH(const QStringList, said);
-        QCOMPARE(verdicts(hex(bytes), expectFrom({1}, 2), true), said);
+        QCOMPARE(verdicts(feetechCodec(), hex(bytes), expectFrom({1}, 2), true), said);
     }
 
     void splitAtEveryByte()
