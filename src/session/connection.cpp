@@ -6,13 +6,15 @@
 
 namespace session {
 Connection::Connection(std::unique_ptr<bus::Bus> bus, std::shared_ptr<sim::SharedBus> simulation,
-                       const catalog::Catalog& catalog, base::Journal& journal)
+                       const catalog::Catalog& catalog, base::Journal& journal,
+                       std::optional<base::Protocol> protocol)
     : m_simulation(std::move(simulation))
     , m_bus(std::move(bus))
     , m_catalog(catalog)
     , m_journal(journal)
+    , m_protocol(protocol)
 {
-    m_bus->setStopFrames(device::stopFrames(protocol::feetechCodec()));
+    updateStopFrames();
 }
 
 Connection::~Connection() = default;
@@ -24,11 +26,27 @@ device::Context Connection::context(const base::Stop& stop, device::Notices& not
 
 void Connection::know(const device::Servo& servo)
 {
-    m_known[servo.id] = servo;
+    m_known[{servo.protocol, servo.id}] = servo;
+    updateStopFrames();
+}
+
+std::vector<base::Protocol> Connection::protocols() const
+{
+    if (m_protocol)
+        return {*m_protocol};
+    auto possible = m_catalog.protocolsAt(m_bus->baud());
+    // A bridge has no rate of its own to judge by.
+    if (!m_bus->hasBaud() || possible.empty())
+        possible.assign(base::allProtocols.begin(), base::allProtocols.end());
+    return possible;
+}
+
+void Connection::updateStopFrames()
+{
     std::vector<device::Servo> servos;
-    for (const auto& [id, known] : m_known)
+    for (const auto& [who, known] : m_known)
         servos.push_back(known);
-    m_bus->setStopFrames(device::stopFrames(protocol::feetechCodec(), servos));
+    m_bus->setStopFrames(device::stopFrames(protocols(), servos));
 }
 
 bool Connection::powerCycle()

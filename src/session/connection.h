@@ -19,19 +19,27 @@ class SharedBus;
 namespace session {
 struct PortRequest {
     QString name; ///< device path, tcp://host:port, sim:PRESET, sim:sts3215@1,scs15@2
-    int baud = 1'000'000;
+    /// None: the rate that most servos of a simulated bus have; 115200 where only LX or Modbus is
+    /// spoken; else 1 Mbaud.
+    std::optional<int> baud;
+    std::optional<base::Protocol> protocol; ///< none: whatever can exist at the rate
     std::optional<base::Duration> patience; ///< beyond wire time and reply delay
+    std::optional<base::Duration> silence;  ///< between Modbus frames, instead of the standard's
     std::optional<int> retries;
 };
 
 class Connection {
 public:
     Connection(std::unique_ptr<bus::Bus> bus, std::shared_ptr<sim::SharedBus> simulation,
-               const catalog::Catalog& catalog, base::Journal& journal);
+               const catalog::Catalog& catalog, base::Journal& journal,
+               std::optional<base::Protocol> protocol);
     ~Connection();
 
     bus::Bus& bus() { return *m_bus; }
     device::Context context(const base::Stop& stop, device::Notices& notices);
+
+    /// The languages to try: the one asked for, or all that can exist at the present rate.
+    std::vector<base::Protocol> protocols() const;
 
     /// From now on the emergency stop also names this servo.
     void know(const device::Servo& servo);
@@ -45,6 +53,9 @@ private:
     std::unique_ptr<bus::Bus> m_bus; ///< goes before the simulation its thread talks to
     const catalog::Catalog& m_catalog;
     base::Journal& m_journal;
-    std::map<int, device::Servo> m_known;
+    void updateStopFrames();
+
+    std::optional<base::Protocol> m_protocol;
+    std::map<std::pair<base::Protocol, int>, device::Servo> m_known;
 };
 } // namespace session

@@ -9,6 +9,7 @@
 #include "transport/port_opener.h"
 
 #include <algorithm>
+#include <map>
 
 namespace session {
 namespace {
@@ -22,6 +23,27 @@ base::Result<std::unique_ptr<sim::VirtualBus>> makeSimulation(const QString& nam
         return sim::makeServos(name, catalog, std::nullopt);
     return sim::makePreset(name, catalog);
 }
+
+/// The rate at which most of the servos listen; the first one's among equals.
+int commonRate(sim::VirtualBus& bus)
+{
+    std::map<int, int> votes;
+    for (const sim::VirtualServo* servo : bus.servos())
+        ++votes[servo->baud()];
+    int best = 0;
+    for (const sim::VirtualServo* servo : bus.servos()) {
+        if (best == 0 || votes[servo->baud()] > votes[best])
+            best = servo->baud();
+    }
+    return best;
+}
+
+int usualRate(std::optional<base::Protocol> protocol)
+{
+    constexpr int feetech = 1'000'000;
+    constexpr int others = 115'200;
+    return protocol.value_or(base::Protocol::Feetech) == base::Protocol::Feetech ? feetech : others;
+}
 } // namespace
 
 Session::Session()
@@ -31,12 +53,14 @@ Session::Session()
 
 base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& request)
 {
-    const transport::PortSpec spec{request.name, request.baud};
+    transport::PortSpec spec{request.name, request.baud.value_or(usualRate(request.protocol))};
     std::shared_ptr<sim::SharedBus> simulation;
     if (request.name.startsWith(simPrefix)) {
         auto made = makeSimulation(request.name.mid(simPrefix.size()), m_loaded.catalog);
         if (!made)
             return tl::unexpected(made.error());
+        if (!request.baud)
+            spec.baud = commonRate(**made);
         simulation = std::make_shared<sim::SharedBus>(std::move(*made));
     }
     const auto opener = [&]() -> base::Result<std::unique_ptr<transport::Link>> {
@@ -44,15 +68,18 @@ base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& re
             return sim::makeSimLink(simulation, spec.name, m_clock, spec.baud);
         return transport::openPort(spec, m_clock);
     };
-    auto bus = bus::BusThread::open(opener, protocol::feetechCodec(), m_clock);
+    auto bus = bus::BusThread::open(
+        opener, protocol::codecFor(request.protocol.value_or(base::Protocol::Feetech)), m_clock);
     if (!bus)
         return tl::unexpected(bus.error());
     if (request.patience)
         (*bus)->setPatience(*request.patience);
     if (request.retries)
         (*bus)->setRetries(*request.retries);
+    if (request.silence)
+        (*bus)->setSilence(*request.silence);
     return std::make_unique<Connection>(std::move(*bus), std::move(simulation), m_loaded.catalog,
-                                        m_journal);
+                                        m_journal, request.protocol);
 }
 
 std::vector<transport::PortInfo> adapters()

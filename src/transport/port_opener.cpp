@@ -18,8 +18,8 @@ base::Result<std::unique_ptr<Link>> openPort(const PortSpec& spec, base::Clock&)
 const std::vector<int>& knownRates()
 {
     static const std::vector<int> rates{1'000'000, 500'000, 256'000, 250'000, 128'000,
-                                        115'200,   76'800,  57'600,  38'400,  19'200,
-                                        14'400,    9'600,   4'800};
+                                        115'200,   76'800,  57'600,  56'000,  38'400,
+                                        19'200,    14'400,  9'600,   4'800};
     return rates;
 }
 } // namespace transport
