@@ -97,11 +97,12 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
         return tl::unexpected(quiet.error());
     const bool raw = request.op == protocol::Op::Raw;
     Wait wait;
+    keepSilence(protocol::codecFor(request.protocol));
     m_codec = &protocol::codecFor(request.protocol);
+    m_trace.speak(request.protocol);
     wait.expected = m_codec->expect(request);
     const std::size_t replies = wait.expected.ids.size();
     m_guard.sending(request);
-    keepSilence();
     const auto sentAt = m_line.send(frame);
     if (!sentAt)
         return tl::unexpected(sentAt.error());

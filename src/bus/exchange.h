@@ -70,7 +70,8 @@ private:
     void takeForeign(Wait& wait, protocol::Part part, base::ByteView frame);
     void takeBadCheck(Wait& wait, int id);
     void giveUp(Wait& wait, bool interrupted);
-    void keepSilence();
+    base::Duration silenceOf(const protocol::Codec& codec) const;
+    void keepSilence(const protocol::Codec& next);
     base::Result<bool> echoedOnce(base::ByteView probe, bool& heard, const Interrupt& interrupt);
 
     Line& m_line;

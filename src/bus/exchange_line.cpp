@@ -61,27 +61,30 @@ Result<void> Exchange::awaitSilence()
 
 Result<void> Exchange::sendStopFrames(const std::vector<base::Bytes>& frames, Duration replyDelay)
 {
+    // A Modbus station takes only what stands between silences; above its fastest rate there is
+    // none.
+    const Duration gap =
+        m_line.baud() <= fastestModbus ? silenceOf(protocol::modbusCodec()) : Duration{};
     // A frame that falls into a running reply is lost, but stopping must not wait for long either.
     const Duration limit = m_clock.now() + waitSlice;
-    Duration clearAt = m_repliesUntil;
+    const Duration spokenUntil = std::max(m_line.lastByteAt(), m_line.freeAt());
+    Duration clearAt = std::max(m_repliesUntil, spokenUntil + gap);
     while (m_clock.now() < std::min(clearAt, limit)) {
         const auto heard = listenUntil(std::min(clearAt, limit), {});
         if (!heard)
             return heard;
-        clearAt = std::max(clearAt, m_line.lastByteAt() + m_line.silence());
+        clearAt = std::max(clearAt, m_line.lastByteAt() + std::max(m_line.silence(), gap));
     }
     const int rounds = clearAt > limit ? 2 : 1;
-    // A Modbus station takes only what follows a silence; above its fastest rate there is none.
-    const bool modbusPossible = m_line.baud() <= fastestModbus;
-    const Duration margin =
-        modbusPossible ? std::max(stopFrameMargin, protocol::modbusCodec().silence(m_line.baud()))
-                       : stopFrameMargin;
     for (int round = 0; round < rounds; ++round) {
         for (const base::Bytes& frame : frames) {
             if (const auto sent = m_line.send(frame); !sent)
                 return tl::unexpected(sent.error());
-            const Duration room = replyDelay + m_line.wireTime(shortestReply) + margin;
+            const Duration room =
+                replyDelay + m_line.wireTime(shortestReply) + std::max(stopFrameMargin, gap);
             if (const auto heard = listenUntil(m_line.freeAt() + room, {}); !heard)
+                return heard;
+            if (const auto heard = listenUntil(m_line.lastByteAt() + gap, {}); !heard)
                 return heard;
         }
     }
@@ -90,19 +93,27 @@ Result<void> Exchange::sendStopFrames(const std::vector<base::Bytes>& frames, Du
     return {};
 }
 
-/// Some protocols know where a frame begins by the silence before it.
-void Exchange::keepSilence()
+Duration Exchange::silenceOf(const protocol::Codec& codec) const
 {
     const Duration::rep chosen = m_silence.load(std::memory_order_relaxed);
-    const Duration own = m_codec->silence(m_line.baud());
-    const Duration silence = own > 0us && chosen >= 0 ? Duration(chosen) : own;
-    const Duration from = std::max(m_line.lastByteAt(), m_line.freeAt()) + silence;
-    if (silence > 0us && m_clock.now() < from)
+    const Duration own = codec.silence(m_line.baud());
+    return own > 0us && chosen >= 0 ? Duration(chosen) : own;
+}
+
+/// Some protocols know where a frame begins by the silence before it, and where it ends by the one
+/// after: a request that nobody answers needs it too when another language follows.
+void Exchange::keepSilence(const protocol::Codec& next)
+{
+    const Duration before = std::max(m_line.lastByteAt(), m_line.freeAt()) + silenceOf(next);
+    const Duration after = m_line.freeAt() + silenceOf(*m_codec);
+    const Duration from = std::max(before, after);
+    if (m_clock.now() < from)
         m_clock.sleepUntil(from);
 }
 
 Result<bool> Exchange::probeEcho(const Interrupt& interrupt)
 {
+    m_trace.speak(m_codec->echoProbe().protocol);
     const auto probe = m_codec->encode(m_codec->echoProbe());
     if (!probe)
         return tl::unexpected(probe.error());

@@ -35,8 +35,9 @@ bool sameBlock(const PollSpan& a, const PollSpan& b)
 std::vector<PollSpan> mergeSpans(std::vector<PollSpan> spans, int mergeGap, int maxBlock)
 {
     std::erase_if(spans, [](const PollSpan& span) { return span.count <= 0; });
-    std::sort(spans.begin(), spans.end(),
-              [](const PollSpan& a, const PollSpan& b) { return a.address < b.address; });
+    std::sort(spans.begin(), spans.end(), [](const PollSpan& a, const PollSpan& b) {
+        return std::pair(a.every, a.address) < std::pair(b.every, b.address);
+    });
     std::vector<PollSpan> blocks;
     for (const PollSpan& span : spans) {
         if (!blocks.empty() && blocks.back().every == span.every) {

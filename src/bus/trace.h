@@ -5,6 +5,7 @@
 
 #include "base/bytes.h"
 #include "base/clock.h"
+#include "base/protocol.h"
 
 namespace bus {
 enum class TraceKind : std::uint8_t { Sent, Received, Echo, Foreign, Late, BadCheck, Noise, Note };
@@ -13,6 +14,7 @@ struct TraceEntry {
     base::Duration at{};
     TraceKind kind = TraceKind::Sent;
     base::Bytes bytes;
-    std::uint64_t dropped = 0; ///< entries lost before this one
+    base::Protocol protocol = base::Protocol::Feetech; ///< the language spoken at the time
+    std::uint64_t dropped = 0;                         ///< entries lost before this one
 };
 } // namespace bus

@@ -8,6 +8,12 @@ TraceRing::TraceRing(std::size_t capacity)
     : m_capacity(capacity)
 {}
 
+void TraceRing::speak(base::Protocol protocol)
+{
+    const std::lock_guard lock(m_mutex);
+    m_protocol = protocol;
+}
+
 void TraceRing::add(base::Duration at, TraceKind kind, base::ByteView bytes)
 {
     const std::lock_guard lock(m_mutex);
@@ -22,6 +28,7 @@ void TraceRing::add(base::Duration at, TraceKind kind, base::ByteView bytes)
     ++m_count;
     slot.at = at;
     slot.kind = kind;
+    slot.protocol = m_protocol;
     slot.bytes.assign(bytes.begin(), bytes.end());
 }
 

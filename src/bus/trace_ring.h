@@ -13,6 +13,7 @@ class TraceRing {
 public:
     explicit TraceRing(std::size_t capacity = 4096);
 
+    void speak(base::Protocol protocol); ///< the language of what is added from now on
     void add(base::Duration at, TraceKind kind, base::ByteView bytes);
     void note(base::Duration at, const QString& text); ///< ASCII
     std::vector<TraceEntry> take();                    ///< oldest first
@@ -20,6 +21,7 @@ public:
 private:
     std::mutex m_mutex;
     std::vector<TraceEntry> m_slots; ///< a slot keeps its bytes' memory for the next entry
+    base::Protocol m_protocol = base::Protocol::Feetech;
     std::size_t m_capacity;
     std::size_t m_first = 0;
     std::size_t m_count = 0;

@@ -12,12 +12,13 @@ struct Bench {
     Script script;
     std::unique_ptr<bus::BusCore> core;
 
-    void open(bus::CoreOptions options = {})
+    void open(bus::CoreOptions options = {},
+              const protocol::Codec& codec = protocol::feetechCodec())
     {
         for (int id = 1; id <= 3; ++id)
             script.tables.try_emplace(id, countingTable(id));
-        core = std::make_unique<bus::BusCore>(std::make_unique<ScriptedLink>(script),
-                                              protocol::feetechCodec(), script.clock, options);
+        core = std::make_unique<bus::BusCore>(std::make_unique<ScriptedLink>(script), codec,
+                                              script.clock, options);
         script.sent.clear();
         core->takeTrace();
     }

@@ -79,6 +79,36 @@ private Q_SLOTS:
         QCOMPARE(shown(mergeSpans(spans, 12, 128)), blocks);
     }
 
+    void slowSpansDoNotPartFastOnes()
+    {
+        QCOMPARE(shown(mergeSpans({{56, 2, 1}, {58, 2, 5}, {60, 2, 1}, {62, 1, 5}}, 12, 128)),
+                 QStringLiteral("56+6 58+5"));
+    }
+
+    void mergingCanBeLimited_data()
+    {
+        QTest::addColumn<std::vector<PollSpan>>("spans");
+        QTest::addColumn<int>("gap");
+        QTest::addColumn<int>("longest");
+        QTest::addColumn<QString>("blocks");
+        using Spans = std::vector<PollSpan>;
+        QTest::newRow("no gap") << Spans{{512, 4}, {516, 2}, {520, 2}} << 0 << 58
+                                << QStringLiteral("512+6 520+2");
+        QTest::newRow("no longer than the servo's buffer")
+            << Spans{{0, 58}, {58, 2}} << 0 << 58 << QStringLiteral("0+58 58+2");
+        QTest::newRow("as they are")
+            << Spans{{168, 4}, {172, 4}, {168, 4}} << -1 << 128 << QStringLiteral("168+4 172+4");
+    }
+
+    void mergingCanBeLimited()
+    {
+        QFETCH(const std::vector<PollSpan>, spans);
+        QFETCH(const int, gap);
+        QFETCH(const int, longest);
+        QFETCH(const QString, blocks);
+        QCOMPARE(shown(mergeSpans(spans, gap, longest)), blocks);
+    }
+
     void servosAreGrouped_data()
     {
         QTest::addColumn<PollPlan>("plan");

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several languages on one line: each request is spoken in its own, with the silence it needs, and
+// nothing that came for one is taken for the answer to another.
+#include <QRegularExpression>
+#include <QTest>
+
+#include "drawer.h"
+
+using namespace bus;
+using base::ErrorCode;
+using base::Protocol;
+using protocol::Repeat;
+using protocol::Request;
+using namespace std::chrono_literals;
+
+Q_DECLARE_METATYPE(protocol::Request)
+Q_DECLARE_METATYPE(Duration)
+Q_DECLARE_METATYPE(base::Protocol)
+
+namespace {
+const Bytes modbusOffAll = modbusFrame({0, 6, 0, 129, 0, 0});
+const Bytes modbusOff1 = modbusFrame({1, 6, 0, 129, 0, 0});
+const Bytes feetechOffAll = frameOf(254, 3, {40, 0});
+const Bytes lxOffAll = lxFrame(254, 31, {0});
+
+void pause(Bench& bench, Duration span)
+{
+    bench.core->pauseUntil(bench.script.clock.now() + span, nullptr);
+}
+
+int samplesAt(const std::vector<Sample>& samples, int address)
+{
+    return int(std::count_if(samples.begin(), samples.end(), [address](const Sample& sample) {
+        return sample.address == address && sample.answered;
+    }));
+}
+} // namespace
+
+class TestBusLanguages : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void eachRequestInItsOwn()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        for (int round = 0; round < 3; ++round) {
+            const auto feetech = drawer.transact(Request::read(1, 56, 4));
+            QVERIFY(feetech);
+            QCOMPARE(feetech->data(), tableBytes(1, 56, 4));
+            const auto modbus = drawer.transact(modbusRead(256, 2));
+            QVERIFY(modbus);
+            QCOMPARE(modbus->data(), (Bytes{1, 0, 1, 1}));
+            QVERIFY(drawer.transact(modbusWrite(129, {0, 1})));
+            QVERIFY(drawer.transact(modbusWrite(128, {8, 0, 0, 1})));
+            const auto lx = drawer.transact(lxRead(28, 2));
+            QVERIFY(lx);
+            QCOMPARE(lx->data(), (Bytes{0xFD, 0xFF}));
+            QVERIFY(drawer.transact(inLx(Request::halt(1))));
+        }
+        const Counters counters = drawer.counters(1);
+        QCOMPARE(counters.ok, std::uint64_t(15));
+        QCOMPARE(counters.retried, std::uint64_t(0));
+        QCOMPARE(counters.noiseBytes, std::uint64_t(0));
+    }
+
+    void theTraceKnowsTheLanguage()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        QVERIFY(drawer.transact(modbusRead(256, 1)));
+        QVERIFY(drawer.transact(lxRead(26, 1)));
+        QVERIFY(drawer.transact(Request::ping(2)));
+        QStringList said;
+        for (const TraceEntry& entry : drawer.core->takeTrace())
+            said += protocol::codecFor(entry.protocol)
+                        .explain(entry.bytes, entry.kind == TraceKind::Sent);
+        QCOMPARE(
+            said,
+            (QStringList{QString::fromUtf8("READ 1 @256 ×1"), QStringLiteral("REPLY READ 1: 01 00"),
+                         QStringLiteral("TEMP READ 1"), QStringLiteral("REPLY TEMP READ 1: 2D"),
+                         QStringLiteral("PING 2"), QStringLiteral("STATUS 2")}));
+    }
+
+    void whatALanguageLacksIsNotSent()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        for (const Request& request :
+             {inModbus(Request::action()), inLx(Request::reboot(1)), Request::halt(1)}) {
+            const auto outcome = drawer.transact(request);
+            QVERIFY(!outcome);
+            QCOMPARE(outcome.error().code, ErrorCode::NotSupported);
+            QVERIFY(!outcome.error().detail.isEmpty());
+        }
+        QVERIFY(drawer.script.sent.empty());
+    }
+
+    void modbusIsPrecededBySilence_data()
+    {
+        QTest::addColumn<Request>("before");
+        QTest::addColumn<int>("baud");
+        QTest::addColumn<Duration>("chosen");
+        QTest::addColumn<Duration>("silence");
+        const Duration unchosen = -1us;
+        const Request feetech = Request::read(1, 56, 4);
+        const Request modbus = modbusRead(256, 2);
+        const auto row = [](const char* name, const Request& before, int baud, Duration chosen,
+                            Duration silence) {
+            QTest::newRow(name) << before << baud << chosen << silence;
+        };
+        row("after Modbus", modbus, 115'200, unchosen, 1750us);
+        row("after Feetech", feetech, 115'200, unchosen, 1750us);
+        row("after a request nobody answers", inLx(Request::halt(1)), 115'200, unchosen, 1750us);
+        row("after a Modbus broadcast", modbusWrite(129, {0, 0}, 254), 115'200, unchosen, 1750us);
+        row("9600", modbus, 9'600, unchosen, 3646us);
+        row("chosen", modbus, 115'200, 300us, 300us);
+        row("none chosen", modbus, 115'200, 0us, 0us);
+    }
+
+    void modbusIsPrecededBySilence()
+    {
+        QFETCH(const Request, before);
+        QFETCH(const int, baud);
+        QFETCH(const Duration, chosen);
+        QFETCH(const Duration, silence);
+        Drawer drawer;
+        drawer.script.baud = baud;
+        drawer.modbusSilence = 0us;
+        drawer.openDrawer();
+        if (chosen >= 0us)
+            drawer.core->setSilence(chosen);
+        QVERIFY(drawer.transact(before));
+        const Duration lineFree = drawer.script.wireFree;
+        QVERIFY(drawer.transact(modbusRead(256, 2)));
+        const Duration silent = drawer.script.sent.at(1).at - lineFree;
+        // The wire of the script rounds down, the line up.
+        QVERIFY2(silent >= silence && silent <= silence + 2us,
+                 QByteArray::number(qint64(silent.count())).constData());
+    }
+
+    void otherLanguagesNeedNone_data()
+    {
+        QTest::addColumn<Request>("request");
+        QTest::newRow("Feetech") << Request::read(1, 56, 4);
+        QTest::newRow("LX") << lxRead(28, 2);
+    }
+
+    void otherLanguagesNeedNone()
+    {
+        QFETCH(const Request, request);
+        Drawer drawer;
+        drawer.openDrawer();
+        drawer.core->setSilence(5ms);
+        QVERIFY(drawer.transact(Request::ping(2)));
+        const Duration lineFree = drawer.script.wireFree;
+        QVERIFY(drawer.transact(request));
+        QCOMPARE(drawer.script.sent.back().at, lineFree);
+    }
+
+    void aModbusBroadcastIsFollowedBySilence()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        QVERIFY(drawer.transact(modbusWrite(129, {0, 0}, 254)));
+        QVERIFY(drawer.transact(Request::ping(1)));
+        QCOMPARE(drawer.carriedOut, (std::vector<Bytes>{modbusOffAll}));
+    }
+
+    void exceptionsAreRefusals_data()
+    {
+        QTest::addColumn<int>("exception");
+        QTest::addColumn<QString>("detail");
+        QTest::newRow("function") << 1 << QStringLiteral("illegal-function");
+        QTest::newRow("address") << 2 << QStringLiteral("illegal-address");
+        QTest::newRow("value") << 3 << QStringLiteral("illegal-value");
+        QTest::newRow("another") << 4 << QStringLiteral("exception 4");
+    }
+
+    void exceptionsAreRefusals()
+    {
+        QFETCH(const int, exception);
+        QFETCH(const QString, detail);
+        Drawer drawer;
+        drawer.openDrawer();
+        drawer.exception = exception;
+        Request never = modbusWrite(10, {0, 5});
+        never.repeat = Repeat::Never;
+        for (const Request& request : {modbusRead(1000, 1), modbusWrite(129, {0, 1}),
+                                       modbusWrite(128, {8, 0, 0, 1}), never}) {
+            drawer.script.sent.clear();
+            const Duration start = drawer.script.clock.now();
+            const auto outcome = drawer.transact(request, 3);
+            QVERIFY(!outcome);
+            QCOMPARE(outcome.error().code, ErrorCode::Refused);
+            QCOMPARE(outcome.error().detail, detail);
+            QCOMPARE(outcome.error().id, 1);
+            QCOMPARE(drawer.script.sent.size(), std::size_t(1));
+            QVERIFY2(drawer.script.clock.now() - start < 5ms, "no waiting for what will not come");
+        }
+    }
+
+    void aRefusedPollIsASample()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        drawer.exception = 2;
+        PollPlan plan;
+        plan.period = 10ms;
+        plan.servos.push_back({1, {{512, 4, 1}}, false, 0, Protocol::Modbus, 0, 58});
+        const PollId id = drawer.core->startPoll(plan);
+        pause(drawer, 95ms);
+        const auto samples = drawer.core->takeSamples(id);
+        QCOMPARE(samples.size(), std::size_t(10));
+        QVERIFY(!samples.front().answered);
+        QVERIFY(samples.front().data.empty());
+        QCOMPARE(samples.front().error, ErrorCode::Refused);
+    }
+
+    void brokenModbusRepliesAreGarbled()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        drawer.script.intercept = [&](const Bytes&) {
+            Bytes broken = modbusFrame({1, 3, 2, 0, 1});
+            broken.back() ^= 1;
+            drawer.script.reply(broken);
+            return true;
+        };
+        const auto outcome = drawer.transact(modbusRead(256, 1));
+        QVERIFY(!outcome);
+        QCOMPARE(outcome.error().code, ErrorCode::Garbled);
+        QCOMPARE(drawer.counters(1).badChecks, std::uint64_t(3));
+    }
+
+    void theWrongLanguageIsNoAnswer_data()
+    {
+        QTest::addColumn<Request>("request");
+        QTest::addColumn<Bytes>("answer");
+        QTest::newRow("Feetech to Modbus") << modbusRead(256, 1) << frameOf(1, 0, {});
+        QTest::newRow("Modbus to LX") << lxRead(28, 2) << modbusFrame({1, 3, 2, 0, 1});
+        QTest::newRow("LX to Feetech") << Request::read(1, 56, 2) << lxFrame(1, 28, {1, 2});
+    }
+
+    void theWrongLanguageIsNoAnswer()
+    {
+        QFETCH(const Request, request);
+        QFETCH(const Bytes, answer);
+        Drawer drawer;
+        drawer.openDrawer();
+        drawer.script.intercept = [&](const Bytes&) {
+            drawer.script.reply(answer);
+            return true;
+        };
+        const auto outcome = drawer.transact(request);
+        QVERIFY(!outcome);
+        QCOMPARE(outcome.error().code, ErrorCode::Garbled);
+    }
+
+    void slowRowsAreReadEveryNthRound()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        PollPlan plan;
+        plan.period = 10ms;
+        plan.servos.push_back(
+            {1, {{224, 2, 1}, {216, 2, 5}, {208, 1, 10}}, false, 0, Protocol::Lx, -1, 128});
+        const PollId id = drawer.core->startPoll(plan);
+        pause(drawer, 195ms);
+        const auto samples = drawer.core->takeSamples(id);
+        QCOMPARE(samplesAt(samples, 224), 20);
+        QCOMPARE(samplesAt(samples, 216), 4);
+        QCOMPARE(samplesAt(samples, 208), 2);
+        QCOMPARE(samples.front().data, (Bytes{0xFD, 0xFF}));
+    }
+
+    /// LX blocks stand eight places apart whether they are read together or not.
+    void blocksOfLxAreReadAsTheyAre()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        PollPlan plan;
+        plan.period = 10ms;
+        plan.servos.push_back(
+            {1, {{208, 1}, {216, 2}, {224, 2}, {216, 2}}, false, 0, Protocol::Lx, -1, 128});
+        const PollId id = drawer.core->startPoll(plan);
+        pause(drawer, 8ms);
+        std::vector<int> commands;
+        for (const SentFrame& frame : drawer.script.sent)
+            commands.push_back(frame.instruction());
+        QCOMPARE(commands, (std::vector<int>{26, 27, 28}));
+        QCOMPARE(drawer.core->takeSamples(id).size(), std::size_t(3));
+    }
+
+    void oneIdInTwoLanguages()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        PollPlan plan;
+        plan.period = 20ms;
+        plan.servos.push_back({1, {{56, 4}}, true, 0});
+        plan.servos.push_back({2, {{56, 4}}, true, 0});
+        plan.servos.push_back({1, {{512, 4}, {516, 12}}, true, 0, Protocol::Modbus, 0, 58});
+        const PollId id = drawer.core->startPoll(plan);
+        pause(drawer, 15ms);
+        const auto samples = drawer.core->takeSamples(id);
+        QCOMPARE(samples.size(), std::size_t(3));
+        for (const Sample& sample : samples) {
+            QVERIFY(sample.answered);
+            QCOMPARE(sample.data.size(), std::size_t(sample.address == 512 ? 16 : 4));
+        }
+        QCOMPARE(samplesAt(samples, 56), 2);
+    }
+
+    void aLateReplyToAnotherCommandIsNotTheAnswer_data()
+    {
+        QTest::addColumn<Duration>("latency");
+        QTest::newRow("within the pause") << Duration(16ms);
+        QTest::newRow("after the pause") << Duration(45ms);
+    }
+
+    void aLateReplyToAnotherCommandIsNotTheAnswer()
+    {
+        QFETCH(const Duration, latency);
+        Drawer drawer;
+        drawer.openDrawer();
+        drawer.script.latency = latency;
+        QVERIFY(!drawer.transact(lxRead(27, 2), 0, 5ms));
+        const auto position = drawer.transact(lxRead(28, 2), 0, 80ms);
+        QVERIFY(position);
+        QCOMPARE(position->data(), (Bytes{0xFD, 0xFF}));
+        QCOMPARE(drawer.counters(1).late, std::uint64_t(1));
+    }
+
+    void anAcknowledgementOfAnotherWriteIsNotTheAnswer()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        drawer.script.latency = 45ms;
+        QVERIFY(!drawer.transact(modbusWrite(133, {0, 0}), 0, 5ms));
+        drawer.script.intercept = [](const Bytes&) { return true; };
+        const auto lost = drawer.transact(modbusWrite(129, {0, 1}), 0, 80ms);
+        QVERIFY(!lost);
+        QCOMPARE(lost.error().code, ErrorCode::NoAnswer);
+    }
+
+    void echoesAreFoundOut_data()
+    {
+        QTest::addColumn<Protocol>("protocol");
+        QTest::addColumn<bool>("echo");
+        for (const Protocol protocol : base::allProtocols) {
+            for (const bool echo : {true, false})
+                QTest::addRow("%s %s", qPrintable(base::protocolName(protocol)),
+                              echo ? "with" : "without")
+                    << protocol << echo;
+        }
+    }
+
+    void echoesAreFoundOut()
+    {
+        QFETCH(const Protocol, protocol);
+        QFETCH(const bool, echo);
+        Drawer drawer;
+        drawer.script.echo = echo;
+        drawer.openDrawer(protocol::codecFor(protocol));
+        QCOMPARE(drawer.core->echoes(), echo);
+        QVERIFY(drawer.transact(Request::read(1, 56, 4)));
+        QVERIFY(drawer.transact(lxRead(28, 2)));
+        QVERIFY(drawer.transact(modbusRead(256, 2)));
+        QVERIFY2(drawer.transact(modbusWrite(129, {0, 1})), "the reply equals the echo");
+        QCOMPARE(drawer.counters(1).foreign, std::uint64_t(0));
+    }
+
+    void anEchoIsNoAcknowledgement()
+    {
+        Drawer drawer;
+        drawer.script.echo = true;
+        drawer.openDrawer(protocol::modbusCodec());
+        drawer.script.intercept = [](const Bytes&) { return true; };
+        const auto outcome = drawer.transact(modbusWrite(129, {0, 1}));
+        QVERIFY(!outcome);
+        QCOMPARE(outcome.error().code, ErrorCode::NoAnswer);
+    }
+
+    void stopFramesLeaveModbusItsSilence_data()
+    {
+        QTest::addColumn<Request>("before");
+        QTest::newRow("after Modbus") << modbusRead(256, 8);
+        QTest::newRow("after LX") << lxRead(28, 2);
+        QTest::newRow("after a broadcast") << inLx(Request::halt(254));
+        QTest::newRow("after a Modbus broadcast") << modbusWrite(131, {0, 50}, 254);
+    }
+
+    void stopFramesLeaveModbusItsSilence()
+    {
+        QFETCH(const Request, before);
+        Drawer drawer;
+        drawer.openDrawer();
+        drawer.core->setStopFrames(
+            {modbusOffAll, feetechOffAll, lxOffAll, modbusOff1, modbusOff1, lxOffAll});
+        QVERIFY(drawer.transact(before));
+        drawer.settle();
+        drawer.carriedOut.clear();
+        const Duration start = drawer.script.clock.now();
+        drawer.core->emergency();
+        QCOMPARE(drawer.carriedOut, (std::vector<Bytes>{modbusOffAll, modbusOff1, modbusOff1}));
+        QVERIFY2(drawer.script.clock.now() - start < 30ms, "stopping does not wait for long");
+    }
+};
+
+QTEST_GUILESS_MAIN(TestBusLanguages)
+#include "tst_bus_languages.moc"
