@@ -153,13 +153,14 @@ void takeProtocol(Profile& profile, base::Protocol protocol)
 }
 
 /// What the servo can do beyond reading needs a map to do it with.
-void takeAbilities(Profile& profile, const SeriesDef& series)
+void takeAbilities(Profile& profile, const SeriesDef& series, Version firmware)
 {
     profile.mapKey = series.map;
     profile.writable = true;
     profile.damping = series.damping;
     profile.multiTurn = series.multiTurn;
-    profile.centering = series.centering;
+    if (!series.centeringFrom || firmware >= *series.centeringFrom)
+        profile.centering = series.centering;
     profile.modes = series.modes;
 }
 
@@ -200,7 +201,7 @@ ProfilePtr build(const Catalog::Data& data, const Identity& identity, const Mode
     if (family)
         takeSeries(*profile, *family);
     if (supported)
-        takeAbilities(*profile, *series);
+        takeAbilities(*profile, *series, firmware);
     if (model) {
         takeModel(*profile, *model);
         if (!series || !model->supported)

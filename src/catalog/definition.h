@@ -67,6 +67,7 @@ struct SeriesDef {
     bool damping = false;
     bool multiTurn = false;
     Centering centering = Centering::None;
+    std::optional<Version> centeringFrom; ///< first firmware that has it
     std::vector<Mode> modes;
 };
 

@@ -100,6 +100,7 @@ std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& problem)
                                                 {"instruction0B", Centering::Instruction0B},
                                                 {"fault_reset4", Centering::FaultReset4}},
                                                Centering::None);
+    series.centeringFrom = fields.version("centering_from");
     const QJsonArray modes = fields.array("modes");
     for (const QJsonValue mode : modes)
         series.modes.push_back(readMode(mode, fields));

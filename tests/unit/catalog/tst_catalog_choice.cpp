@@ -46,6 +46,9 @@ private Q_SLOTS:
     void torqueSwitchValues_data();
     void torqueSwitchValues();
     void phaseBit5BySeries();
+    void hlsByFirmware_data();
+    void hlsByFirmware();
+    void locksAndAbilitiesOfTheOtherMaps();
     void scsReservedRowsAreReadOnly();
     void abilities();
     void flags();
@@ -65,9 +68,10 @@ void TestCatalogChoice::builtInFilesAreClean()
     for (const LoadWarning& warning : loaded.warnings)
         qInfo() << warning.file << warning.where << warning.detail;
     QVERIFY(loaded.warnings.empty());
-    const QStringList maps{QStringLiteral("lx"), QStringLiteral("scs"),
-                           QStringLiteral("sms-modbus"), QStringLiteral("sts-sms"),
-                           QStringLiteral("unknown")};
+    const QStringList maps{QStringLiteral("hls"),     QStringLiteral("lx"),
+                           QStringLiteral("scs"),     QStringLiteral("scs2"),
+                           QStringLiteral("smcl"),    QStringLiteral("sms-modbus"),
+                           QStringLiteral("sts-sms"), QStringLiteral("unknown")};
     QCOMPARE(loaded.catalog.mapKeys(), maps);
     QVERIFY(loaded.catalog.models().size() > 100);
 }
@@ -89,8 +93,8 @@ void TestCatalogChoice::mapByFirmware_data()
     row("SCS last", {0, 39, 1, 5, 15}, "scs", "SCS", "SCS15", true);
     row("SCS beyond", {0, 40, 1, 5, 15}, "unknown", "SCS", "SCS15", true);
     row("SCS firmware, low byte first", {0, 4, 0, 5, 15}, "unknown", "", "? (5.15)", false);
-    row("SMCL", {1, 6, 0, 6, 16}, "unknown", "SMCL", "SM100-360M", true);
-    row("SMCL older range", {1, 39, 0, 6, 200}, "unknown", "SMCL", "SMCL (6.200)", false);
+    row("SMCL", {1, 6, 0, 6, 16}, "smcl", "SMCL", "SM100-360M", true);
+    row("SMCL older range", {1, 39, 0, 6, 200}, "smcl", "SMCL", "SMCL (6.200)", false);
     row("below SMS", {2, 39, 0, 8, 42}, "unknown", "SMS", "SM45BLHV", true);
     row("SMS first", {2, 40, 0, 8, 42}, "sts-sms", "SMS", "SM45BLHV", true);
     row("SMS last", {2, 69, 0, 8, 30}, "sts-sms", "SMS", "SM30BL", true);
@@ -98,13 +102,16 @@ void TestCatalogChoice::mapByFirmware_data()
     row("STS first", {3, 0, 0, 9, 3}, "sts-sms", "STS", "STS3215", true);
     row("STS last", {3, 39, 0, 9, 11}, "sts-sms", "STS", "STS3250", true);
     row("STS, high byte first", {3, 10, 1, 9, 3}, "unknown", "", "? (9.3)", false);
-    row("SCS2 first", {3, 20, 1, 9, 15}, "unknown", "SCS2", "SCS15-2", true);
+    row("SCS2 first", {3, 20, 1, 9, 15}, "scs2", "SCS2", "SCS15-2", true);
+    row("SCS2 last", {3, 39, 1, 9, 20}, "scs2", "SCS2", "SCSXX-2", true);
+    row("SCS2 beyond", {3, 40, 1, 9, 15}, "unknown", "SCS2", "SCS15-2", true);
     row("same numbers, low byte first", {3, 24, 0, 9, 15}, "sts-sms", "STS", "STS (9.15)", false);
-    row("HLS first", {3, 40, 0, 10, 10}, "unknown", "HLS", "HLS3606", true);
-    row("HLS last", {3, 59, 0, 10, 10}, "unknown", "HLS", "HLS3606", true);
+    row("HLS first", {3, 40, 0, 10, 10}, "hls", "HLS", "HLS3606", true);
+    row("HLS without a known model", {3, 46, 0, 10, 200}, "hls", "HLS", "HLS (10.200)", false);
+    row("HLS last", {3, 59, 0, 10, 10}, "hls", "HLS", "HLS3606", true);
     row("above HLS", {3, 60, 0, 9, 3}, "unknown", "STS", "STS3215", true);
     row("BL model with STS firmware", {3, 20, 0, 10, 5}, "sts-sms", "STS", "STS3045BL", true);
-    row("BL model with HLS firmware", {3, 42, 0, 10, 5}, "unknown", "HLS", "STS3045BL", true);
+    row("BL model with HLS firmware", {3, 42, 0, 10, 5}, "hls", "HLS", "STS3045BL", true);
     row("HTS with STS firmware", {3, 24, 0, 10, 7}, "sts-sms", "STS", "HTS3032", true);
     row("no public map", {5, 1, 0, 9, 3}, "unknown", "STS", "STS3215", true);
     row("nothing known", {8, 8, 0, 77, 1}, "unknown", "", "? (77.1)", false);
@@ -192,6 +199,10 @@ void TestCatalogChoice::modelsByName()
     QCOMPARE(entry->line, Line::Ttl);
     QCOMPARE(m_catalog.model(QStringLiteral("SM45BLHV"))->line, Line::Rs485);
     QVERIFY(!m_catalog.model(QStringLiteral("STS9999")));
+    for (const auto& typed : {QStringLiteral("lx16a"), QStringLiteral("LX 16-A")})
+        QCOMPARE(m_catalog.model(typed)->name, QStringLiteral("LX-16A"));
+    for (const ModelEntry& model : m_catalog.models())
+        QVERIFY2(model.line != Line::Unknown || !model.supported, qPrintable(model.name));
 
     const ProfilePtr profile = m_catalog.profileFor(*entry, 3, 10);
     QCOMPARE(profile->identity, (Identity{3, 10, 0, 9, 3}));
@@ -227,6 +238,9 @@ void TestCatalogChoice::emptyCatalogStillAnswers()
     QVERIFY(profile);
     QVERIFY(!profile->writable);
     QVERIFY(profile->registers.empty());
+    const ProfilePtr lx = empty.resolve({-1, -1, -1, -1, -1, base::Protocol::Lx});
+    QVERIFY(lx->registers.empty() && !lx->writable);
+    QCOMPARE(empty.protocolsAt(115200), std::vector{base::Protocol::Feetech});
 }
 
 void TestCatalogChoice::baudCodes_data()
@@ -238,6 +252,8 @@ void TestCatalogChoice::baudCodes_data()
     QTest::newRow("SMS 2.45") << Identity{2, 45, 0, 8, 42} << false << 4;
     QTest::newRow("SMS 2.46") << Identity{2, 46, 0, 8, 42} << true << 4;
     QTest::newRow("SCS") << Identity{0, 4, 1, 5, 15} << false << 0;
+    QTest::newRow("HLS") << Identity{3, 43, 0, 10, 10} << false << 0;
+    QTest::newRow("SMCL") << Identity{1, 6, 0, 6, 16} << false << 4;
 }
 
 void TestCatalogChoice::baudCodes()
@@ -314,6 +330,12 @@ void TestCatalogChoice::torqueSwitchValues_data()
     QTest::newRow("STS") << Identity{3, 10, 0, 9, 3} << QStringList{off, on, damp, center};
     QTest::newRow("SMS") << Identity{2, 53, 0, 8, 42} << QStringList{off, on, center};
     QTest::newRow("SCS") << Identity{0, 4, 1, 5, 15} << QStringList{off, on, damp};
+    QTest::newRow("HLS") << Identity{3, 43, 0, 10, 10} << QStringList{off, on, damp};
+    QTest::newRow("SMCL") << Identity{1, 6, 0, 6, 16} << QStringList{off, on};
+    QTest::newRow("SCS2") << Identity{3, 20, 1, 9, 15} << QStringList{off, on, damp};
+    QTest::newRow("Modbus") << Identity{20, 8, -1, -1, -1, base::Protocol::Modbus}
+                            << QStringList{off, on};
+    QTest::newRow("LX") << Identity{-1, -1, -1, -1, -1, base::Protocol::Lx} << QStringList{off, on};
 }
 
 void TestCatalogChoice::torqueSwitchValues()
@@ -334,6 +356,69 @@ void TestCatalogChoice::phaseBit5BySeries()
     QVERIFY(hasKey({3, 10, 0, 9, 3}, "integrated_bridge"));
     QVERIFY(hasKey({2, 53, 0, 8, 42}, "voltage_divider"));
     QVERIFY(!hasKey({2, 53, 0, 8, 42}, "integrated_bridge"));
+}
+
+void TestCatalogChoice::hlsByFirmware_data()
+{
+    QTest::addColumn<int>("minor");
+    QTest::addColumn<QString>("bit0");
+    QTest::addColumn<bool>("speedDirection");
+    QTest::addColumn<bool>("calibrates");
+    const QString encoder = QStringLiteral("encoder_mt6701");
+    QTest::newRow("3.40") << 40 << QStringLiteral("servo_phase") << true << false;
+    QTest::newRow("3.41") << 41 << QStringLiteral("servo_phase") << true << false;
+    QTest::newRow("3.42") << 42 << QString() << false << false;
+    QTest::newRow("3.43") << 43 << QString() << false << true;
+    QTest::newRow("3.44") << 44 << encoder << false << true;
+    QTest::newRow("3.59") << 59 << encoder << false << true;
+}
+
+void TestCatalogChoice::hlsByFirmware()
+{
+    QFETCH(int, minor);
+    QFETCH(QString, bit0);
+    QFETCH(bool, speedDirection);
+    QFETCH(bool, calibrates);
+    const ProfilePtr profile = m_catalog.resolve({3, minor, 0, 10, 10});
+    QCOMPARE(profile->mapKey, QStringLiteral("hls"));
+    const QStringList bits = keysOf(profile->byRole(Role::Phase));
+    QCOMPARE(bits.contains(QStringLiteral("servo_phase")) ||
+                 bits.contains(QStringLiteral("encoder_mt6701")),
+             !bit0.isEmpty());
+    QVERIFY(bit0.isEmpty() || bits.contains(bit0));
+    QCOMPARE(bits.contains(QStringLiteral("speed_direction")), speedDirection);
+    QVERIFY(!bits.contains(QStringLiteral("fine_speed")));
+    QCOMPARE(profile->centering, calibrates ? Centering::Instruction0B : Centering::None);
+}
+
+void TestCatalogChoice::locksAndAbilitiesOfTheOtherMaps()
+{
+    const ProfilePtr hls = m_catalog.resolve({3, 43, 0, 10, 10});
+    QCOMPARE(hls->byRole(Role::Lock)->address, 55);
+    QVERIFY(hls->syncRead && hls->damping && hls->multiTurn);
+    QCOMPARE(hls->line, Line::Ttl);
+    QCOMPARE(hls->byRole(hls->mode(QStringLiteral("current"))->command)->address, 44);
+    QCOMPARE(hls->byRole(hls->mode(QStringLiteral("pwm"))->command)->address, 44);
+    QCOMPARE(*hls->mode(QStringLiteral("position-pd"))->operatingMode, 4);
+    // Without an overload bit there is nothing an overload could clear.
+    QVERIFY(!keysOf(hls->byRole(Role::Status)).contains(QStringLiteral("overload")));
+
+    const ProfilePtr smcl = m_catalog.resolve({1, 6, 0, 6, 16});
+    const ProfilePtr scs2 = m_catalog.resolve({3, 20, 1, 9, 15});
+    for (const ProfilePtr& profile : {smcl, scs2}) {
+        QCOMPARE(profile->byRole(Role::Lock)->address, 48);
+        QVERIFY(!profile->syncRead);
+        QVERIFY(!profile->byRole(Role::TorqueLimit));
+        QCOMPARE(profile->centering, Centering::None);
+        QVERIFY(!profile->find(QStringLiteral("phase"))->writable());
+    }
+    QCOMPARE(smcl->line, Line::Rs485);
+    QCOMPARE(smcl->byRole(Role::PositionOffset)->address, 33);
+    QCOMPARE(smcl->byRole(Role::OperatingMode)->address, 35);
+    QVERIFY(!smcl->mode(QStringLiteral("step")));
+    QCOMPARE(scs2->line, Line::Ttl);
+    QCOMPARE(scs2->byteOrder, base::ByteOrder::Big);
+    QCOMPARE(scs2->byRole(scs2->mode(QStringLiteral("motor"))->command)->address, 44);
 }
 
 void TestCatalogChoice::scsReservedRowsAreReadOnly()
