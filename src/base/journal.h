@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/error.h"
+#include "base/protocol.h"
 
 #include <QDateTime>
 #include <QString>
@@ -27,12 +28,13 @@ struct ServoIdentity {
     QString map;  ///< register map key, e.g. "sts"
     QString port; ///< canonical port name at that time
     int baud = 0;
+    Protocol protocol = Protocol::Feetech;
 
     bool sameKind(const ServoIdentity& other) const
     {
-        return modelMajor == other.modelMajor && modelMinor == other.modelMinor &&
-               firmwareMajor == other.firmwareMajor && firmwareMinor == other.firmwareMinor &&
-               map == other.map;
+        return protocol == other.protocol && modelMajor == other.modelMajor &&
+               modelMinor == other.modelMinor && firmwareMajor == other.firmwareMajor &&
+               firmwareMinor == other.firmwareMinor && map == other.map;
     }
 };
 

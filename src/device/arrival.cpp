@@ -37,23 +37,35 @@ base::Result<void> look(const Context& context, Waiting& waiting,
         readRoles(context, servo, {Role::PresentPosition, Role::Moving, Role::Status});
     if (!done)
         return done;
-    const bool moving = servo.raw(Role::Moving).value_or(0) != 0;
+    const bool hasFlag = servo.profile->byRole(Role::Moving) != nullptr;
+    const bool flag = servo.raw(Role::Moving).value_or(0) != 0;
     const auto place = servo.raw(Role::PresentPosition);
     // The last step of the encoder comes and goes.
     const bool stirred = place && waiting.place && std::abs(*place - *waiting.place) > 1;
     if (stirred || !waiting.place)
         waiting.place = place;
-    waiting.quiet = moving || stirred ? 0 : waiting.quiet + 1;
-    if (onSample)
-        onSample({servo.id, servo.physical(Role::PresentPosition), moving, servo.status});
+    waiting.quiet = flag || stirred ? 0 : waiting.quiet + 1;
+    if (onSample) {
+        onSample({servo.id, servo.physical(Role::PresentPosition), hasFlag ? flag : stirred,
+                  servo.status});
+    }
     return {};
 }
 
+/// Without a flag, a slow move may rest between two readings as long as its own time runs.
+bool underWay(const Waiting& waiting, base::Duration elapsed)
+{
+    const MovePlan& plan = *waiting.plan;
+    const bool hasFlag = plan.servo->profile->byRole(Role::Moving) != nullptr;
+    return !hasFlag && elapsed < plan.ownTime;
+}
+
 /// Ending the wait does not end the motion, and that is said.
-base::Result<void> stopped(const Context& context, const std::vector<Waiting>& waiting)
+base::Result<void> stopped(const Context& context, const std::vector<Waiting>& waiting,
+                           base::Duration elapsed)
 {
     for (const Waiting& one : waiting) {
-        if (one.quiet == 0)
+        if (one.quiet == 0 || underWay(one, elapsed))
             context.note(NoticeCode::StillMoving, one.plan->servo->id);
     }
     return base::fail(ErrorCode::Stopped, QStringLiteral("arrive"));
@@ -98,15 +110,16 @@ base::Result<void> waitForArrival(const Context& context, std::vector<MovePlan>&
                 return seen;
         }
         const base::Duration elapsed = clock.now() - start;
-        const bool quiet = std::all_of(waiting.begin(), waiting.end(), [](const Waiting& one) {
-            return one.quiet >= (checkArrived(*one.plan) ? quietReadings : stuckReadings);
+        const bool quiet = std::all_of(waiting.begin(), waiting.end(), [&](const Waiting& one) {
+            return !underWay(one, elapsed) &&
+                   one.quiet >= (checkArrived(*one.plan) ? quietReadings : stuckReadings);
         });
         if (quiet && elapsed >= settleTime)
             break;
         if (elapsed > limit)
             return base::fail(ErrorCode::Refused, QStringLiteral("arrive"), QStringLiteral("time"));
         if (!context.bus.pauseUntil(clock.now() + readEvery, &context.stop))
-            return stopped(context, waiting);
+            return stopped(context, waiting, elapsed);
     }
     for (const MovePlan& plan : plans) {
         noteAlarms(context, *plan.servo);

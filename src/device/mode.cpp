@@ -4,6 +4,8 @@
 #include "device/motion.h"
 #include "device/talk.h"
 
+#include <algorithm>
+
 namespace device {
 using base::ErrorCode;
 using catalog::Role;
@@ -13,7 +15,7 @@ const QString limitsName = QStringLiteral("limits");
 const QString speedName = QStringLiteral("position-speed");
 } // namespace
 
-std::optional<ModeChange> modeChange(const Servo& servo, const std::vector<CheckedItem>& items)
+std::optional<ModeChange> modeChange(const Servo& servo, const RegisterValues& items)
 {
     const catalog::Mode* from = servo.mode();
     const catalog::Mode* to =
@@ -24,8 +26,37 @@ std::optional<ModeChange> modeChange(const Servo& servo, const std::vector<Check
     return ModeChange{from, to};
 }
 
+bool travelsWithMode(const catalog::Profile& profile, Role command)
+{
+    const catalog::Register* mode = profile.byRole(Role::OperatingMode);
+    const catalog::Register* reg = profile.byRole(command);
+    return mode != nullptr && reg != nullptr && mode->block && mode->block == reg->block;
+}
+
+base::Result<void> addQuietCommand(const Servo& servo, RegisterValues& items)
+{
+    for (const catalog::Mode& mode : servo.profile->modes) {
+        if (!travelsWithMode(*servo.profile, mode.command))
+            continue;
+        const catalog::Register* reg = servo.profile->byRole(mode.command);
+        const auto given =
+            std::find_if(items.begin(), items.end(),
+                         [reg](const RegisterValue& item) { return item.reg == reg; });
+        if (given == items.end())
+            items.push_back({reg, 0});
+        else if (given->raw != 0) {
+            return tl::unexpected(base::Error{ErrorCode::NotSupported, QStringLiteral("write"),
+                                              QStringLiteral("mode-first"), servo.id, reg->key});
+        }
+    }
+    std::sort(items.begin(), items.end(), [](const RegisterValue& a, const RegisterValue& b) {
+        return a.reg->writeOffset < b.reg->writeOffset;
+    });
+    return {};
+}
+
 base::Result<void> rememberWayBack(const Context& context, const Servo& servo,
-                                   const ModeChange& change, const std::vector<CheckedItem>& items)
+                                   const ModeChange& change, const RegisterValues& items)
 {
     const std::int64_t min = servo.raw(Role::MinAngle).value_or(0);
     const std::int64_t max = servo.raw(Role::MaxAngle).value_or(0);
@@ -41,7 +72,8 @@ base::Result<void> rememberWayBack(const Context& context, const Servo& servo,
     const auto speed = servo.raw(Role::GoalSpeed);
     const bool positionBefore =
         change.from != nullptr && change.from->command == Role::GoalPosition;
-    if (positionBefore && change.to->command == Role::GoalSpeed && speed)
+    if (positionBefore && change.to->command == Role::GoalSpeed && speed &&
+        !travelsWithMode(*servo.profile, Role::GoalSpeed))
         return context.journal.keep(servo.identity(), speedName, {*speed});
     return {};
 }
@@ -89,11 +121,28 @@ base::Result<void> restoreSpeed(const Context& context, Servo& servo)
     if (!kept)
         return tl::unexpected(kept.error());
     const catalog::Register* reg = servo.profile->byRole(Role::GoalSpeed);
-    if (reg == nullptr || !kept->has_value() || (*kept)->size() != 1)
+    if (reg == nullptr || !kept->has_value() || (*kept)->size() != 1 ||
+        travelsWithMode(*servo.profile, Role::GoalSpeed))
         return {};
     const auto restored = writeVerified(context, servo, *reg, (*kept)->front());
     if (restored)
         context.note(NoticeCode::SpeedRestored, servo.id, reg->key, (*kept)->front());
+    return restored;
+}
+} // namespace
+
+namespace {
+/// The register that limits the current in most modes is the command of others (HLS 44). Back in a
+/// mode that has it as the limit, it gets the value the servo itself would start with.
+base::Result<void> restoreCurrent(const Context& context, Servo& servo)
+{
+    const catalog::Register* limit = servo.profile->byRole(Role::GoalCurrent);
+    const auto start = servo.raw(Role::ProtectionCurrent);
+    if (limit == nullptr || !start)
+        return {};
+    const auto restored = writeVerified(context, servo, *limit, *start);
+    if (restored)
+        context.note(NoticeCode::CurrentRestored, servo.id, limit->key, *start);
     return restored;
 }
 } // namespace
@@ -103,16 +152,29 @@ base::Result<void> settleMode(const Context& context, Servo& servo, const ModeCh
     const Role after = change.to->command;
     const Role before = change.from != nullptr ? change.from->command : Role::None;
     base::Result<void> done;
+    if (before == Role::GoalCurrent && after != Role::GoalCurrent)
+        done = restoreCurrent(context, servo);
+    if (!done)
+        return done;
     if (after != Role::GoalPosition)
         done = zeroCommand(context, servo, after);
     else if (before == Role::GoalSpeed)
         done = restoreSpeed(context, servo);
-    else if (before != Role::GoalPosition && before != Role::None)
+    else if (before != Role::GoalPosition && before != Role::GoalCurrent && before != Role::None)
         done = zeroCommand(context, servo, before);
     if (!done)
         return done;
     // Writing a command may have energised the servo.
     return torqueOff(context, servo);
+}
+
+void noteNoCurrent(const Context& context, const Servo& servo)
+{
+    const catalog::Register* limit = servo.profile->byRole(Role::GoalCurrent);
+    const catalog::Mode* mode = servo.mode();
+    if (limit != nullptr && mode != nullptr && mode->command != Role::GoalCurrent &&
+        servo.raw(*limit) == 0)
+        context.note(NoticeCode::NoCurrentAllowed, servo.id, limit->key);
 }
 
 base::Result<void> quieten(const Context& context, Servo& servo)
@@ -122,8 +184,15 @@ base::Result<void> quieten(const Context& context, Servo& servo)
     if (const auto fresh = readSettings(context, servo); !fresh)
         return fresh;
     const catalog::Mode* mode = servo.mode();
-    if (mode == nullptr || mode->command == Role::GoalPosition)
+    if (mode == nullptr)
         return {};
+    // A switch back that was cut off may have left the limit at the other mode's standstill.
+    if (mode->command != Role::GoalCurrent && servo.raw(Role::GoalCurrent) == 0) {
+        if (const auto allowed = restoreCurrent(context, servo); !allowed)
+            return allowed;
+    }
+    if (mode->command == Role::GoalPosition)
+        return torqueOff(context, servo);
     if (const auto zeroed = zeroCommand(context, servo, mode->command); !zeroed)
         return zeroed;
     return torqueOff(context, servo);

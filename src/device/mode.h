@@ -12,16 +12,27 @@ struct ModeChange {
     const catalog::Mode* from = nullptr;
     const catalog::Mode* to = nullptr;
 };
-std::optional<ModeChange> modeChange(const Servo& servo, const std::vector<CheckedItem>& items);
+std::optional<ModeChange> modeChange(const Servo& servo, const RegisterValues& items);
+
+/// True when the mode and this command are written in one frame (LX motor speed): the command then
+/// means nothing in other modes.
+bool travelsWithMode(const catalog::Profile& profile, catalog::Role command);
+
+/// Where they do, the frame that switches the mode carries the command 0. NotSupported
+/// ("mode-first") when the items give another one.
+base::Result<void> addQuietCommand(const Servo& servo, RegisterValues& items);
 
 /// Before the write: keeps the limits and the position speed in the journal.
 base::Result<void> rememberWayBack(const Context& context, const Servo& servo,
-                                   const ModeChange& change, const std::vector<CheckedItem>& items);
+                                   const ModeChange& change, const RegisterValues& items);
 
-/// After the write, torque off: zeroes the new mode's command, puts the position speed back, and
-/// makes sure that torque is still off.
+/// After the write, torque off: zeroes the new mode's command, puts the position speed and the
+/// current limit back, and makes sure that torque is still off.
 base::Result<void> settleMode(const Context& context, Servo& servo, const ModeChange& change);
 
 /// Torque off, proven. Notes it when torque was on.
 base::Result<void> torqueOff(const Context& context, Servo& servo);
+
+/// HLS: a current limit of 0 is no torque at all. Says so; for modes that have the limit.
+void noteNoCurrent(const Context& context, const Servo& servo);
 } // namespace device

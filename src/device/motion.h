@@ -5,12 +5,17 @@
 // first byte), Uncertain.
 #pragma once
 
+#include "device/alarms.h"
 #include "device/writer.h"
 
 namespace device {
 enum class Torque : std::uint8_t { Off, On, Damp };
 
 base::Result<void> setTorque(const Context& context, Servo& servo, Torque torque);
+
+/// Ends the motion at once; torque stays on. Where nothing tells where to hold (step mode, turns
+/// not known, far outside the limits) torque is switched off, and that is noted.
+base::Result<void> halt(const Context& context, Servo& servo);
 
 /// Torque off → switch (both limits in one write) → zero the new mode's command → read back. Torque
 /// stays off. The limits and the speed for the way back are remembered in the journal.
@@ -24,7 +29,9 @@ enum class MoveHow : std::uint8_t { Write, Sync, Async };
 /// One servo's move. Values as the user typed them, parsed against the register they go to.
 struct MoveOrder {
     Servo* servo = nullptr;
-    QString goal; ///< "2048", "90deg"; speed and PWM modes: "30rpm", "20%"
+    /// "2048", "90deg". Speed, PWM and current modes: "30rpm", "20%"; a plain number only where the
+    /// unit is not documented (LX motor, SMCL speed), signed for the direction.
+    QString goal;
     std::optional<QString> speed{};
     std::optional<QString> acceleration{};
     std::optional<QString> time{}; ///< milliseconds; only where the map has a time
@@ -36,15 +43,20 @@ struct MovePlan {
     std::vector<WriteItem> fields; ///< in the order of writing; the goal is last
     bool relative = false;         ///< step mode: never repeated blindly
     bool energises = false;        ///< torque is off now
+    base::Duration ownTime{};      ///< the travel time written with the goal
     std::int64_t goalRaw = 0;
     catalog::Role goalRole = catalog::Role::GoalPosition;
 };
 
 base::Result<MovePlan> planMove(const Context& context, const MoveOrder& order);
+
+/// Sync and Async start all of them together, in the way each family has for it: one packet, held
+/// writes, stored moves. NotSupported ("no-sync", "no-async") where one of them has none.
 base::Result<void> sendMoves(const Context& context, std::vector<MovePlan>& plans, MoveHow how);
 
-/// Waits until every servo's moving flag is down, or `limit` has passed (NoAnswer/Refused then), or
-/// stop. `onSample` sees each reading.
+/// Waits until every servo's moving flag is down (without a flag: until it stands still and its own
+/// travel time is over), or `limit` has passed (NoAnswer/Refused then), or stop. `onSample` sees
+/// each reading.
 struct MoveProgress {
     int id = 0;
     std::optional<double> position; ///< physical
@@ -54,7 +66,4 @@ struct MoveProgress {
 base::Result<void> waitForArrival(const Context& context, std::vector<MovePlan>& plans,
                                   base::Duration limit,
                                   const std::function<void(const MoveProgress&)>& onSample);
-
-/// What keeps an alarm alive and what releases it, as notices (facts §7 of the protocol sheet).
-void noteAlarms(const Context& context, const Servo& servo);
 } // namespace device

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/mode.h"
 #include "device/motion.h"
 #include "device/write_check.h"
 
@@ -76,6 +77,8 @@ base::Result<void> Planner::addSpeed()
         return {};
     if (!drivesPosition())
         return refuse(ErrorCode::NotSupported, m_servo, QStringLiteral("speed"), m_mode->key);
+    if (travelsWithMode(*m_servo.profile, Role::GoalSpeed))
+        return refuse(ErrorCode::NotSupported, m_servo, {}, QStringLiteral("speed-by-time"));
     const auto added = addField(Role::GoalSpeed, *m_order.speed);
     // The sign means something in speed mode only.
     if (added && m_plan.fields.back().raw < 0)
@@ -84,12 +87,16 @@ base::Result<void> Planner::addSpeed()
     return added;
 }
 
-/// SCS only: milliseconds, which act while the speed is 0. Elsewhere 44 has no such meaning.
+/// Milliseconds. SCS: they act while the speed is 0; LX: they go out with every goal.
 base::Result<void> Planner::addTime()
 {
-    if (!m_order.time)
-        return {};
     const catalog::Register* reg = m_servo.profile->byRole(Role::GoalTime);
+    if (!m_order.time) {
+        const catalog::Register* goal = m_servo.profile->byRole(Role::GoalPosition);
+        if (reg != nullptr && drivesPosition() && reg->block && reg->block == goal->block)
+            m_plan.fields.push_back({reg->key, 0});
+        return {};
+    }
     if (reg == nullptr || !drivesPosition())
         return refuse(ErrorCode::NotSupported, m_servo, QStringLiteral("time"), m_mode->key);
     if (m_order.speed) {
@@ -98,8 +105,10 @@ base::Result<void> Planner::addTime()
     }
     if (const auto added = addField(Role::GoalTime, *m_order.time); !added)
         return added;
+    m_plan.ownTime = std::chrono::milliseconds(m_plan.fields.back().raw);
     const catalog::Register* speed = m_servo.profile->byRole(Role::GoalSpeed);
-    if (speed != nullptr && m_servo.raw(*speed).value_or(1) != 0) {
+    if (speed != nullptr && !travelsWithMode(*m_servo.profile, Role::GoalSpeed) &&
+        m_servo.raw(*speed).value_or(1) != 0) {
         m_plan.fields.push_back({speed->key, 0});
         m_context.note(NoticeCode::SpeedZeroForTime, m_servo.id, speed->key);
     }
@@ -109,11 +118,10 @@ base::Result<void> Planner::addTime()
 base::Result<void> Planner::addGoal()
 {
     static const QRegularExpression bareNumber(QStringLiteral("^\\s*[-+]?\\d+\\s*$"));
-    if (!drivesPosition() && bareNumber.match(m_order.goal).hasMatch()) {
+    const QString unit = m_servo.meaning(*m_servo.profile->byRole(m_mode->command)).unit;
+    if (!drivesPosition() && !unit.isEmpty() && bareNumber.match(m_order.goal).hasMatch()) {
         // "2048" is a position to whoever types it; as a speed it would turn for ever.
-        const catalog::Register* reg = m_servo.profile->byRole(m_mode->command);
-        return refuse(ErrorCode::BadArgument, m_servo, m_mode->key,
-                      QStringLiteral("unit ") + m_servo.meaning(*reg).unit);
+        return refuse(ErrorCode::BadArgument, m_servo, m_mode->key, QStringLiteral("unit ") + unit);
     }
     const auto added = addField(m_mode->command, m_order.goal);
     if (added)

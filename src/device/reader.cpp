@@ -8,9 +8,20 @@
 #include <algorithm>
 
 namespace device {
+using base::ErrorCode;
+using base::Protocol;
+using catalog::Role;
+
 namespace {
 // Firmware, byte order, model, ID, rate, delay, level: the same place in every Feetech table.
-constexpr int identityBytes = 9;
+constexpr int feetechHead = 9;
+constexpr int modbusHead = 8; ///< registers 0–3
+
+/// The stored move of an LX servo: some models never answer the command that reads it.
+bool maySilent(const catalog::Register& reg)
+{
+    return reg.role == Role::StoredGoal || reg.role == Role::StoredTime;
+}
 } // namespace
 
 std::vector<bus::PollSpan> planSpans(const catalog::Profile& profile,
@@ -39,36 +50,161 @@ std::vector<bus::PollSpan> planSpans(const catalog::Profile& profile,
     return spans;
 }
 
-base::Result<Servo> identify(const Context& context, int id, base::Protocol protocol)
+namespace {
+base::Result<catalog::Identity> askFeetech(const Context& context, Servo& servo)
 {
-    Servo servo;
-    servo.protocol = protocol;
-    servo.id = id;
-    servo.baud = context.bus.baud();
-    servo.port = context.bus.portName();
-    auto done = readBlock(context, servo, 0, identityBytes);
-    if (!done) {
-        done.error().operation = QStringLiteral("identify");
+    if (const auto done = readBlock(context, servo, 0, feetechHead); !done)
         return tl::unexpected(done.error());
-    }
-    const base::Bytes head = *servo.image.bytes(0, identityBytes);
+    const base::Bytes head = *servo.image.bytes(0, feetechHead);
     catalog::Identity identity;
     identity.firmwareMajor = head[0];
     identity.firmwareMinor = head[1];
     identity.byteOrderFlag = head[2] <= 1 ? head[2] : -1;
     identity.modelMajor = head[3];
     identity.modelMinor = head[4];
-    servo.profile = context.catalog.resolve(identity);
+    return identity;
+}
+
+base::Result<catalog::Identity> askModbus(const Context& context, Servo& servo)
+{
+    if (const auto done = readBlock(context, servo, 0, modbusHead); !done)
+        return tl::unexpected(done.error());
+    const base::Bytes head = *servo.image.bytes(0, modbusHead);
+    catalog::Identity identity;
+    identity.protocol = Protocol::Modbus;
+    identity.firmwareMajor = head[0] << 8 | head[1];
+    identity.firmwareMinor = head[2] << 8 | head[3];
+    return identity;
+}
+
+/// An LX servo tells its ID and nothing else.
+base::Result<catalog::Identity> askLx(const Context& context, Servo& servo)
+{
+    catalog::Identity identity;
+    identity.protocol = Protocol::Lx;
+    const auto profile = context.catalog.resolve(identity);
+    const catalog::Register* id = profile->byRole(Role::Id);
+    if (id == nullptr)
+        return base::fail(ErrorCode::UnknownModel, {}, {}, servo.id);
+    if (const auto done = readBlock(context, servo, id->offset, id->size); !done)
+        return tl::unexpected(done.error());
+    return identity;
+}
+
+base::Result<catalog::Identity> ask(const Context& context, Servo& servo)
+{
+    switch (servo.protocol) {
+    case Protocol::Modbus:
+        return askModbus(context, servo);
+    case Protocol::Lx:
+        return askLx(context, servo);
+    case Protocol::Feetech:
+        break;
+    }
+    return askFeetech(context, servo);
+}
+} // namespace
+
+base::Result<Servo> identify(const Context& context, int id, Protocol protocol)
+{
+    Servo servo;
+    servo.protocol = protocol;
+    servo.id = id;
+    servo.baud = context.bus.baud();
+    servo.port = context.bus.portName();
+    auto identity = ask(context, servo);
+    if (!identity) {
+        identity.error().operation = QStringLiteral("identify");
+        return tl::unexpected(identity.error());
+    }
+    servo.profile = context.catalog.resolve(*identity);
     return servo;
 }
+
+namespace {
+/// Says something about the servo; the others end the whole question.
+bool concernsServo(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::LinkLost:
+    case ErrorCode::Stopped:
+    case ErrorCode::Preempted:
+    case ErrorCode::Held:
+        return false;
+    default:
+        return true;
+    }
+}
+} // namespace
+
+base::Result<Servo> identifyAmong(const Context& context, int id,
+                                  const std::vector<Protocol>& protocols)
+{
+    std::optional<Servo> found;
+    QStringList languages;
+    base::Error failure{ErrorCode::NoAnswer, QStringLiteral("identify"), {}, id};
+    for (const Protocol protocol : protocols) {
+        Servo nobody;
+        nobody.protocol = protocol;
+        if (!canSay(nobody, protocol::Request::ping(id)))
+            continue; // an ID that this language does not have
+        auto servo = identify(context, id, protocol);
+        if (servo) {
+            languages << base::protocolName(protocol);
+            found = std::move(*servo);
+        } else if (!concernsServo(servo.error().code)) {
+            return servo;
+        } else if (failure.code == ErrorCode::NoAnswer) {
+            failure = servo.error();
+        }
+    }
+    if (languages.size() > 1) {
+        return base::fail(ErrorCode::SeveralProtocols, QStringLiteral("identify"),
+                          languages.join(QStringLiteral(", ")), id);
+    }
+    if (found)
+        return std::move(*found);
+    return tl::unexpected(failure);
+}
+
+namespace {
+/// False: it stayed silent, as it may, and what it holds is not known.
+base::Result<bool> readSpan(const Context& context, Servo& servo, const bus::PollSpan& span)
+{
+    const catalog::Register* reg = servo.profile->at(span.address);
+    const bool silentAllowed = reg != nullptr && maySilent(*reg);
+    const auto done = readBlock(context, servo, span.address, span.count, silentAllowed ? 0 : -1);
+    if (done)
+        return true;
+    if (!silentAllowed || done.error().code != ErrorCode::NoAnswer)
+        return tl::unexpected(done.error());
+    servo.image.forget(span.address, span.count);
+    return false;
+}
+
+base::Result<void> readTable(const Context& context, Servo& servo,
+                             const std::vector<const catalog::Register*>& registers)
+{
+    for (const bus::PollSpan& span : planSpans(*servo.profile, registers)) {
+        if (const auto done = readSpan(context, servo, span); !done)
+            return tl::unexpected(done.error());
+    }
+    return {};
+}
+} // namespace
 
 base::Result<void> read(const Context& context, Servo& servo,
                         const std::vector<const catalog::Register*>& registers)
 {
     for (const bus::PollSpan& span : planSpans(*servo.profile, registers)) {
-        const auto done = readBlock(context, servo, span.address, span.count);
-        if (!done)
-            return done;
+        const auto answered = readSpan(context, servo, span);
+        if (!answered)
+            return tl::unexpected(answered.error());
+        if (!*answered) {
+            return tl::unexpected(base::Error{ErrorCode::NotSupported, QStringLiteral("read"),
+                                              QStringLiteral("not-readable"), servo.id,
+                                              servo.profile->at(span.address)->key});
+        }
     }
     return {};
 }
@@ -79,19 +215,18 @@ base::Result<void> readKeys(const Context& context, Servo& servo, const QStringL
     for (const QString& key : keys) {
         const catalog::Register* reg = servo.profile->find(key);
         if (reg == nullptr) {
-            return tl::unexpected(base::Error{base::ErrorCode::UnknownRegister,
-                                              QStringLiteral("read"), key, servo.id, key});
+            return tl::unexpected(base::Error{ErrorCode::UnknownRegister, QStringLiteral("read"),
+                                              key, servo.id, key});
         }
         registers.push_back(reg);
     }
     return read(context, servo, registers);
 }
 
-base::Result<void> readRoles(const Context& context, Servo& servo,
-                             const std::vector<catalog::Role>& roles)
+base::Result<void> readRoles(const Context& context, Servo& servo, const std::vector<Role>& roles)
 {
     std::vector<const catalog::Register*> registers;
-    for (const catalog::Role role : roles) {
+    for (const Role role : roles) {
         if (const catalog::Register* reg = servo.profile->byRole(role))
             registers.push_back(reg);
     }
@@ -103,16 +238,19 @@ base::Result<void> readAll(const Context& context, Servo& servo)
     std::vector<const catalog::Register*> registers;
     for (const catalog::Register& reg : servo.profile->registers)
         registers.push_back(&reg);
-    return read(context, servo, registers);
+    return readTable(context, servo, registers);
 }
 
 base::Result<void> readSettings(const Context& context, Servo& servo)
 {
+    using catalog::Area;
     std::vector<const catalog::Register*> registers;
     for (const catalog::Register& reg : servo.profile->registers) {
-        if (reg.area == catalog::Area::Eprom || reg.area == catalog::Area::Sram)
+        const bool setting = reg.area == Area::Eprom || reg.area == Area::Sram ||
+                             (reg.area == Area::Factory && reg.writable());
+        if (setting && !maySilent(reg))
             registers.push_back(&reg);
     }
-    return read(context, servo, registers);
+    return readTable(context, servo, registers);
 }
 } // namespace device

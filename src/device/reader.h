@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reading by register: keys become the fewest block reads that cover them. Fills the servo's image.
-// Errors are those of bus::Bus::transact, plus UnknownRegister.
+// Errors are those of bus::Bus::transact, plus UnknownRegister, and NotSupported ("not-readable")
+// for what this servo never tells.
 #pragma once
 
 #include "bus/poll.h"
@@ -15,13 +16,13 @@ namespace device {
 std::vector<bus::PollSpan> planSpans(const catalog::Profile& profile,
                                      const std::vector<const catalog::Register*>& registers);
 
-/// Reads what the servo says of itself (Feetech: registers 0–8, equal in all tables) and chooses
-/// the profile. Writes nothing.
+/// Reads what the servo says of itself (Feetech: registers 0–8, equal in all tables; Modbus: 0–3;
+/// LX: its ID and nothing else) and chooses the profile. Writes nothing.
 base::Result<Servo> identify(const Context& context, int id,
                              base::Protocol protocol = base::Protocol::Feetech);
 
 /// The servo that answers to `id` in one of these languages. SeveralProtocols if more than one
-/// does: two servos share the ID, and nobody knows which is meant.
+/// does: two servos share the ID, and nobody knows which is meant. NoAnswer when all are silent.
 base::Result<Servo> identifyAmong(const Context& context, int id,
                                   const std::vector<base::Protocol>& protocols);
 
@@ -30,8 +31,10 @@ base::Result<void> read(const Context& context, Servo& servo,
 base::Result<void> readKeys(const Context& context, Servo& servo, const QStringList& keys);
 base::Result<void> readRoles(const Context& context, Servo& servo,
                              const std::vector<catalog::Role>& roles);
-/// The whole readable table (STS: 2 transactions).
+/// The whole readable table (STS: 2 transactions). What this servo never tells (stored move of some
+/// LX) stays unread; that is no failure.
 base::Result<void> readAll(const Context& context, Servo& servo);
-/// The registers that decide what others mean: modes, limits, phase, factor, level, torque, lock.
+/// The registers that decide what others mean: modes, limits, phase, factor, level, torque, lock;
+/// not the stored move.
 base::Result<void> readSettings(const Context& context, Servo& servo);
 } // namespace device

@@ -87,6 +87,7 @@ base::ServoIdentity Servo::identity() const
     who.id = id;
     who.port = port;
     who.baud = baud;
+    who.protocol = protocol;
     if (profile) {
         who.modelMajor = profile->identity.modelMajor;
         who.modelMinor = profile->identity.modelMinor;
@@ -108,8 +109,23 @@ bool Servo::measures(const catalog::Register& reg) const
     return profile->currentSensing != CurrentSensing::No;
 }
 
+bool Servo::acknowledges() const
+{
+    return protocol != base::Protocol::Lx;
+}
+
 bool Servo::answersWrites() const
 {
-    return raw(Role::ResponseLevel).value_or(1) != 0;
+    return acknowledges() && raw(Role::ResponseLevel).value_or(1) != 0;
+}
+
+bool Servo::repliesCarryStatus() const
+{
+    return protocol == base::Protocol::Feetech;
+}
+
+bool Servo::movesNeedTorque() const
+{
+    return protocol == base::Protocol::Lx;
 }
 } // namespace device

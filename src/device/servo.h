@@ -21,7 +21,9 @@ struct Servo {
     QString port;
     catalog::ProfilePtr profile;
     Image image;
-    std::uint8_t status = 0; ///< error bits of its latest reply
+    /// Fault bits as the family lays them out: the error byte of its latest reply, or its status
+    /// register when last read; 0 for servos that report neither.
+    std::uint8_t status = 0;
 
     std::optional<std::int64_t> raw(const catalog::Register& reg) const;
     std::optional<std::int64_t> raw(const QString& key) const;
@@ -31,10 +33,13 @@ struct Servo {
     catalog::Meaning meaning(const catalog::Register& reg) const;
     catalog::Lookup lookup() const;
 
-    /// The mode its registers 33, 9, 11 say, or null while they are not known.
+    /// The mode its registers say (STS: 33, 9, 11), or null while they are not known.
     const catalog::Mode* mode() const;
     base::ServoIdentity identity() const;
-    bool answersWrites() const; ///< response level is not 0
+    bool acknowledges() const;       ///< its language acknowledges writes
+    bool answersWrites() const;      ///< and its response level is not 0
+    bool repliesCarryStatus() const; ///< every reply has an error byte
+    bool movesNeedTorque() const;    ///< a goal does not switch torque on, and is lost without it
     /// False for a register this servo has, but cannot fill: current without a sensor.
     bool measures(const catalog::Register& reg) const;
 };

@@ -1,35 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/talk.h"
 
+#include "device/alarms.h"
+#include "device/persistence.h"
+#include "protocol/codec.h"
+
+#include <algorithm>
+
 namespace device {
+using base::ErrorCode;
+
 namespace {
-base::Result<bus::Outcome> say(const Context& context, Servo& servo, protocol::Request request)
+base::Result<bus::Outcome> say(const Context& context, Servo& servo, protocol::Request request,
+                               int retries = -1)
 {
     bus::Transaction transaction;
     transaction.request = std::move(request);
     transaction.request.protocol = servo.protocol;
     transaction.priority = context.priority;
+    transaction.retries = retries;
     transaction.hold = context.hold;
     auto outcome = context.bus.transact(transaction);
-    if (outcome && !outcome->parts.empty())
+    if (outcome && !outcome->parts.empty() && servo.repliesCarryStatus())
         servo.status = outcome->status();
     return outcome;
 }
 } // namespace
 
-base::Result<void> readBlock(const Context& context, Servo& servo, int address, int count)
+bool canSay(const Servo& servo, const protocol::Request& request)
 {
-    const auto outcome = say(context, servo, protocol::Request::read(servo.id, address, count));
+    return protocol::codecFor(servo.protocol).encode(request.in(servo.protocol)).has_value();
+}
+
+base::Result<void> readBlock(const Context& context, Servo& servo, int offset, int count,
+                             int retries)
+{
+    const auto outcome =
+        say(context, servo, protocol::Request::read(servo.id, offset, count), retries);
     if (!outcome)
         return tl::unexpected(outcome.error());
-    servo.image.store(address, outcome->data(), outcome->sentAt + outcome->roundTrip);
+    servo.image.store(offset, outcome->data(), outcome->sentAt + outcome->roundTrip);
+    takeStatus(servo, offset, count);
     return {};
 }
 
 base::Result<std::int64_t> readRegister(const Context& context, Servo& servo,
                                         const catalog::Register& reg)
 {
-    auto done = readBlock(context, servo, reg.offset, reg.size);
+    auto done = reg.block ? readBlock(context, servo, reg.block->offset, reg.block->size)
+                          : readBlock(context, servo, reg.offset, reg.size);
     if (!done) {
         done.error().registerKey = reg.key;
         return tl::unexpected(done.error());
@@ -42,10 +61,51 @@ base::Bytes wireBytes(const Servo& servo, const catalog::Register& reg, std::int
     return catalog::encodeRaw(raw, reg, servo.meaning(reg), servo.profile->byteOrder);
 }
 
-base::Result<void> writeBlock(const Context& context, Servo& servo, int address, base::Bytes data,
+bool sharesFrame(const catalog::Register& last, const catalog::Register& next)
+{
+    if (last.block || next.block)
+        return last.block == next.block;
+    return next.writeOffset == last.writeOffset + last.size;
+}
+
+Patch patchOf(const Servo& servo, const RegisterValues& values)
+{
+    const catalog::Register& first = *values.front().reg;
+    Patch patch{first.writeOffset, first.offset, {}};
+    if (first.block) {
+        const catalog::Block& block = *first.block;
+        patch = {block.writeOffset, block.offset,
+                 servo.image.bytes(block.offset, block.size)
+                     .value_or(base::Bytes(static_cast<std::size_t>(block.size), 0))};
+    }
+    for (const RegisterValue& value : values) {
+        const base::Bytes bytes = wireBytes(servo, *value.reg, value.raw);
+        const auto place = static_cast<std::size_t>(value.reg->writeOffset - patch.writeOffset);
+        if (patch.data.size() < place + bytes.size())
+            patch.data.resize(place + bytes.size());
+        std::copy(bytes.begin(), bytes.end(),
+                  patch.data.begin() + static_cast<std::ptrdiff_t>(place));
+    }
+    return patch;
+}
+
+base::Result<Patch> freshPatch(const Context& context, Servo& servo, const RegisterValues& values)
+{
+    const auto& block = values.front().reg->block;
+    int given = 0;
+    for (const RegisterValue& value : values)
+        given += value.reg->size;
+    if (block && given < block->size) {
+        if (const auto fresh = readBlock(context, servo, block->offset, block->size); !fresh)
+            return tl::unexpected(fresh.error());
+    }
+    return patchOf(servo, values);
+}
+
+base::Result<void> writeBlock(const Context& context, Servo& servo, const Patch& patch,
                               protocol::Repeat repeat)
 {
-    auto request = protocol::Request::write(servo.id, address, std::move(data), repeat);
+    auto request = protocol::Request::write(servo.id, patch.writeOffset, patch.data, repeat);
     request.acknowledged = servo.answersWrites();
     const auto outcome = say(context, servo, std::move(request));
     if (!outcome)
@@ -56,57 +116,85 @@ base::Result<void> writeBlock(const Context& context, Servo& servo, int address,
 bool answerLost(const base::Error& error)
 {
     switch (error.code) {
-    case base::ErrorCode::Uncertain:
-    case base::ErrorCode::NoAnswer:
-    case base::ErrorCode::Garbled:
-    case base::ErrorCode::WrongAnswer:
+    case ErrorCode::Uncertain:
+    case ErrorCode::NoAnswer:
+    case ErrorCode::Garbled:
+    case ErrorCode::WrongAnswer:
         return true;
     default:
         return false;
     }
 }
 
-base::Result<void> writeProven(const Context& context, Servo& servo, int address,
-                               const base::Bytes& data)
+void noteSentAgain(const Context& context, const Servo& servo, const QString& key)
+{
+    context.note(servo.acknowledges() ? NoticeCode::AnswerLostSentAgain : NoticeCode::SentAgain,
+                 servo.id, key);
+}
+
+base::Result<void> writeProven(const Context& context, Servo& servo, const Patch& patch)
 {
     constexpr int tries = 2;
-    const int count = static_cast<int>(data.size());
     for (int attempt = 0; attempt < tries; ++attempt) {
-        const auto sent = writeBlock(context, servo, address, data, protocol::Repeat::Safe);
+        const auto sent = writeBlock(context, servo, patch, protocol::Repeat::Safe);
         if (sent ? servo.answersWrites() : !answerLost(sent.error()))
             return sent;
-        if (const auto back = readBlock(context, servo, address, count); !back)
+        if (const auto back = readBlock(context, servo, patch.readOffset, patch.count()); !back)
             return back;
-        if (servo.image.bytes(address, count) == data)
+        if (servo.image.bytes(patch.readOffset, patch.count()) == patch.data)
             return {};
     }
-    return base::fail(base::ErrorCode::Refused, QStringLiteral("write"), {}, servo.id);
+    return base::fail(ErrorCode::Refused, QStringLiteral("write"), {}, servo.id);
+}
+
+base::Result<void> writeVerified(const Context& context, Servo& servo, const RegisterValues& values)
+{
+    constexpr int tries = 2;
+    const bool slow = std::any_of(values.begin(), values.end(),
+                                  [](const RegisterValue& value) { return takesTime(*value.reg); });
+    base::Error last;
+    for (int attempt = 0; attempt < tries; ++attempt) {
+        const auto patch = freshPatch(context, servo, values);
+        if (!patch)
+            return tl::unexpected(patch.error());
+        const auto sent = writeBlock(context, servo, *patch, protocol::Repeat::Safe);
+        if (!sent &&
+            (sent.error().code == ErrorCode::LinkLost || sent.error().code == ErrorCode::Refused))
+            return sent;
+        if (slow)
+            context.bus.clock().sleepFor(epromWriteTime);
+        if (auto back = readBlock(context, servo, patch->readOffset, patch->count()); !back) {
+            back.error().registerKey = values.front().reg->key;
+            return back;
+        }
+        const auto differs =
+            std::find_if(values.begin(), values.end(), [&](const RegisterValue& value) {
+                return servo.raw(*value.reg) != value.raw;
+            });
+        if (differs == values.end())
+            return {};
+        last = {ErrorCode::Mismatch,
+                QStringLiteral("write"),
+                QString::number(servo.raw(*differs->reg).value_or(0)),
+                servo.id,
+                differs->reg->key,
+                attempt + 1};
+    }
+    return tl::unexpected(last);
 }
 
 base::Result<void> writeVerified(const Context& context, Servo& servo, const catalog::Register& reg,
                                  std::int64_t raw)
 {
-    constexpr int tries = 2;
-    base::Error last;
-    for (int attempt = 0; attempt < tries; ++attempt) {
-        const auto sent = writeBlock(context, servo, reg.writeOffset, wireBytes(servo, reg, raw),
-                                     protocol::Repeat::Safe);
-        if (!sent && sent.error().code == base::ErrorCode::LinkLost)
-            return sent;
-        if (reg.eprom())
-            context.bus.clock().sleepFor(epromWriteTime);
-        const auto back = readRegister(context, servo, reg);
-        if (!back)
-            return tl::unexpected(back.error());
-        if (*back == raw)
-            return {};
-        last = {base::ErrorCode::Mismatch,
-                QStringLiteral("write"),
-                QString::number(*back),
-                servo.id,
-                reg.key,
-                attempt + 1};
-    }
-    return tl::unexpected(last);
+    return writeVerified(context, servo, {{&reg, raw}});
+}
+
+base::Result<void> save(const Context& context, Servo& servo, const catalog::Register& reg)
+{
+    const auto saved =
+        writeBlock(context, servo, {reg.saveOffset, reg.offset, {}}, protocol::Repeat::Safe);
+    if (saved)
+        context.bus.clock().sleepFor(epromWriteTime);
+    return saved;
 }
 } // namespace device

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The few sentences every manoeuvre says to one servo. Keeps its image and status up to date with
-// every reply. The job's thread; errors are those of bus::Bus::transact.
+// The few sentences every manoeuvre says to one servo, and the frames they go in. Keeps its image
+// and status up to date with every reply. The job's thread; errors are those of bus::Bus::transact.
 #pragma once
 
 #include "device/context.h"
@@ -11,27 +11,66 @@ namespace device {
 /// advises 10–20 ms.
 constexpr base::Duration epromWriteTime = std::chrono::milliseconds(20);
 
-base::Result<void> readBlock(const Context& context, Servo& servo, int address, int count);
+/// False when this servo's language has no words for the request. Says nothing on the wire.
+bool canSay(const Servo& servo, const protocol::Request& request);
+
+/// `retries` −1: the bus' default.
+base::Result<void> readBlock(const Context& context, Servo& servo, int offset, int count,
+                             int retries = -1);
+/// Reads it, with the block it travels in.
 base::Result<std::int64_t> readRegister(const Context& context, Servo& servo,
                                         const catalog::Register& reg);
+
+struct RegisterValue {
+    const catalog::Register* reg = nullptr;
+    std::int64_t raw = 0;
+};
+using RegisterValues = std::vector<RegisterValue>;
 
 /// The bytes as they go into the frame, in the servo's byte order and encoding.
 base::Bytes wireBytes(const Servo& servo, const catalog::Register& reg, std::int64_t raw);
 
+/// One WRITE frame: where its bytes go and where they are read back.
+struct Patch {
+    int writeOffset = 0;
+    int readOffset = 0;
+    base::Bytes data;
+    int count() const { return static_cast<int>(data.size()); }
+};
+
+/// True when `next` goes into the frame that ends with `last`: it stands right behind it, or
+/// travels in the same block.
+bool sharesFrame(const catalog::Register& last, const catalog::Register& next);
+
+/// The one frame for registers that share it, in the order of writing. The bytes of their block
+/// that do not change are those in the servo's image, which must be known.
+Patch patchOf(const Servo& servo, const RegisterValues& values);
+
+/// The same, with the block read afresh where it holds more than `values`.
+base::Result<Patch> freshPatch(const Context& context, Servo& servo, const RegisterValues& values);
+
 /// One WRITE frame. Does not read back.
-base::Result<void> writeBlock(const Context& context, Servo& servo, int address, base::Bytes data,
+base::Result<void> writeBlock(const Context& context, Servo& servo, const Patch& patch,
                               protocol::Repeat repeat);
 
 /// True when a request went out and only its answer is missing: reading tells what happened.
 bool answerLost(const base::Error& error);
 
-/// A WRITE that may be repeated; where its answer is lost, or never comes (response level 0), the
-/// block is read back and decides. Refused when it does not show what was written.
-base::Result<void> writeProven(const Context& context, Servo& servo, int address,
-                               const base::Bytes& data);
+/// Reading proved that a write never arrived, and it is sent again: said in the words that fit a
+/// language with acknowledgements, or without.
+void noteSentAgain(const Context& context, const Servo& servo, const QString& key = {});
 
-/// Writes and reads back, once more if the servo still shows the old value. Ends in Mismatch when
-/// it shows anything else than `raw`. For registers that may be repeated.
+/// A WRITE that may be repeated; where its answer is lost, or never comes (response level 0, LX),
+/// the block is read back and decides. Refused when it does not show what was written.
+base::Result<void> writeProven(const Context& context, Servo& servo, const Patch& patch);
+
+/// Writes registers that share a frame and reads them back, once more if the servo still shows the
+/// old values. Ends in Mismatch when it shows anything else. For registers that may be repeated.
+base::Result<void> writeVerified(const Context& context, Servo& servo,
+                                 const RegisterValues& values);
 base::Result<void> writeVerified(const Context& context, Servo& servo, const catalog::Register& reg,
                                  std::int64_t raw);
+
+/// Makes the present value of a register with a save command stay. Nothing proves it.
+base::Result<void> save(const Context& context, Servo& servo, const catalog::Register& reg);
 } // namespace device

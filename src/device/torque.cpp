@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/holding.h"
 #include "device/mode.h"
 #include "device/motion.h"
-#include "device/talk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,9 +49,19 @@ base::Result<std::int64_t> holdingGoal(const Servo& servo, const catalog::Mode& 
     }
     return inside;
 }
+} // namespace
 
-/// Makes the mode's command mean "stay", so that switching on moves nothing.
-base::Result<void> commandHolding(const Context& context, Servo& servo)
+RegisterValues goalValues(const Servo& servo, const catalog::Register& goal, std::int64_t raw)
+{
+    RegisterValues values{{&goal, raw}};
+    const catalog::Register* time = servo.profile->byRole(Role::GoalTime);
+    if (goal.role == Role::GoalPosition && goal.block && time != nullptr &&
+        time->block == goal.block)
+        values.push_back({time, 0});
+    return values;
+}
+
+base::Result<RegisterValues> holdingValues(const Servo& servo)
 {
     const catalog::Mode* mode = servo.mode();
     if (mode == nullptr)
@@ -66,25 +76,30 @@ base::Result<void> commandHolding(const Context& context, Servo& servo)
             return tl::unexpected(holding.error());
         goal = *holding;
     }
-    const auto written = writeVerified(context, servo, *command, goal);
-    if (written)
-        context.note(NoticeCode::HoldingAt, servo.id, command->key, goal);
-    return written;
+    return goalValues(servo, *command, goal);
 }
 
-base::Result<void> switchOn(const Context& context, Servo& servo, const catalog::Register& torque)
+base::Result<void> switchOn(const Context& context, Servo& servo)
 {
-    if (const auto holding = commandHolding(context, servo); !holding)
-        return holding;
+    const catalog::Register& torque = *servo.profile->byRole(Role::TorqueSwitch);
+    const auto holding = holdingValues(servo);
+    if (!holding)
+        return tl::unexpected(holding.error());
+    if (const auto commanded = writeVerified(context, servo, *holding); !commanded)
+        return commanded;
+    context.note(NoticeCode::HoldingAt, servo.id, holding->front().reg->key, holding->front().raw);
     // Writing the goal may already have energised it.
     const auto now = readRegister(context, servo, torque);
     if (!now)
         return tl::unexpected(now.error());
     if (*now == torqueIsOn)
         return {};
-    return writeVerified(context, servo, torque, torqueIsOn);
+    const auto on = writeVerified(context, servo, torque, torqueIsOn);
+    // An unloaded servo may have passed over the goal it got.
+    if (!on || !servo.movesNeedTorque())
+        return on;
+    return writeVerified(context, servo, *holding);
 }
-} // namespace
 
 base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
 {
@@ -106,12 +121,74 @@ base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
         context.note(NoticeCode::AlreadySo, servo.id, torque->key);
         return {};
     }
-    auto done = wanted == Torque::On ? switchOn(context, servo, *torque)
+    auto done = wanted == Torque::On ? switchOn(context, servo)
                                      : writeVerified(context, servo, *torque, target);
     if (!done && done.error().code == ErrorCode::Mismatch)
         done.error().code = ErrorCode::Refused;
-    if (done)
-        noteAlarms(context, servo);
-    return done;
+    if (!done)
+        return done;
+    noteNoCurrent(context, servo);
+    noteAlarms(context, servo);
+    return {};
+}
+
+namespace {
+/// Nothing tells where to hold: then the servo is let go, which ends the motion for certain.
+bool nowhereToHold(const base::Error& error)
+{
+    return error.code == ErrorCode::TurnsUnknown || error.code == ErrorCode::OutOfRange ||
+           error.code == ErrorCode::NotSupported;
+}
+
+base::Result<void> standStill(const Context& context, Servo& servo)
+{
+    const auto holding = holdingValues(servo);
+    if (!holding && nowhereToHold(holding.error()))
+        return torqueOff(context, servo);
+    if (!holding)
+        return tl::unexpected(holding.error());
+    const auto halted = writeVerified(context, servo, *holding);
+    if (halted) {
+        context.note(NoticeCode::HoldingAt, servo.id, holding->front().reg->key,
+                     holding->front().raw);
+    }
+    return halted;
+}
+
+/// Ends the move that is under way at its present place (LX).
+base::Result<void> sayHalt(const Context& context, Servo& servo)
+{
+    bus::Transaction transaction;
+    transaction.request = protocol::Request::halt(servo.id).in(servo.protocol);
+    transaction.priority = context.priority;
+    transaction.hold = context.hold;
+    const auto said = context.bus.transact(transaction);
+    return said ? base::Result<void>{} : tl::unexpected(said.error());
+}
+} // namespace
+
+base::Result<void> halt(const Context& outer, Servo& servo)
+{
+    const Owned owned = own(outer, {servo.id});
+    const Context& context = owned.context;
+    const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
+    if (torque == nullptr || !servo.profile->writable)
+        return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));
+    if (const auto fresh = readSettings(context, servo); !fresh)
+        return fresh;
+    if (servo.raw(*torque).value_or(torqueIsOff) != torqueIsOn) {
+        context.note(NoticeCode::AlreadySo, servo.id, torque->key);
+        return {};
+    }
+    const catalog::Mode* mode = servo.mode();
+    // A step that is under way cannot be taken back by another one.
+    if (mode != nullptr && mode->key == QLatin1StringView("step"))
+        return torqueOff(context, servo);
+    const bool drivesPosition = mode != nullptr && mode->command == Role::GoalPosition;
+    if (drivesPosition && canSay(servo, protocol::Request::halt(servo.id)))
+        return sayHalt(context, servo);
+    if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
+        return fresh;
+    return standStill(context, servo);
 }
 } // namespace device

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/persistence.h"
 #include "device/talk.h"
 #include "device/writer.h"
 
@@ -6,23 +7,27 @@ namespace device {
 using base::ErrorCode;
 using catalog::Role;
 
-base::Result<UnlockedEprom> UnlockedEprom::open(const Context& context, Servo& servo)
+base::Result<UnlockedEprom> UnlockedEprom::open(const Context& context, Servo& servo,
+                                                const catalog::Register& reg)
 {
+    if (keepingOf(reg) != Keeping::Lock)
+        return UnlockedEprom();
     const catalog::Register* lock = servo.profile->byRole(Role::Lock);
     if (lock == nullptr) {
         return tl::unexpected(
             base::Error{ErrorCode::NotSupported, QStringLiteral("unlock"), {}, servo.id});
     }
+    const std::int64_t needed = openFor(reg.area);
     const auto present = readRegister(context, servo, *lock);
     if (!present)
         return tl::unexpected(present.error());
-    if (*present == 0)
+    if (isOpen(*present))
         context.note(NoticeCode::LockFoundOpen, servo.id, lock->key);
     // From here on the destructor closes it, also when the unlock itself lost its answer.
-    UnlockedEprom unlocked(context, servo);
-    if (*present == 0)
+    UnlockedEprom unlocked(context, servo, needed);
+    if (*present == needed)
         return unlocked;
-    auto opened = writeVerified(context, servo, *lock, 0);
+    auto opened = writeVerified(context, servo, *lock, needed);
     if (!opened) {
         if (opened.error().code == ErrorCode::Mismatch)
             opened.error().code = ErrorCode::Refused;
@@ -35,6 +40,8 @@ base::Result<UnlockedEprom> UnlockedEprom::open(const Context& context, Servo& s
 UnlockedEprom::UnlockedEprom(UnlockedEprom&& other) noexcept
     : m_context(other.m_context)
     , m_servo(std::exchange(other.m_servo, nullptr))
+    , m_needed(other.m_needed)
+    , m_stayedOpen(other.m_stayedOpen)
 {}
 
 UnlockedEprom::~UnlockedEprom()
@@ -47,10 +54,10 @@ LockState UnlockedEprom::close()
 {
     Servo* servo = std::exchange(m_servo, nullptr);
     if (servo == nullptr)
-        return LockState::Closed;
+        return LockState::None;
     const catalog::Register& lock = *servo->profile->byRole(Role::Lock);
     const auto flag = readRegister(*m_context, *servo, lock);
-    m_stayedOpen = flag.has_value() && *flag == 0;
+    m_stayedOpen = flag.has_value() && *flag == m_needed;
     return closeLock(*m_context, *servo);
 }
 
@@ -69,10 +76,10 @@ LockState closeLock(const Context& context, Servo& servo)
                 break;
             continue;
         }
-        if (*flag != 0)
+        if (!isOpen(*flag))
             return LockState::Closed;
         state = LockState::Open;
-        if (writeVerified(context, servo, *lock, 1))
+        if (writeVerified(context, servo, *lock, lockClosed))
             return LockState::Closed;
     }
     context.note(NoticeCode::LockLeftOpen, servo.id, lock->key);

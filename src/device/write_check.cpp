@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/write_check.h"
 
+#include "device/persistence.h"
+
 #include <algorithm>
+#include <array>
 
 namespace device {
 using base::ErrorCode;
@@ -13,6 +16,9 @@ tl::unexpected<base::Error> refuse(ErrorCode code, const Servo& servo, const QSt
 {
     return tl::unexpected(base::Error{code, QStringLiteral("write"), detail, servo.id, key});
 }
+
+/// Of a fault reset register: "the present position becomes the middle" (Modbus sheet).
+constexpr std::int64_t centerBit = 4;
 
 /// Registers whose writing is more than a write name their command instead.
 base::Result<void> checkManoeuvre(const Servo& servo, const catalog::Register& reg,
@@ -30,23 +36,43 @@ base::Result<void> checkManoeuvre(const Servo& servo, const catalog::Register& r
             return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("torque"));
         return {};
     case Role::Lock:
-        if (raw == 0)
+        if (isOpen(raw))
             return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("unlock"));
+        return {};
+    case Role::FaultReset:
+        if ((raw & centerBit) != 0)
+            return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("center"));
         return {};
     default:
         return {};
     }
 }
+
+/// A travel time goes out with its goal, so writing it alone would repeat the latest move.
+base::Result<void> checkTime(const Servo& servo, const RegisterValues& items)
+{
+    const catalog::Register* time = servo.profile->byRole(Role::GoalTime);
+    const catalog::Register* goal = servo.profile->byRole(Role::GoalPosition);
+    if (time == nullptr || goal == nullptr || !time->block || time->block != goal->block)
+        return {};
+    const auto holds = [&](const catalog::Register* reg) {
+        return std::any_of(items.begin(), items.end(),
+                           [reg](const RegisterValue& item) { return item.reg == reg; });
+    };
+    if (!holds(time) || holds(goal))
+        return {};
+    return refuse(ErrorCode::NotSupported, servo, time->key, QStringLiteral("with-goal"));
+}
 } // namespace
 
-base::Result<std::vector<CheckedItem>>
-checkItems(const Servo& servo, const std::vector<WriteItem>& items, const WriteOptions& options)
+base::Result<RegisterValues> checkItems(const Servo& servo, const std::vector<WriteItem>& items,
+                                        const WriteOptions& options)
 {
     if (!servo.profile->writable) {
         return refuse(ErrorCode::UnknownModel, servo, {},
                       QStringLiteral("firmware ") + servo.profile->identity.firmware());
     }
-    std::vector<CheckedItem> checked;
+    RegisterValues checked;
     for (const WriteItem& item : items) {
         const catalog::Register* reg = servo.profile->find(item.key);
         if (reg == nullptr)
@@ -55,25 +81,28 @@ checkItems(const Servo& servo, const std::vector<WriteItem>& items, const WriteO
             return refuse(ErrorCode::ReadOnly, servo, item.key);
         const bool twice =
             std::any_of(checked.begin(), checked.end(),
-                        [reg](const CheckedItem& other) { return other.reg == reg; });
+                        [reg](const RegisterValue& other) { return other.reg == reg; });
         if (twice)
             return refuse(ErrorCode::BadArgument, servo, item.key, QStringLiteral("given twice"));
         if (const auto own = checkManoeuvre(servo, *reg, item.raw); !own)
             return tl::unexpected(own.error());
         if (reg->dangerous && !options.dangerous)
             return refuse(ErrorCode::NeedsConsent, servo, item.key);
+        if (options.temporary && keepingOf(*reg) == Keeping::Always)
+            return refuse(ErrorCode::NotSupported, servo, item.key, QStringLiteral("always-kept"));
         checked.push_back({reg, item.raw});
     }
-    std::sort(checked.begin(), checked.end(), [](const CheckedItem& a, const CheckedItem& b) {
+    if (const auto timed = checkTime(servo, checked); !timed)
+        return tl::unexpected(timed.error());
+    std::sort(checked.begin(), checked.end(), [](const RegisterValue& a, const RegisterValue& b) {
         return a.reg->writeOffset < b.reg->writeOffset;
     });
     return checked;
 }
 
-std::optional<std::int64_t> valueAfter(const Servo& servo, const std::vector<CheckedItem>& items,
-                                       Role role)
+std::optional<std::int64_t> valueAfter(const Servo& servo, const RegisterValues& items, Role role)
 {
-    for (const CheckedItem& item : items) {
+    for (const RegisterValue& item : items) {
         if (item.reg->role == role)
             return item.raw;
     }
@@ -94,24 +123,41 @@ std::optional<GoalRange> goalRange(const Servo& servo)
 }
 
 namespace {
-base::Result<void> checkLimits(const Servo& servo, const std::vector<CheckedItem>& items)
+/// A minimum and its maximum; the lower one must stay below the upper one.
+struct Pair {
+    Role min;
+    Role max;
+};
+constexpr std::array pairs{Pair{Role::MinAngle, Role::MaxAngle},
+                           Pair{Role::MinVoltage, Role::MaxVoltage}};
+
+/// Both 0 switches a limit off; as angles only where that is a mode.
+bool zeroMeansNone(const Servo& servo, const Pair& pair)
 {
-    const bool concerned = std::any_of(items.begin(), items.end(), [](const CheckedItem& item) {
-        return item.reg->role == Role::MinAngle || item.reg->role == Role::MaxAngle;
+    const auto& modes = servo.profile->modes;
+    return pair.min != Role::MinAngle ||
+           std::any_of(modes.begin(), modes.end(),
+                       [](const catalog::Mode& mode) { return mode.limitsZero; });
+}
+
+base::Result<void> checkPair(const Servo& servo, const RegisterValues& items, const Pair& pair)
+{
+    const bool concerned = std::any_of(items.begin(), items.end(), [&](const RegisterValue& item) {
+        return item.reg->role == pair.min || item.reg->role == pair.max;
     });
-    if (!concerned)
+    const auto min = valueAfter(servo, items, pair.min);
+    const auto max = valueAfter(servo, items, pair.max);
+    if (!concerned || !min || !max || *min < *max)
         return {};
-    const auto min = valueAfter(servo, items, Role::MinAngle);
-    const auto max = valueAfter(servo, items, Role::MaxAngle);
-    if (!min || !max || (*min == 0 && *max == 0) || *min < *max)
+    if (*min == 0 && *max == 0 && zeroMeansNone(servo, pair))
         return {};
-    return refuse(ErrorCode::OutOfRange, servo, servo.profile->byRole(Role::MinAngle)->key,
+    return refuse(ErrorCode::OutOfRange, servo, servo.profile->byRole(pair.min)->key,
                   QStringLiteral("%1 >= %2").arg(*min).arg(*max));
 }
 
-base::Result<void> checkGoal(const Servo& servo, const CheckedItem& item)
+base::Result<void> checkGoal(const Servo& servo, const RegisterValue& item)
 {
-    if (item.reg->role != Role::GoalPosition)
+    if (item.reg->role != Role::GoalPosition && item.reg->role != Role::StoredGoal)
         return {};
     const auto range = goalRange(servo);
     if (!range || (item.raw >= range->min && item.raw <= range->max))
@@ -122,9 +168,9 @@ base::Result<void> checkGoal(const Servo& servo, const CheckedItem& item)
 } // namespace
 
 base::Result<void> checkValues(const Context& context, const Servo& servo,
-                               const std::vector<CheckedItem>& items)
+                               const RegisterValues& items)
 {
-    for (const CheckedItem& item : items) {
+    for (const RegisterValue& item : items) {
         const auto value = catalog::checkNewValue(item.raw, *item.reg, servo.meaning(*item.reg),
                                                   servo.raw(*item.reg));
         if (!value) {
@@ -138,6 +184,10 @@ base::Result<void> checkValues(const Context& context, const Servo& servo,
         if (item.reg->warnAbove && item.raw > *item.reg->warnAbove)
             context.note(NoticeCode::AboveUsual, servo.id, item.reg->key, *item.reg->warnAbove);
     }
-    return checkLimits(servo, items);
+    for (const Pair& pair : pairs) {
+        if (const auto good = checkPair(servo, items, pair); !good)
+            return good;
+    }
+    return {};
 }
 } // namespace device

@@ -3,25 +3,21 @@
 // pure functions on what has been read.
 #pragma once
 
+#include "device/talk.h"
 #include "device/writer.h"
 
 namespace device {
-struct CheckedItem {
-    const catalog::Register* reg = nullptr;
-    std::int64_t raw = 0;
-};
-
-/// Key, access, consent, and the registers that have a manoeuvre of their own (ID, rate, torque on,
-/// calibration, unlocking). Needs nothing read.
-base::Result<std::vector<CheckedItem>>
-checkItems(const Servo& servo, const std::vector<WriteItem>& items, const WriteOptions& options);
+/// Key, access, consent, what this family cannot do, and the registers that have a manoeuvre of
+/// their own (ID, rate, torque on, calibration, unlocking). Needs nothing read. In writing order.
+base::Result<RegisterValues> checkItems(const Servo& servo, const std::vector<WriteItem>& items,
+                                        const WriteOptions& options);
 
 /// Ranges and the pairs that belong together, against what has just been read.
 base::Result<void> checkValues(const Context& context, const Servo& servo,
-                               const std::vector<CheckedItem>& items);
+                               const RegisterValues& items);
 
 /// The value a role will have after the write.
-std::optional<std::int64_t> valueAfter(const Servo& servo, const std::vector<CheckedItem>& items,
+std::optional<std::int64_t> valueAfter(const Servo& servo, const RegisterValues& items,
                                        catalog::Role role);
 
 /// Minimum and maximum of a goal in its raw unit, as the servo's own limits allow; nullopt: free.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The safe write, the only way a register is changed: check everything before the first byte,
-// journal, torque off where asked, unlock, write, wait, read back, lock, prove the lock. On every
-// path out the lock is closed again, or LockLeftOpen is noted and the intent stays open.
+// journal, torque off where asked, unlock, write, wait, read back, save where the family has a
+// command for it, lock, prove the lock. On every path out the lock is closed again, or LockLeftOpen
+// is noted and the intent stays open. Registers that travel as a block are read, changed and
+// written as one, so changing the minimum never disturbs the maximum.
 #pragma once
 
 #include "device/reader.h"
@@ -37,7 +39,9 @@ struct WriteReport {
 };
 
 struct WriteOptions {
-    bool temporary = false; ///< the lock stays closed: acts at once, lost at power-off
+    /// The lock stays closed, nothing is saved: acts at once, lost at power-off. NotSupported
+    /// ("always-kept") where every write is kept.
+    bool temporary = false;
     bool dangerous = false; ///< the user's consent to dangerous registers
     base::IntentKind kind = base::IntentKind::Write;
 };
@@ -48,11 +52,14 @@ struct WriteOptions {
 base::Result<WriteReport> write(const Context& context, Servo& servo,
                                 const std::vector<WriteItem>& items, const WriteOptions& options);
 
-/// One EPROM-unlocked stretch, for manoeuvres that are more than register writes. The destructor
-/// closes the lock. Used by write() itself.
+/// One unlocked stretch, for manoeuvres that are more than register writes. The destructor closes
+/// the lock. Used by write() itself.
 class UnlockedEprom {
 public:
-    static base::Result<UnlockedEprom> open(const Context& context, Servo& servo);
+    /// Open for the area of `reg` (factory rows have a value of their own). Where writes to `reg`
+    /// are kept without a lock, there is nothing to open, and close() says None.
+    static base::Result<UnlockedEprom> open(const Context& context, Servo& servo,
+                                            const catalog::Register& reg);
     UnlockedEprom(UnlockedEprom&& other) noexcept;
     UnlockedEprom(const UnlockedEprom&) = delete;
     UnlockedEprom& operator=(const UnlockedEprom&) = delete;
@@ -67,15 +74,18 @@ public:
     bool stayedOpen() const { return m_stayedOpen; }
 
 private:
-    UnlockedEprom(const Context& context, Servo& servo)
+    UnlockedEprom() = default;
+    UnlockedEprom(const Context& context, Servo& servo, std::int64_t needed)
         : m_context(&context)
         , m_servo(&servo)
+        , m_needed(needed)
     {}
     const Context* m_context = nullptr; ///< outlives this
-    Servo* m_servo = nullptr;
+    Servo* m_servo = nullptr;           ///< null: there is no lock to close
+    std::int64_t m_needed = 0;          ///< what the lock register shows while open
     bool m_stayedOpen = false;
 };
 
-/// Closes the lock if its flag reads open; LockState::None where the map has no lock.
+/// Closes the lock if its flag reads open, for whichever area; None where the map has no lock.
 LockState closeLock(const Context& context, Servo& servo);
 } // namespace device

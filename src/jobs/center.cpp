@@ -15,6 +15,8 @@ namespace {
 const QString operation = QStringLiteral("center");
 /// Register 40, SMS and STS: "make the present position 2048".
 constexpr std::int64_t centerCommand = 128;
+/// Fault reset register, SMSMB: the same.
+constexpr std::int64_t centerBit = 4;
 /// The free shaft may still settle by this much while it is centred.
 constexpr std::int64_t tolerance = 12;
 
@@ -40,23 +42,39 @@ bool centred(const device::Servo& servo, const Place& place)
     return std::abs(inTurn - turn / 2) <= tolerance;
 }
 
-protocol::Request calibration(const device::Servo& servo)
+protocol::Request writing(const device::Servo& servo, Role role, std::int64_t raw)
 {
-    if (servo.profile->centering == Centering::Instruction0B) {
-        auto request =
-            protocol::Request::calibrate(servo.id, std::nullopt, servo.profile->byteOrder);
-        request.acknowledged = servo.answersWrites();
-        return request;
-    }
-    const catalog::Register& torque = *servo.profile->byRole(Role::TorqueSwitch);
-    auto request = protocol::Request::write(servo.id, torque.address,
-                                            device::wireBytes(servo, torque, centerCommand),
-                                            protocol::Repeat::Never);
-    request.acknowledged = servo.answersWrites();
-    return request;
+    const catalog::Register& reg = *servo.profile->byRole(role);
+    return protocol::Request::write(servo.id, reg.writeOffset, device::wireBytes(servo, reg, raw),
+                                    protocol::Repeat::Never);
 }
 
-/// Sends the calibration; after a lost answer 31 and 56 are read and tell whether it happened.
+protocol::Request calibration(const device::Servo& servo)
+{
+    const Centering way = servo.profile->centering;
+    auto request =
+        way == Centering::Instruction0B
+            ? protocol::Request::calibrate(servo.id, std::nullopt, servo.profile->byteOrder)
+        : way == Centering::FaultReset4 ? writing(servo, Role::FaultReset, centerBit)
+                                        : writing(servo, Role::TorqueSwitch, centerCommand);
+    request.acknowledged = servo.answersWrites();
+    return request.in(servo.protocol);
+}
+
+/// A servo without the command may still have the register that the command would fill.
+base::Result<void> checkPossible(const device::Servo& servo)
+{
+    const catalog::Register* offset = servo.profile->byRole(Role::PositionOffset);
+    if (servo.profile->centering != Centering::None && offset != nullptr)
+        return {};
+    const QString detail = offset != nullptr && offset->writable()
+                               ? QStringLiteral("write ") + offset->key
+                               : servo.profile->series;
+    return base::fail(ErrorCode::NotSupported, operation, detail, servo.id);
+}
+
+/// Sends the calibration; after a lost answer offset and position are read and tell whether it
+/// happened.
 base::Result<Place> calibrate(const device::Context& context, device::Servo& servo,
                               const Place& before)
 {
@@ -80,7 +98,7 @@ base::Result<Place> calibrate(const device::Context& context, device::Servo& ser
         if (!proof || now.offset != before.offset)
             break;
         if (attempt + 1 < sends)
-            context.note(NoticeCode::AnswerLostSentAgain, servo.id);
+            device::noteSentAgain(context, servo);
     }
     return base::fail(ErrorCode::Refused, operation, QString::number(now.position), servo.id);
 }
@@ -91,7 +109,8 @@ base::Result<CenterReport> centerUnlocked(const device::Context& context, device
     CenterReport report;
     report.offsetBefore = before.offset;
     report.positionBefore = before.position;
-    auto eprom = device::UnlockedEprom::open(context, servo);
+    auto eprom =
+        device::UnlockedEprom::open(context, servo, *servo.profile->byRole(Role::PositionOffset));
     if (!eprom) {
         certain = device::closeLock(context, servo) == device::LockState::Closed;
         return tl::unexpected(eprom.error());
@@ -115,9 +134,9 @@ base::Result<CenterReport> center(const device::Context& outer, device::Servo& s
 {
     if (const auto writable = requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
-    const catalog::Register* offset = servo.profile->byRole(Role::PositionOffset);
-    if (servo.profile->centering == Centering::None || offset == nullptr)
-        return base::fail(ErrorCode::NotSupported, operation, servo.profile->series, servo.id);
+    if (const auto possible = checkPossible(servo); !possible)
+        return tl::unexpected(possible.error());
+    const catalog::Register& offset = *servo.profile->byRole(Role::PositionOffset);
     const device::Owned owned = device::own(outer, {servo.id});
     const device::Context& context = owned.context;
     if (const auto fresh = device::readSettings(context, servo); !fresh)
@@ -130,9 +149,8 @@ base::Result<CenterReport> center(const device::Context& outer, device::Servo& s
     // With torque on, the moved origin would send the servo to its old goal at full speed.
     if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
         return tl::unexpected(off.error());
-    const auto uuid =
-        journalIntent(context, servo, base::IntentKind::Calibrate,
-                      {{offset->key, offset->address, before->offset, before->offset}});
+    const auto uuid = journalIntent(context, servo, base::IntentKind::Calibrate,
+                                    {{offset.key, offset.address, before->offset, before->offset}});
     if (!uuid)
         return tl::unexpected(uuid.error());
     bool certain = false;

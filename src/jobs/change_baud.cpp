@@ -38,12 +38,13 @@ base::Result<void> proveRate(bus::Bus& bus, int newBaud)
 
 /// Tries the new rate, then the old. Leaves the bus where the servo answers; at the old rate if
 /// nowhere. True if it answers.
-base::Result<bool> locate(const device::Context& context, int id, int oldBaud, int newBaud)
+base::Result<bool> locate(const device::Context& context, const device::Servo& servo, int oldBaud,
+                          int newBaud)
 {
     for (const int baud : {newBaud, oldBaud}) {
         if (const auto set = context.bus.setBaud(baud); !set)
             return tl::unexpected(set.error());
-        const auto here = answers(context, id, longPatience);
+        const auto here = answers(context, servo.protocol, servo.id, longPatience);
         if (!here && here.error().code == ErrorCode::LinkLost)
             return tl::unexpected(here.error());
         if (here && *here)
@@ -63,10 +64,10 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
             protocol::Request::write(servo.id, reg.writeOffset, device::wireBytes(servo, reg, code),
                                      protocol::Repeat::Never);
         request.acknowledged = servo.answersWrites();
-        if (const auto sent = sendOnce(context, std::move(request)); !sent)
+        if (const auto sent = sendOnce(context, request.in(servo.protocol)); !sent)
             return tl::unexpected(sent.error());
         context.bus.clock().sleepFor(device::epromWriteTime);
-        const auto found = locate(context, servo.id, oldBaud, newBaud);
+        const auto found = locate(context, servo, oldBaud, newBaud);
         if (!found)
             return tl::unexpected(found.error());
         if (!*found)
@@ -82,7 +83,7 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
             return {};
         }
         if (attempt + 1 < sends)
-            context.note(NoticeCode::AnswerLostSentAgain, servo.id, reg.key);
+            device::noteSentAgain(context, servo, reg.key);
     }
     return base::fail(ErrorCode::Refused, operation, {}, servo.id);
 }
@@ -96,7 +97,7 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
     device::WriteResult result{
         reg.key, reg.address, servo.raw(reg), code, {}, WriteOutcome::Unknown, {}};
     const int oldBaud = context.bus.baud();
-    auto eprom = device::UnlockedEprom::open(context, servo);
+    auto eprom = device::UnlockedEprom::open(context, servo, reg);
     if (!eprom) {
         result.outcome = WriteOutcome::Refused;
         result.error = eprom.error();
@@ -122,7 +123,8 @@ base::Result<void> checkBeforehand(const device::Context& context, const device:
     if (const auto writable = requireWritable(servo, operation); !writable)
         return writable;
     if (servo.profile->byRole(Role::BaudRate) == nullptr)
-        return base::fail(ErrorCode::NotSupported, operation, QStringLiteral("register"), servo.id);
+        return base::fail(ErrorCode::NotSupported, operation, QStringLiteral("fixed-rate"),
+                          servo.id);
     // Behind a TCP bridge nobody here could follow the servo to its new rate.
     if (!context.bus.hasBaud())
         return base::fail(ErrorCode::NotSupported, operation, QStringLiteral("bridge"), servo.id);

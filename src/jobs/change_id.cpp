@@ -13,11 +13,25 @@ constexpr base::Duration longPatience = std::chrono::milliseconds(50);
 
 const QString operation = QStringLiteral("set-id");
 
+/// Feetech and LX: 0–253, Modbus: 1–247; never the address that means everybody.
+base::Result<void> checkId(const device::Servo& servo, int newId)
+{
+    const catalog::Register& reg = *servo.profile->byRole(Role::Id);
+    const std::int64_t lowest = reg.min.value_or(0);
+    const std::int64_t highest = reg.max.value_or(protocol::maxId);
+    if (newId >= lowest && newId <= highest)
+        return {};
+    base::Error error{ErrorCode::OutOfRange, operation,
+                      QStringLiteral("%1 … %2").arg(lowest).arg(highest), newId};
+    error.registerKey = reg.key;
+    return tl::unexpected(error);
+}
+
 /// Silence under the new ID, twice: anything else, a collision included, means somebody lives
 /// there.
-base::Result<void> proveFree(const device::Context& context, int newId)
+base::Result<void> proveFree(const device::Context& context, base::Protocol protocol, int newId)
 {
-    const auto taken = answers(context, newId, longPatience);
+    const auto taken = answers(context, protocol, newId, longPatience);
     if (!taken) {
         const ErrorCode code = taken.error().code;
         if (code == ErrorCode::Garbled || code == ErrorCode::WrongAnswer)
@@ -30,10 +44,11 @@ base::Result<void> proveFree(const device::Context& context, int newId)
 }
 
 /// Where the servo answers after the write; -1: nowhere.
-base::Result<int> locate(const device::Context& context, int oldId, int newId)
+base::Result<int> locate(const device::Context& context, base::Protocol protocol, int oldId,
+                         int newId)
 {
     for (const int id : {newId, oldId}) {
-        const auto here = answers(context, id, longPatience);
+        const auto here = answers(context, protocol, id, longPatience);
         if (!here && here.error().code == ErrorCode::LinkLost)
             return tl::unexpected(here.error());
         if (here && *here)
@@ -42,7 +57,7 @@ base::Result<int> locate(const device::Context& context, int oldId, int newId)
     return -1;
 }
 
-/// Writes register 5 and follows the servo to wherever it answers then.
+/// Writes the ID and follows the servo to wherever it answers then.
 base::Result<void> writeAndFollow(const device::Context& context, device::Servo& servo, int newId,
                                   device::WriteResult& result)
 {
@@ -54,13 +69,13 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
             oldId, reg.writeOffset, device::wireBytes(servo, reg, newId), protocol::Repeat::Never);
         request.acknowledged = servo.answersWrites();
         request.answersAs = newId;
-        const auto sent = sendOnce(context, std::move(request));
+        const auto sent = sendOnce(context, request.in(servo.protocol));
         if (!sent)
             return tl::unexpected(sent.error());
         if (sent->answeredBy == newId)
             context.note(NoticeCode::AckFromNewId, oldId, reg.key, newId);
         context.bus.clock().sleepFor(device::epromWriteTime);
-        const auto place = locate(context, oldId, newId);
+        const auto place = locate(context, servo.protocol, oldId, newId);
         if (!place)
             return tl::unexpected(place.error());
         if (*place < 0) {
@@ -75,7 +90,7 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
             return {};
         // It still answers, and reads, as before: nothing has happened, so writing again is safe.
         if (attempt + 1 < sends)
-            context.note(NoticeCode::AnswerLostSentAgain, oldId, reg.key);
+            device::noteSentAgain(context, servo, reg.key);
     }
     return base::fail(ErrorCode::Refused, operation, {}, oldId);
 }
@@ -87,7 +102,7 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
     device::WriteResult result{reg.key, reg.address,           servo.id, newId,
                                {},      WriteOutcome::Unknown, {}};
     const int oldId = servo.id;
-    auto eprom = device::UnlockedEprom::open(context, servo);
+    auto eprom = device::UnlockedEprom::open(context, servo, reg);
     if (!eprom) {
         result.outcome = WriteOutcome::Refused;
         result.error = eprom.error();
@@ -114,10 +129,10 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
 base::Result<device::WriteReport> changeId(const device::Context& outer, device::Servo& servo,
                                            int newId)
 {
-    if (newId < 0 || newId > protocol::maxId)
-        return base::fail(ErrorCode::OutOfRange, operation, QStringLiteral("0 … 253"), newId);
     if (const auto writable = requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
+    if (const auto possible = checkId(servo, newId); !possible)
+        return tl::unexpected(possible.error());
     if (newId == servo.id) {
         outer.note(NoticeCode::AlreadySo, servo.id);
         device::WriteReport nothing;
@@ -128,7 +143,7 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
     const device::Context& context = owned.context;
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
-    if (const auto free = proveFree(context, newId); !free)
+    if (const auto free = proveFree(context, servo.protocol, newId); !free)
         return tl::unexpected(free.error());
     if (context.stop.requested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);

@@ -6,10 +6,11 @@
 namespace jobs {
 using base::ErrorCode;
 
-base::Result<bool> answers(const device::Context& context, int id, base::Duration patience)
+base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id,
+                           base::Duration patience)
 {
     bus::Transaction ping;
-    ping.request = protocol::Request::ping(id);
+    ping.request = protocol::Request::ping(id).in(protocol);
     ping.priority = context.priority;
     ping.patience = patience;
     ping.hold = context.hold;
@@ -40,7 +41,7 @@ base::Result<QString> journalIntent(const device::Context& context, const device
 {
     base::Intent intent;
     intent.kind = kind;
-    intent.lockOpened = true;
+    intent.lockOpened = servo.profile->byRole(catalog::Role::Lock) != nullptr;
     intent.servo = servo.identity();
     intent.items = std::move(items);
     return context.journal.begin(intent);
@@ -53,6 +54,14 @@ base::Result<void> endIntent(const device::Context& context, const QString& uuid
         return {};
     return context.journal.end(
         uuid, {good ? QStringLiteral("done") : QStringLiteral("failed"), QString()});
+}
+
+base::Result<void> requireSayable(const device::Servo& servo, const protocol::Request& request,
+                                  const QString& operation, const QString& detail)
+{
+    if (device::canSay(servo, request))
+        return {};
+    return base::fail(ErrorCode::NotSupported, operation, detail, servo.id);
 }
 
 base::Result<void> requireWritable(const device::Servo& servo, const QString& operation)

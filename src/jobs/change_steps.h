@@ -7,7 +7,8 @@
 namespace jobs {
 /// PING with this patience; true if a clean answer came from that ID. Anything but silence that is
 /// not a clean answer (collision, noise) is an error.
-base::Result<bool> answers(const device::Context& context, int id, base::Duration patience);
+base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id,
+                           base::Duration patience);
 
 /// One write that is never repeated blindly. `lost` is true when its answer did not come.
 struct Sent {
@@ -23,6 +24,11 @@ base::Result<QString> journalIntent(const device::Context& context, const device
 /// Ends the intent as "done" or "failed" if nothing is open any more; leaves it open otherwise.
 base::Result<void> endIntent(const device::Context& context, const QString& uuid, bool certain,
                              bool good);
+
+/// NotSupported with this detail when the servo's language has no words for the request. Before
+/// the first byte.
+base::Result<void> requireSayable(const device::Servo& servo, const protocol::Request& request,
+                                  const QString& operation, const QString& detail);
 
 base::Result<void> requireWritable(const device::Servo& servo, const QString& operation);
 

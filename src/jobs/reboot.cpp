@@ -20,6 +20,11 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
     const QString operation = QStringLiteral("reboot");
     if (const auto writable = requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
+    const auto reboots = protocol::Request::reboot(servo.id).in(servo.protocol);
+    if (const auto possible =
+            requireSayable(servo, reboots, operation, QStringLiteral("no-reboot"));
+        !possible)
+        return tl::unexpected(possible.error());
     // Everybody keeps quiet meanwhile.
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
@@ -27,7 +32,7 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
         return tl::unexpected(off.error());
     if (context.stop.requested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
-    if (const auto sent = sendOnce(context, protocol::Request::reboot(servo.id)); !sent)
+    if (const auto sent = sendOnce(context, reboots); !sent)
         return tl::unexpected(sent.error());
     base::Clock& clock = context.bus.clock();
     const base::Duration start = clock.now();
@@ -35,7 +40,7 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
     clock.sleepUntil(start + listenFrom);
     servo.image.clear();
     for (;;) {
-        const auto here = answers(context, servo.id, 10ms);
+        const auto here = answers(context, servo.protocol, servo.id, 10ms);
         if (!here && here.error().code == ErrorCode::LinkLost)
             return tl::unexpected(here.error());
         const base::Duration passed = clock.now() - start;

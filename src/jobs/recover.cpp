@@ -2,9 +2,12 @@
 #include "jobs/recover.h"
 
 #include "device/motion.h"
+#include "device/persistence.h"
 #include "device/talk.h"
 #include "jobs/change.h"
 #include "jobs/recover_look.h"
+
+#include <map>
 
 namespace jobs {
 using base::ErrorCode;
@@ -28,7 +31,7 @@ Todo todo(const base::Intent& intent, const device::Servo& servo, RecoverAction 
     for (const base::JournalItem& item : intent.items) {
         const catalog::Register* reg = servo.profile->find(item.key);
         const auto present = reg != nullptr ? servo.raw(*reg) : std::nullopt;
-        if (!present || !reg->eprom() || !reg->writable())
+        if (!present || !device::lasting(*reg) || !reg->writable())
             continue;
         // What calibration and restore lead to is not known beforehand: finishing takes what is.
         const std::int64_t finished = newValuesKnown(intent) ? item.newRaw : *present;
@@ -85,25 +88,63 @@ bool changesMode(const base::Intent& intent, const device::Servo& servo)
     return false;
 }
 
-/// A value that reads right may stand in RAM only, if the servo restarted in the middle of the
-/// write. Written once more with the lock open it is certainly kept.
-base::Result<void> reassert(const device::Context& context, const base::Intent& intent,
-                            device::Servo& servo, const std::vector<device::WriteItem>& items)
+/// What is kept by means of the lock of this area, written once more with the lock open.
+base::Result<void> reassertLocked(const device::Context& context, device::Servo& servo,
+                                  const std::vector<const device::WriteItem*>& items)
 {
-    if (items.empty() || intent.temporary)
+    if (items.empty())
         return {};
-    auto eprom = device::UnlockedEprom::open(context, servo);
+    const auto registerOf = [&servo](const device::WriteItem* item) -> const catalog::Register& {
+        return *servo.profile->find(item->key);
+    };
+    auto eprom = device::UnlockedEprom::open(context, servo, registerOf(items.front()));
     if (!eprom)
         return tl::unexpected(eprom.error());
-    for (const device::WriteItem& item : items) {
-        const catalog::Register& reg = *servo.profile->find(item.key);
-        if (const auto again = device::writeVerified(context, servo, reg, item.raw); !again)
+    for (const device::WriteItem* item : items) {
+        const auto again = device::writeVerified(context, servo, registerOf(item), item->raw);
+        if (!again)
             return again;
     }
     const device::LockState lock = eprom->close();
     if (lock == device::LockState::Closed && eprom->stayedOpen())
         return {};
     return base::fail(ErrorCode::LockOpen, QStringLiteral("recover"), {}, servo.id);
+}
+
+base::Result<void> reassertSaved(const device::Context& context, device::Servo& servo,
+                                 const catalog::Register& reg, std::int64_t raw)
+{
+    if (const auto again = device::writeVerified(context, servo, reg, raw); !again)
+        return again;
+    const auto saved = device::save(context, servo, reg);
+    if (saved)
+        context.note(device::NoticeCode::SavedPerSheet, servo.id, reg.key);
+    return saved;
+}
+
+/// A value that reads right may stand in RAM only, if the servo restarted in the middle of the
+/// write. Written once more, with the lock open or saved, it is certainly kept.
+base::Result<void> reassert(const device::Context& context, const base::Intent& intent,
+                            device::Servo& servo, const std::vector<device::WriteItem>& items)
+{
+    if (intent.temporary)
+        return {};
+    std::map<catalog::Area, std::vector<const device::WriteItem*>> locked;
+    for (const device::WriteItem& item : items) {
+        const catalog::Register& reg = *servo.profile->find(item.key);
+        const device::Keeping keeping = device::keepingOf(reg);
+        if (keeping == device::Keeping::Lock)
+            locked[reg.area].push_back(&item);
+        else if (keeping != device::Keeping::Save)
+            continue;
+        else if (const auto saved = reassertSaved(context, servo, reg, item.raw); !saved)
+            return saved;
+    }
+    for (const auto& [area, those] : locked) {
+        if (const auto again = reassertLocked(context, servo, those); !again)
+            return again;
+    }
+    return {};
 }
 
 /// Brings the registers to the wanted side, then the lock, and proves both.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/recover_look.h"
 
+#include "device/persistence.h"
 #include "device/talk.h"
 
 #include <algorithm>
@@ -32,6 +33,7 @@ int baudOfCode(const device::Context& context, const base::Intent& intent)
     who.firmwareMinor = intent.servo.firmwareMinor;
     who.modelMajor = intent.servo.modelMajor;
     who.modelMinor = intent.servo.modelMinor;
+    who.protocol = intent.servo.protocol;
     const auto profile = context.catalog.resolve(who);
     const catalog::Register* reg = profile->byRole(Role::BaudRate);
     if (reg == nullptr || intent.items.empty())
@@ -74,7 +76,7 @@ base::Result<std::vector<device::Servo>> candidates(const device::Context& conte
         if (context.bus.hasBaud() && context.bus.baud() != place.baud &&
             !context.bus.setBaud(place.baud))
             continue; // this adapter cannot
-        auto servo = device::identify(context, place.id);
+        auto servo = device::identify(context, place.id, intent.servo.protocol);
         if (!servo) {
             if (servo.error().code == ErrorCode::LinkLost)
                 return tl::unexpected(servo.error());
@@ -95,7 +97,7 @@ base::Result<std::vector<device::Servo>> candidates(const device::Context& conte
 bool comparable(const device::Servo& servo, const base::JournalItem& item)
 {
     const catalog::Register* reg = servo.profile->find(item.key);
-    return reg != nullptr && reg->eprom();
+    return reg != nullptr && device::lasting(*reg);
 }
 
 Finding compare(const base::Intent& intent, const device::Servo& servo)
@@ -153,7 +155,7 @@ base::Result<OpenIntent> look(const device::Context& context, const base::Intent
     result.foundBaud = servo.baud;
     result.finding = compare(intent, servo);
     if (const auto flag = servo.raw(Role::Lock))
-        result.lockOpen = *flag == 0;
+        result.lockOpen = device::isOpen(*flag);
     return result;
 }
 } // namespace jobs

@@ -58,7 +58,7 @@ base::Result<bool> findAgain(const device::Context& context, device::Servo& serv
         if (context.bus.hasBaud() && !context.bus.setBaud(rates[i]))
             continue; // a rate this adapter cannot run
         for (const int id : ids) {
-            const auto here = answers(context, id, 50ms);
+            const auto here = answers(context, servo.protocol, id, 50ms);
             if (!here && here.error().code == ErrorCode::LinkLost)
                 return tl::unexpected(here.error());
             if (here && *here) {
@@ -94,7 +94,7 @@ base::Result<void> restore(const device::Context& context, device::Servo& servo,
     for (int attempt = 0; attempt < sends; ++attempt) {
         auto request = protocol::Request::restore(servo.id);
         request.acknowledged = before.answersWrites();
-        const auto sent = sendOnce(context, std::move(request));
+        const auto sent = sendOnce(context, request.in(servo.protocol));
         if (!sent)
             return tl::unexpected(sent.error());
         context.bus.clock().sleepFor(rewriteTime);
@@ -122,12 +122,17 @@ base::Result<RestoreReport> restoreDefaults(const device::Context& outer, device
 {
     if (const auto writable = requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
+    if (const auto possible = requireSayable(servo, protocol::Request::restore(servo.id), operation,
+                                             QStringLiteral("no-restore"));
+        !possible)
+        return tl::unexpected(possible.error());
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
     if (const auto fresh = device::readAll(context, servo); !fresh)
         return tl::unexpected(fresh.error());
-    const auto factoryTaken =
-        servo.id == factoryId ? base::Result<bool>(true) : answers(context, factoryId, 50ms);
+    const auto factoryTaken = servo.id == factoryId
+                                  ? base::Result<bool>(true)
+                                  : answers(context, servo.protocol, factoryId, 50ms);
     const bool factoryIdWasFree = factoryTaken && !*factoryTaken;
     if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
         return tl::unexpected(off.error());
@@ -140,7 +145,7 @@ base::Result<RestoreReport> restoreDefaults(const device::Context& outer, device
     RestoreReport report;
     report.oldId = servo.id;
     report.oldBaud = context.bus.baud();
-    auto eprom = device::UnlockedEprom::open(context, servo);
+    auto eprom = device::UnlockedEprom::open(context, servo, *servo.profile->byRole(Role::Id));
     base::Result<void> done;
     if (eprom) {
         done = restore(context, servo, factoryIdWasFree, progress, report);

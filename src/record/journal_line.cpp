@@ -46,6 +46,7 @@ QJsonObject toJson(const base::ServoIdentity& servo)
         {QStringLiteral("map"), servo.map},
         {QStringLiteral("port"), servo.port},
         {QStringLiteral("baud"), servo.baud},
+        {QStringLiteral("protocol"), base::protocolName(servo.protocol)},
     };
 }
 
@@ -89,6 +90,18 @@ void write(const KeepLine& line, QJsonObject& object)
     object.insert(QStringLiteral("values"), values);
 }
 
+/// Lines from before there was more than one language do not name it.
+base::Protocol readProtocol(const JsonReader& json)
+{
+    if (!json.has("protocol"))
+        return base::Protocol::Feetech;
+    const QString name = json.text("protocol");
+    const auto found = base::protocolFromName(name);
+    if (!found)
+        json.complain("protocol", QStringLiteral("unknown word \"%1\"").arg(name));
+    return found.value_or(base::Protocol::Feetech);
+}
+
 base::ServoIdentity readServo(const JsonReader& json)
 {
     base::ServoIdentity servo;
@@ -100,6 +113,7 @@ base::ServoIdentity readServo(const JsonReader& json)
     servo.map = json.text("map");
     servo.port = json.text("port");
     servo.baud = json.small("baud");
+    servo.protocol = readProtocol(json);
     return servo;
 }
 

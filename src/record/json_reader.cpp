@@ -37,6 +37,11 @@ void JsonComplaint::make(const QString& place, const QString& what)
         m_text = place + QStringLiteral(": ") + what;
 }
 
+bool JsonReader::has(const char* key) const
+{
+    return m_object.contains(QLatin1String(key));
+}
+
 QString JsonReader::text(const char* key) const
 {
     const QJsonValue found = value(key);

@@ -37,6 +37,7 @@ public:
         , m_place(std::move(place))
     {}
 
+    bool has(const char* key) const;
     QString text(const char* key) const;
     QString filledText(const char* key) const; ///< not empty
     bool flag(const char* key) const;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Moves that start together: sync packets, held writes, stored moves. Internal to device; the job's
+// thread. Errors: those of reading and writing, NotSupported before the first byte.
+#pragma once
+
+#include "device/move_blocks.h"
+
+namespace device {
+/// The plans by the way in which they start together with the others.
+struct Ways {
+    Plans packets; ///< sync write
+    Plans held;    ///< REG WRITE and ACTION
+    Plans stored;  ///< a stored move and its start
+};
+
+/// NotSupported ("no-sync", "no-async") when one of them has no way to start with others.
+base::Result<Ways> sortOut(std::vector<MovePlan>& plans, MoveHow how);
+
+base::Result<void> sendTogether(const Context& context, const Ways& ways);
+
+/// The blocks that come before the goal's.
+base::Result<void> sendSettings(const Context& context, MovePlan& plan,
+                                const std::vector<Block>& blocks);
+} // namespace device

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/write_run.h"
+
+#include "device/persistence.h"
+
+#include <algorithm>
+
+namespace device {
+using base::ErrorCode;
+using catalog::Role;
+using catalog::TorqueOff;
+
+bool WriteRun::needsTorqueOff() const
+{
+    if (m_change)
+        return true;
+    return std::any_of(m_items.begin(), m_items.end(), [](const RegisterValue& item) {
+        return item.reg->torqueOff == TorqueOff::Needed;
+    });
+}
+
+/// The first item from here on that is kept by means of the lock.
+std::size_t WriteRun::nextLocked(std::size_t from) const
+{
+    while (from < m_items.size() && keepingOf(*m_items[from].reg) != Keeping::Lock)
+        ++from;
+    return from;
+}
+
+/// A stretch ends where the lock must be opened for another area.
+std::size_t WriteRun::endOfStretch(std::size_t first) const
+{
+    const std::size_t locked = nextLocked(first);
+    std::size_t end = std::min(locked, m_items.size());
+    while (end < m_items.size()) {
+        const std::size_t next = nextLocked(end);
+        if (next < m_items.size() && m_items[next].reg->area != m_items[locked].reg->area)
+            return next;
+        end = std::min(next + 1, m_items.size());
+    }
+    return m_items.size();
+}
+
+/// Torque and, for a temporary write, a lock that somebody left open.
+base::Result<void> WriteRun::prepare()
+{
+    if (needsTorqueOff()) {
+        if (const auto off = torqueOff(m_context, m_servo); !off)
+            return off;
+    }
+    const catalog::Register* lock = m_servo.profile->byRole(Role::Lock);
+    if (!m_options.temporary || !concernsLock() || lock == nullptr)
+        return {};
+    const auto flag = readRegister(m_context, m_servo, *lock);
+    if (!flag)
+        return tl::unexpected(flag.error());
+    if (!isOpen(*flag))
+        return {};
+    m_context.note(NoticeCode::LockFoundOpen, m_servo.id, lock->key);
+    if (closeLock(m_context, m_servo) != LockState::Closed) {
+        return tl::unexpected(
+            base::Error{ErrorCode::LockOpen, QStringLiteral("write"), {}, m_servo.id, lock->key});
+    }
+    m_context.note(NoticeCode::LockClosed, m_servo.id, lock->key);
+    return {};
+}
+
+void WriteRun::refuseRest(std::size_t first, const base::Error& why)
+{
+    for (std::size_t i = first; i < m_report.writes.size(); ++i) {
+        WriteResult& result = m_report.writes[i];
+        result.outcome = WriteOutcome::Refused;
+        result.readBack = result.oldRaw;
+        result.error = why;
+    }
+}
+
+WriteReport WriteRun::go()
+{
+    if (const auto ready = prepare(); !ready) {
+        refuseRest(0, ready.error());
+        return m_report;
+    }
+    if (m_options.temporary) {
+        if (concernsLock())
+            m_report.lock = LockState::Closed;
+        writeRange(0, m_items.size());
+        return m_report;
+    }
+    for (std::size_t first = 0; first < m_items.size();) {
+        const std::size_t last = endOfStretch(first);
+        if (!writeStretch(first, last))
+            return m_report;
+        first = last;
+    }
+    return m_report;
+}
+
+/// False when the rest was refused.
+bool WriteRun::writeStretch(std::size_t first, std::size_t last)
+{
+    const std::size_t locked = nextLocked(first);
+    if (locked >= last)
+        return writeRange(first, last);
+    auto unlocked = UnlockedEprom::open(m_context, m_servo, *m_items[locked].reg);
+    if (!unlocked) {
+        refuseRest(first, unlocked.error());
+        takeLock(closeLock(m_context, m_servo));
+        return false;
+    }
+    m_open = true;
+    const bool whole = writeRange(first, last);
+    m_open = false;
+    const LockState lock = unlocked->close();
+    takeLock(lock);
+    if (lock == LockState::Closed && !unlocked->stayedOpen())
+        denyKept(first, last);
+    if (lock == LockState::Closed || !whole)
+        return whole;
+    refuseRest(last, {ErrorCode::LockOpen, QStringLiteral("write"), {}, m_servo.id});
+    return false;
+}
+
+/// The worse of the stretches' ends counts.
+void WriteRun::takeLock(LockState lock)
+{
+    const bool proven = m_report.lock == LockState::None || m_report.lock == LockState::Closed;
+    if (proven)
+        m_report.lock = lock;
+}
+
+/// The lock had closed by itself before the end, so nobody knows what the EPROM took.
+void WriteRun::denyKept(std::size_t first, std::size_t last)
+{
+    for (std::size_t i = first; i < last; ++i) {
+        WriteResult& result = m_report.writes[i];
+        if (result.outcome != WriteOutcome::Kept || keepingOf(*m_items[i].reg) != Keeping::Lock)
+            continue;
+        result.outcome = WriteOutcome::Temporary;
+        result.error = base::Error{ErrorCode::Refused, QStringLiteral("keep"),
+                                   QStringLiteral("restarted"), m_servo.id, result.key};
+    }
+}
+
+/// False when the user stopped it; the rest is refused then.
+bool WriteRun::writeRange(std::size_t first, std::size_t last)
+{
+    const bool toTheEnd = last == m_items.size();
+    while (first < last) {
+        // Neighbours go in one frame: both angle limits change at once, never one alone.
+        std::size_t end = first + 1;
+        while (end < last && sharesFrame(*m_items[end - 1].reg, *m_items[end].reg))
+            ++end;
+        if (m_context.stop.requested()) {
+            m_context.note(NoticeCode::BelowStop, m_servo.id, m_items[first].reg->key);
+            refuseRest(first, {ErrorCode::Stopped, QStringLiteral("write"), {}, m_servo.id});
+            return false;
+        }
+        writeGroup(first, end);
+        first = end;
+    }
+    if (m_change && toTheEnd) {
+        const auto settled = settleMode(m_context, m_servo, *m_change);
+        m_unsettled = !settled;
+        if (!settled)
+            m_report.writes.back().error = settled.error();
+    }
+    return true;
+}
+
+base::Result<void> WriteRun::sendGroup(std::size_t first, std::size_t last)
+{
+    const RegisterValues group(m_items.begin() + static_cast<std::ptrdiff_t>(first),
+                               m_items.begin() + static_cast<std::ptrdiff_t>(last));
+    const bool motion = std::any_of(group.begin(), group.end(),
+                                    [](const RegisterValue& item) { return item.reg->motion; });
+    const auto patch = freshPatch(m_context, m_servo, group);
+    if (!patch)
+        return tl::unexpected(patch.error());
+    return writeBlock(m_context, m_servo, *patch,
+                      motion ? protocol::Repeat::Never : protocol::Repeat::Safe);
+}
+
+void WriteRun::writeGroup(std::size_t first, std::size_t last)
+{
+    constexpr int tries = 2;
+    const auto showsOld = [this](std::size_t i) {
+        const WriteResult& result = m_report.writes[i];
+        return result.readBack && result.readBack == result.oldRaw &&
+               result.oldRaw != result.newRaw;
+    };
+    // What moves is not sent twice, unless no write is ever acknowledged: such goals are places,
+    // never steps.
+    const bool once = m_items[first].reg->motion && m_servo.acknowledges();
+    for (int attempt = 0; attempt < tries; ++attempt) {
+        const auto sent = sendGroup(first, last);
+        if (takesTime(*m_items[first].reg))
+            m_context.bus.clock().sleepFor(epromWriteTime);
+        for (std::size_t i = first; i < last; ++i)
+            judge(i, sent);
+        // Reading proved that nothing happened, so sending again repeats nothing. A servo that
+        // acknowledged and kept the old value has refused: asking twice changes nothing.
+        const bool untouched = sent ? !m_servo.answersWrites() : answerLost(sent.error());
+        if (!untouched || !showsOld(first) || once)
+            break;
+        if (attempt + 1 < tries)
+            noteSentAgain(m_context, m_servo, m_items[first].reg->key);
+    }
+    for (std::size_t i = first; i < last; ++i)
+        keep(i);
+}
+
+void WriteRun::judge(std::size_t index, const base::Result<void>& sent)
+{
+    const RegisterValue& item = m_items[index];
+    WriteResult& result = m_report.writes[index];
+    const auto back = readRegister(m_context, m_servo, *item.reg);
+    if (!back) {
+        result.outcome = back.error().code == ErrorCode::LinkLost ? WriteOutcome::Unknown
+                                                                  : WriteOutcome::NoAnswer;
+        result.error = back.error();
+        return;
+    }
+    result.readBack = *back;
+    result.error.reset();
+    const bool refused = !sent && sent.error().code == ErrorCode::Refused;
+    // A fault reset clears itself, so only its acknowledgement tells.
+    const bool shown = item.reg->role == Role::FaultReset ? sent.has_value() : *back == item.raw;
+    if (shown && !refused) {
+        result.outcome = WriteOutcome::Temporary;
+        if (!sent)
+            m_context.note(NoticeCode::AnswerLostButDone, m_servo.id, item.reg->key);
+        return;
+    }
+    const bool unchanged = refused || result.oldRaw == *back;
+    result.outcome = unchanged ? WriteOutcome::Refused : WriteOutcome::Mismatch;
+    result.error = base::Error{
+        unchanged ? ErrorCode::Refused : ErrorCode::Mismatch, QStringLiteral("write"),
+        refused ? sent.error().detail : QString::number(*back), m_servo.id, item.reg->key};
+}
+
+/// What was written and read back may survive power-off as well.
+void WriteRun::keep(std::size_t index)
+{
+    const catalog::Register& reg = *m_items[index].reg;
+    WriteResult& result = m_report.writes[index];
+    if (result.outcome != WriteOutcome::Temporary)
+        return;
+    switch (keepingOf(reg)) {
+    case Keeping::Lock:
+        result.outcome = m_open ? WriteOutcome::Kept : WriteOutcome::Temporary;
+        break;
+    case Keeping::Always:
+        result.outcome = WriteOutcome::Kept;
+        break;
+    case Keeping::Save:
+        if (m_options.temporary)
+            break;
+        if (const auto saved = save(m_context, m_servo, reg); !saved) {
+            result.outcome = WriteOutcome::Unknown;
+            result.error = saved.error();
+            break;
+        }
+        result.outcome = WriteOutcome::Kept;
+        m_context.note(NoticeCode::SavedPerSheet, m_servo.id, reg.key);
+        break;
+    case Keeping::NotStated:
+        m_context.note(NoticeCode::PersistenceNotStated, m_servo.id, reg.key);
+        break;
+    case Keeping::Never:
+        break;
+    }
+}
+
+/// False while the wire still owes an answer: the intent then stays open in the journal.
+bool WriteRun::finished() const
+{
+    const bool certain =
+        std::none_of(m_report.writes.begin(), m_report.writes.end(), [](const WriteResult& result) {
+            return result.outcome == WriteOutcome::Unknown ||
+                   result.outcome == WriteOutcome::NoAnswer;
+        });
+    return certain && !m_unsettled && m_report.lock != LockState::Open &&
+           m_report.lock != LockState::Unknown;
+}
+} // namespace device
