@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A bus on paper: carries out requests on paper servos at once, in the language each request names,
+// and loses, refuses or cuts what the test asks for. Errors are those a real bus gives. The codecs
+// still judge every request, so nothing passes here that has no bytes. Single thread.
+#pragma once
+
+#include "bus/bus.h"
+#include "device/context.h"
+#include "device/reader.h"
+#include "protocol/codec.h"
+
+#include "paper_servo.h"
+#include <algorithm>
+#include <deque>
+
+namespace paper {
+using protocol::Op;
+using protocol::Request;
+
+class Bus final : public bus::Bus {
+public:
+    std::deque<Servo> servos;
+    std::vector<Request> said; ///< every request that went out, in order
+    bool loseAcks = false;     ///< writes are carried out, their answers are lost
+    int deafWrites = 0;        ///< so many writes never arrive
+    int cutAfter = -1;         ///< so many requests still pass, then the link is gone
+    std::function<void(const Request&)> onRequest;
+    base::ManualClock time;
+
+    int writes() const
+    {
+        return int(std::count_if(said.begin(), said.end(), [](const Request& request) {
+            return request.op != Op::Ping && request.op != Op::Read;
+        }));
+    }
+
+    base::Result<bus::Outcome> transact(const bus::Transaction& transaction) override
+    {
+        const Request& request = transaction.request;
+        if (const auto frame = protocol::codecFor(request.protocol).encode(request); !frame)
+            return tl::unexpected(frame.error());
+        if (cutAfter == 0)
+            return base::fail(base::ErrorCode::LinkLost, {}, {}, request.id);
+        cutAfter -= cutAfter > 0 ? 1 : 0;
+        time.advance(std::chrono::milliseconds(1));
+        said.push_back(request);
+        if (onRequest)
+            onRequest(request);
+        return isQuestion(request) ? ask(request) : tell(request);
+    }
+
+    base::Result<void> listen(base::Duration span) override
+    {
+        time.advance(span);
+        return {};
+    }
+    std::vector<bus::Stray> takeStrays() override { return {}; }
+    base::Result<void> setBaud(int baud) override
+    {
+        m_baud = baud;
+        return {};
+    }
+    int baud() const override { return m_baud; }
+    bool hasBaud() const override { return true; }
+    QString portName() const override { return QStringLiteral("paper"); }
+    bool echoes() const override { return false; }
+    bool pauseUntil(base::Duration instant, const base::Stop* stop) override
+    {
+        return time.sleepUntil(instant, stop);
+    }
+    bus::Hold hold(const std::vector<int>&) override { return {this, ++m_token}; }
+    bus::PollId startPoll(const bus::PollPlan&) override { return 0; }
+    void stopPoll(bus::PollId) override {}
+    std::vector<bus::Sample> takeSamples(bus::PollId) override { return {}; }
+    void setStopFrames(std::vector<base::Bytes>) override {}
+    void emergency() override {}
+    void setRetries(int) override {}
+    void setPatience(base::Duration) override {}
+    void setReplyDelay(base::Duration) override {}
+    void setSilence(base::Duration) override {}
+    bus::Statistics statistics() const override { return {}; }
+    std::vector<bus::TraceEntry> takeTrace() override { return {}; }
+    base::Clock& clock() const override { return const_cast<base::ManualClock&>(time); }
+
+protected:
+    void release(std::uint64_t) override {}
+
+private:
+    using Outcome = base::Result<bus::Outcome>;
+
+    static bool isQuestion(const Request& request)
+    {
+        return request.op == Op::Ping || request.op == Op::Read;
+    }
+    static bool everybody(const Request& request) { return request.id == protocol::broadcastId; }
+
+    std::vector<Servo*> addressed(const Request& request)
+    {
+        std::vector<Servo*> found;
+        for (Servo& servo : servos) {
+            const bool hears = servo.profile->protocol == request.protocol &&
+                               servo.baud == m_baud &&
+                               (servo.id == request.id || everybody(request));
+            if (!hears)
+                continue;
+            if (servo.startsIn > 0)
+                --servo.startsIn;
+            else
+                found.push_back(&servo);
+        }
+        return found;
+    }
+
+    Outcome failed(const Request& request, base::ErrorCode code, const QString& detail = {}) const
+    {
+        base::Error error{code, QStringLiteral("bus"), detail, request.id};
+        if (request.repeat == protocol::Repeat::Never && code == base::ErrorCode::NoAnswer)
+            error.code = base::ErrorCode::Uncertain;
+        return tl::unexpected(error);
+    }
+
+    Outcome answered(const Request& request, const Servo& servo, base::Bytes data) const
+    {
+        const bool level = servo.profile->protocol == base::Protocol::Feetech;
+        bus::Outcome outcome;
+        outcome.attempts = 1;
+        outcome.sentAt = time.now();
+        outcome.parts.push_back(
+            {request.id, level ? servo.status : std::uint8_t{0}, std::move(data)});
+        return outcome;
+    }
+
+    Outcome ask(const Request& request)
+    {
+        const auto heard = addressed(request);
+        if (heard.empty() || (request.op == Op::Read && staysSilent(*heard.front(), request)))
+            return failed(request, base::ErrorCode::NoAnswer);
+        base::Bytes data;
+        for (Servo* servo : heard) {
+            const base::Bytes said = request.op == Op::Read
+                                         ? servo->read(request.address, request.count)
+                                         : base::Bytes{};
+            if (servo != heard.front() && said != data)
+                return failed(request, base::ErrorCode::Garbled);
+            data = said;
+        }
+        return answered(request, *heard.front(), data);
+    }
+
+    /// An LX servo answers whole commands it knows.
+    static bool staysSilent(const Servo& servo, const Request& request)
+    {
+        if (request.protocol != base::Protocol::Lx)
+            return false;
+        const catalog::Register* reg = servo.profile->at(request.address);
+        const bool stored = reg != nullptr && reg->role == catalog::Role::StoredGoal;
+        return reg == nullptr || !reg->block || reg->block->offset != request.address ||
+               reg->block->size != request.count || (stored && !servo.tellsStored);
+    }
+
+    Outcome tell(const Request& request)
+    {
+        if (deafWrites > 0) {
+            --deafWrites;
+            return unanswered(request) ? Outcome(bus::Outcome{})
+                                       : failed(request, base::ErrorCode::NoAnswer);
+        }
+        const auto heard = addressed(request);
+        for (Servo* servo : heard) {
+            if (const auto reason = servo->exceptions.find(request.address);
+                reason != servo->exceptions.end())
+                return failed(request, base::ErrorCode::Refused, exceptionName(reason->second));
+            carryOut(*servo, request);
+        }
+        if (unanswered(request))
+            return bus::Outcome{};
+        if (heard.empty() || loseAcks)
+            return failed(request, base::ErrorCode::NoAnswer);
+        return answered(request, *heard.front(), {});
+    }
+
+    static bool unanswered(const Request& request)
+    {
+        return everybody(request) || !request.acknowledged || request.op == Op::Reboot ||
+               request.op == Op::SyncWrite || request.protocol == base::Protocol::Lx;
+    }
+    static QString exceptionName(int reason)
+    {
+        return reason == 2 ? QStringLiteral("illegal-address") : QStringLiteral("illegal-value");
+    }
+
+    void carryOut(Servo& servo, const Request& request)
+    {
+        using catalog::Role;
+        switch (request.op) {
+        case Op::Write:
+            servo.write(request.address, request.data);
+            break;
+        case Op::RegWrite:
+            m_held[&servo] = {request.address, request.data};
+            servo.poke(servo.profile->byRole(Role::AsyncFlag)->key, 1);
+            break;
+        case Op::SyncWrite:
+            for (const protocol::Target& target : request.targets) {
+                if (target.id == servo.id)
+                    servo.write(request.address, target.data);
+            }
+            break;
+        case Op::Action:
+            if (const auto held = m_held.find(&servo); held != m_held.end()) {
+                servo.write(held->second.first, held->second.second);
+                servo.poke(servo.profile->byRole(Role::AsyncFlag)->key, 0);
+                m_held.erase(held);
+            }
+            break;
+        case Op::Calibrate:
+            servo.centre();
+            break;
+        case Op::Reboot:
+            servo.powerCycle();
+            servo.startsIn = 3;
+            break;
+        default:
+            break;
+        }
+    }
+
+    int m_baud = 115'200;
+    std::uint64_t m_token = 0;
+    std::map<Servo*, std::pair<int, base::Bytes>> m_held;
+};
+
+/// Keeps what it is told, and can refuse.
+class Journal final : public base::Journal {
+public:
+    base::Result<QString> begin(const base::Intent& intent) override
+    {
+        base::JournalEntry entry{intent, {}};
+        entry.intent.uuid = QString::number(list.size());
+        list.push_back(entry);
+        return entry.intent.uuid;
+    }
+    base::Result<void> end(const QString& uuid, const base::IntentEnd& end) override
+    {
+        list[uuid.toULong()].end = end;
+        return {};
+    }
+    base::Result<std::vector<base::JournalEntry>> entries() const override { return list; }
+    base::Result<void> keep(const base::ServoIdentity&, const QString& name,
+                            const std::vector<std::int64_t>& values) override
+    {
+        facts[name] = values;
+        return {};
+    }
+    base::Result<std::optional<std::vector<std::int64_t>>> kept(const base::ServoIdentity&,
+                                                                const QString& name) const override
+    {
+        const auto found = facts.find(name);
+        return found == facts.end() ? std::nullopt : std::optional(found->second);
+    }
+
+    std::vector<base::JournalEntry> list;
+    std::map<QString, std::vector<std::int64_t>> facts;
+};
+
+/// A bus, a journal, and what a manoeuvre needs around them.
+struct Bench {
+    Bus bus;
+    Journal journal;
+    base::Stop stop;
+    device::Notices notices;
+
+    explicit Bench(std::initializer_list<std::pair<const char*, int>> servos)
+    {
+        for (const auto& [family, id] : servos)
+            bus.servos.emplace_back(QString::fromLatin1(family), id);
+    }
+    explicit Bench(const QString& family, int id = 1) { bus.servos.emplace_back(family, id); }
+
+    device::Context context() { return {bus, models(), journal, stop, notices}; }
+    Servo& paper(std::size_t index = 0) { return bus.servos[index]; }
+    /// As the program knows it after reading its settings; nothing is said any more.
+    device::Servo servo(std::size_t index = 0)
+    {
+        const Servo& there = paper(index);
+        auto found = device::identify(context(), there.id, there.profile->protocol);
+        if (!found || !device::readSettings(context(), *found))
+            qFatal("servo %d does not answer", there.id);
+        bus.said.clear();
+        notices.clear();
+        return *found;
+    }
+    int noted(device::NoticeCode code) const
+    {
+        return int(std::count_if(notices.begin(), notices.end(),
+                                 [code](const device::Notice& n) { return n.code == code; }));
+    }
+    std::size_t openIntents() const { return journal.open()->size(); }
+};
+} // namespace paper

@@ -1,0 +1,553 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The safe write in every family: what is called kept survives power-off, a neighbour in the same
+// block never changes, the lock ends closed, and what cannot be right is refused before the wire.
+#include "device/writer.h"
+
+#include <QTest>
+
+#include "paper_bus.h"
+
+using base::ErrorCode;
+using catalog::Role;
+using device::LockState;
+using device::NoticeCode;
+using device::WriteItem;
+using device::WriteOutcome;
+using paper::Bench;
+
+namespace {
+QString text(const char* word)
+{
+    return QString::fromLatin1(word);
+}
+
+/// Values written to this register, in order; blocks count by their first register.
+std::vector<int> writtenTo(const Bench& bench, const catalog::Register& reg)
+{
+    std::vector<int> values;
+    for (const protocol::Request& request : bench.bus.said) {
+        if (request.op == protocol::Op::Write && request.address == reg.writeOffset)
+            values.push_back(request.data.empty() ? -1 : request.data.back());
+    }
+    return values;
+}
+
+bool lockClosed(const paper::Servo& servo)
+{
+    return !servo.has(Role::Lock) || servo.raw(Role::Lock) == 1;
+}
+} // namespace
+
+class TestFamilyWrites : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void keptSurvivesPowerOff_data();
+    void keptSurvivesPowerOff();
+    void lostAcknowledgements_data() { keptSurvivesPowerOff_data(); }
+    void lostAcknowledgements();
+    void responseLevelZero_data();
+    void responseLevelZero();
+    void writesThatNeverArrive_data() { keptSurvivesPowerOff_data(); }
+    void writesThatNeverArrive();
+    void linkCutAnywhere_data() { keptSurvivesPowerOff_data(); }
+    void linkCutAnywhere();
+    void temporaryIsLost_data();
+    void temporaryIsLost();
+    void temporaryWhereEveryWriteIsKept();
+    void persistenceThatNobodyStates();
+    void neighboursInABlockStay_data();
+    void neighboursInABlockStay();
+    void aBlockGoesInOneFrame();
+    void refusedBeforeTheWire_data();
+    void refusedBeforeTheWire();
+    void unusualVoltages();
+    void eachAreaHasItsKey();
+    void bothAreasInOneWrite();
+    void theLockIsWhereTheMapHasIt_data();
+    void theLockIsWhereTheMapHasIt();
+    void exceptionsAreRefusals();
+    void offsetNeedsConsentEvenToTry();
+    void aMoveThatCannotBeReadIsNotSimplyWritten();
+    void switchingTheModeStopsTheMotor();
+    void faultResetClearsItself();
+    void twinsAreNotWritten();
+};
+
+void TestFamilyWrites::keptSurvivesPowerOff_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<int>("value");
+    QTest::newRow("STS") << "STS"
+                         << "max_temperature" << 61;
+    QTest::newRow("HLS") << "HLS"
+                         << "protection_current" << 311;
+    QTest::newRow("SMCL") << "SMCL"
+                          << "position_offset" << -300;
+    QTest::newRow("SCS-2") << "SCS2"
+                           << "min_startup_force" << 300;
+    QTest::newRow("Modbus") << "SMSMB"
+                            << "position_p" << 21;
+    QTest::newRow("Modbus, signed") << "SMSMB"
+                                    << "position_offset" << -5;
+    QTest::newRow("Modbus, factory block") << "SMSMB"
+                                           << "max_temperature" << 61;
+    QTest::newRow("LX, one byte") << "LX"
+                                  << "temp_limit" << 71;
+    QTest::newRow("LX, half a block") << "LX"
+                                      << "angle_limit_max" << 900;
+    QTest::newRow("LX, voltage") << "LX"
+                                 << "vin_limit_min" << 5000;
+    QTest::newRow("LX, inverted LED") << "LX"
+                                      << "led" << 1;
+    QTest::newRow("LX, saved by command") << "LX"
+                                          << "angle_offset" << -125;
+}
+
+void TestFamilyWrites::keptSurvivesPowerOff()
+{
+    QFETCH(QString, family);
+    QFETCH(QString, key);
+    QFETCH(int, value);
+    Bench bench(family);
+    device::Servo servo = bench.servo();
+    const auto report = device::write(bench.context(), servo, {{key, value}}, {false, true});
+    QVERIFY(report);
+    QCOMPARE(report->writes.size(), std::size_t(1));
+    QCOMPARE(device::outcomeName(report->writes[0].outcome), text("kept"));
+    QCOMPARE(*report->writes[0].readBack, std::int64_t(value));
+    QCOMPARE(report->lock, bench.paper().has(Role::Lock) ? LockState::Closed : LockState::None);
+    QVERIFY(report->allGood());
+    QVERIFY(lockClosed(bench.paper()));
+    QCOMPARE(bench.openIntents(), std::size_t(0));
+    QCOMPARE(bench.noted(NoticeCode::SavedPerSheet), key == text("angle_offset") ? 1 : 0);
+    bench.paper().powerCycle();
+    QCOMPARE(bench.paper().raw(key), std::int64_t(value));
+}
+
+void TestFamilyWrites::lostAcknowledgements()
+{
+    QFETCH(QString, family);
+    QFETCH(QString, key);
+    QFETCH(int, value);
+    Bench bench(family);
+    device::Servo servo = bench.servo();
+    bench.bus.loseAcks = true;
+    const auto report = device::write(bench.context(), servo, {{key, value}}, {false, true});
+    QVERIFY(report);
+    QVERIFY(report->allGood());
+    QCOMPARE(bench.paper().keptRaw(key), std::int64_t(value));
+    QVERIFY(lockClosed(bench.paper()));
+    // Where nothing is ever acknowledged, nothing is lost.
+    QCOMPARE(bench.noted(NoticeCode::AnswerLostButDone), family == text("LX") ? 0 : 1);
+    QCOMPARE(bench.noted(NoticeCode::AnswerLostSentAgain), 0);
+    QCOMPARE(bench.noted(NoticeCode::SentAgain), 0);
+}
+
+void TestFamilyWrites::responseLevelZero_data()
+{
+    QTest::addColumn<QString>("family");
+    for (const char* family : {"STS", "SMS", "SCS", "HLS", "SMCL", "SCS2"})
+        QTest::newRow(family) << family;
+}
+
+void TestFamilyWrites::responseLevelZero()
+{
+    QFETCH(QString, family);
+    Bench bench(family);
+    bench.paper().settle(text("response_level"), 0);
+    device::Servo servo = bench.servo();
+    const auto report = device::write(bench.context(), servo, {{text("max_temperature"), 61}}, {});
+    QVERIFY(report);
+    QVERIFY(report->allGood());
+    QCOMPARE(bench.paper().keptRaw(text("max_temperature")), std::int64_t(61));
+    QVERIFY(lockClosed(bench.paper()));
+    QVERIFY(bench.notices.empty());
+}
+
+void TestFamilyWrites::writesThatNeverArrive()
+{
+    QFETCH(QString, family);
+    QFETCH(QString, key);
+    QFETCH(int, value);
+    Bench bench(family);
+    device::Servo servo = bench.servo();
+    // The very frame that carries the value; the ones around it come through.
+    const int place = bench.paper().reg(key).block ? bench.paper().reg(key).block->writeOffset
+                                                   : bench.paper().reg(key).writeOffset;
+    bool lost = false;
+    bench.bus.onRequest = [&](const protocol::Request& request) {
+        if (request.op != protocol::Op::Write || request.address != place || lost)
+            return;
+        lost = true;
+        bench.bus.deafWrites = 1;
+    };
+    const auto report = device::write(bench.context(), servo, {{key, value}}, {false, true});
+    QVERIFY(report);
+    QVERIFY(report->allGood());
+    QCOMPARE(bench.paper().keptRaw(key), std::int64_t(value));
+    const bool lx = family == text("LX");
+    QCOMPARE(bench.noted(NoticeCode::SentAgain), lx ? 1 : 0);
+    QCOMPARE(bench.noted(NoticeCode::AnswerLostSentAgain), lx ? 0 : 1);
+}
+
+/// Whenever the link goes, either nothing has happened or the journal knows that something may
+/// have.
+void TestFamilyWrites::linkCutAnywhere()
+{
+    QFETCH(QString, family);
+    QFETCH(QString, key);
+    QFETCH(int, value);
+    for (int passed = 0;; ++passed) {
+        Bench bench(family);
+        device::Servo servo = bench.servo();
+        const auto before = bench.paper().raw(key);
+        bench.bus.cutAfter = passed;
+        const auto report = device::write(bench.context(), servo, {{key, value}}, {false, true});
+        const bool done = report && report->allGood();
+        const bool touched = bench.paper().raw(key) != before || !lockClosed(bench.paper());
+        if (done) {
+            QCOMPARE(bench.paper().keptRaw(key), std::int64_t(value));
+            QCOMPARE(bench.openIntents(), std::size_t(0));
+            return;
+        }
+        if (touched)
+            QCOMPARE(bench.openIntents(), std::size_t(1));
+        QVERIFY2(passed < 200, "never ends");
+    }
+}
+
+void TestFamilyWrites::temporaryIsLost_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<int>("value");
+    QTest::newRow("HLS") << "HLS"
+                         << "max_temperature" << 61;
+    QTest::newRow("SMCL") << "SMCL"
+                          << "max_temperature" << 61;
+    QTest::newRow("SCS-2") << "SCS2"
+                           << "max_temperature" << 61;
+    QTest::newRow("Modbus") << "SMSMB"
+                            << "position_p" << 21;
+    QTest::newRow("Modbus, factory block") << "SMSMB"
+                                           << "max_temperature" << 61;
+    QTest::newRow("LX offset, only tried") << "LX"
+                                           << "angle_offset" << 30;
+    QTest::newRow("LX speed, never kept") << "LX"
+                                          << "motor_speed" << 100;
+}
+
+void TestFamilyWrites::temporaryIsLost()
+{
+    QFETCH(QString, family);
+    QFETCH(QString, key);
+    QFETCH(int, value);
+    Bench bench(family);
+    device::Servo servo = bench.servo();
+    const auto before = bench.paper().raw(key);
+    const auto report = device::write(bench.context(), servo, {{key, value}}, {true, true});
+    QVERIFY(report);
+    QCOMPARE(device::outcomeName(report->writes[0].outcome), text("temporary"));
+    QVERIFY(report->allGood());
+    QCOMPARE(bench.paper().raw(key), std::int64_t(value));
+    QCOMPARE(bench.noted(NoticeCode::SavedPerSheet), 0);
+    bench.paper().powerCycle();
+    QCOMPARE(bench.paper().raw(key), before);
+}
+
+void TestFamilyWrites::temporaryWhereEveryWriteIsKept()
+{
+    Bench bench(text("LX"));
+    device::Servo servo = bench.servo();
+    const auto report =
+        device::write(bench.context(), servo, {{text("temp_limit"), 71}}, {true, false});
+    QVERIFY(!report);
+    QCOMPARE(report.error().code, ErrorCode::NotSupported);
+    QCOMPARE(report.error().detail, text("always-kept"));
+    QCOMPARE(report.error().registerKey, text("temp_limit"));
+    QVERIFY(bench.bus.said.empty());
+}
+
+void TestFamilyWrites::persistenceThatNobodyStates()
+{
+    Bench bench(text("LX"));
+    device::Servo servo = bench.servo();
+    const auto report = device::write(bench.context(), servo, {{text("led_error"), 7}}, {});
+    QVERIFY(report);
+    QCOMPARE(report->writes[0].outcome, WriteOutcome::Temporary);
+    QCOMPARE(bench.noted(NoticeCode::PersistenceNotStated), 1);
+}
+
+void TestFamilyWrites::neighboursInABlockStay_data()
+{
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<int>("value");
+    QTest::addColumn<QString>("neighbour");
+    QTest::addColumn<int>("stays");
+    QTest::newRow("minimum angle") << "angle_limit_min" << 100 << "angle_limit_max" << 900;
+    QTest::newRow("maximum angle") << "angle_limit_max" << 800 << "angle_limit_min" << 17;
+    QTest::newRow("minimum voltage") << "vin_limit_min" << 5000 << "vin_limit_max" << 11000;
+    // A value read is never clamped, however odd.
+    QTest::newRow("voltage beyond the sheet")
+        << "vin_limit_min" << 5000 << "vin_limit_max" << 15000;
+    QTest::newRow("motor speed") << "motor_speed" << -500 << "mode" << 0;
+}
+
+void TestFamilyWrites::neighboursInABlockStay()
+{
+    QFETCH(QString, key);
+    QFETCH(int, value);
+    QFETCH(QString, neighbour);
+    QFETCH(int, stays);
+    Bench bench(text("LX"));
+    device::Servo servo = bench.servo();
+    // Changed behind the program's back: what counts is what is read for the write.
+    bench.paper().settle(neighbour, stays);
+    const auto report = device::write(bench.context(), servo, {{key, value}}, {});
+    QVERIFY(report);
+    QVERIFY(report->allGood());
+    QCOMPARE(bench.paper().raw(key), std::int64_t(value));
+    QCOMPARE(bench.paper().raw(neighbour), std::int64_t(stays));
+}
+
+void TestFamilyWrites::aBlockGoesInOneFrame()
+{
+    Bench bench(text("LX"));
+    device::Servo servo = bench.servo();
+    const auto report =
+        device::write(bench.context(), servo,
+                      {{text("angle_limit_max"), 900}, {text("angle_limit_min"), 100}}, {});
+    QVERIFY(report);
+    QVERIFY(report->allGood());
+    QCOMPARE(bench.bus.writes(), 1);
+    const auto frame = std::find_if(
+        bench.bus.said.begin(), bench.bus.said.end(),
+        [](const protocol::Request& request) { return request.op == protocol::Op::Write; });
+    // The worked frame of the sheet: angle limits 100–900.
+    QCOMPARE(base::toHex(protocol::lxCodec().encode(*frame).value()),
+             text("55 55 01 07 14 64 00 84 03 F8"));
+}
+
+void TestFamilyWrites::refusedBeforeTheWire_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QString>("items"); ///< key=value, by blanks
+    QTest::addColumn<QString>("blamed");
+    const auto row = [](const char* name, const char* family, const char* items,
+                        const char* blamed) { QTest::newRow(name) << family << items << blamed; };
+    row("LX angle", "LX", "move_angle=1001", "move_angle");
+    row("LX negative angle", "LX", "move_angle=-1", "move_angle");
+    row("LX time", "LX", "move_angle=500 move_time=30001", "move_time");
+    row("LX temperature below", "LX", "temp_limit=49", "temp_limit");
+    row("LX temperature above", "LX", "temp_limit=101", "temp_limit");
+    row("LX speed forward", "LX", "motor_speed=1001", "motor_speed");
+    row("LX speed backward", "LX", "motor_speed=-1001", "motor_speed");
+    row("LX mask", "LX", "led_error=8", "led_error");
+    row("LX offset", "LX", "angle_offset=126", "angle_offset");
+    row("LX offset, negative", "LX", "angle_offset=-126", "angle_offset");
+    row("LX minimum equal to maximum", "LX", "angle_limit_min=1000", "angle_limit_min");
+    row("LX limits both zero", "LX", "angle_limit_min=0 angle_limit_max=0", "angle_limit_min");
+    row("LX limit above the scale", "LX", "angle_limit_max=1001", "angle_limit_max");
+    row("LX voltage below", "LX", "vin_limit_min=4499", "vin_limit_min");
+    row("LX voltage above", "LX", "vin_limit_max=14001", "vin_limit_max");
+    row("LX voltages crossed", "LX", "vin_limit_min=9000 vin_limit_max=9000", "vin_limit_min");
+    row("LX mode", "LX", "mode=2", "mode");
+    row("Modbus limits crossed", "SMSMB", "min_angle_limit=2000 max_angle_limit=1999",
+        "min_angle_limit");
+    row("Modbus offset", "SMSMB", "position_offset=2048", "position_offset");
+    row("Modbus voltages crossed", "SMSMB", "min_voltage=120 max_voltage=60", "min_voltage");
+    row("Modbus factory row", "SMSMB", "max_temperature=101", "max_temperature");
+    row("HLS current", "HLS", "protection_current=2048", "protection_current");
+    row("SMCL offset", "SMCL", "position_offset=2048", "position_offset");
+    row("SCS-2 offset", "SCS2", "position_offset=128", "position_offset");
+}
+
+void TestFamilyWrites::refusedBeforeTheWire()
+{
+    QFETCH(QString, family);
+    QFETCH(QString, items);
+    QFETCH(QString, blamed);
+    Bench bench(family);
+    device::Servo servo = bench.servo();
+    std::vector<WriteItem> list;
+    for (const QString& item : items.split(QLatin1Char(' ')))
+        list.push_back(
+            {item.section(QLatin1Char('='), 0, 0), item.section(QLatin1Char('='), 1).toLongLong()});
+    const auto report = device::write(bench.context(), servo, list, {false, true});
+    QVERIFY(!report);
+    QCOMPARE(base::errorName(report.error().code), base::errorName(ErrorCode::OutOfRange));
+    QCOMPARE(report.error().registerKey, blamed);
+    QCOMPARE(bench.bus.writes(), 0);
+    QVERIFY(bench.journal.list.empty());
+}
+
+void TestFamilyWrites::unusualVoltages()
+{
+    Bench bench(text("LX"));
+    device::Servo servo = bench.servo();
+    const auto report = device::write(bench.context(), servo, {{text("vin_limit_max"), 13000}}, {});
+    QVERIFY(report);
+    QVERIFY(report->allGood());
+    QCOMPARE(bench.noted(NoticeCode::AboveUsual), 1);
+}
+
+/// 0 opens what the EPROM holds, 128 the factory block, 1 closes either.
+void TestFamilyWrites::eachAreaHasItsKey()
+{
+    for (const auto& [key, opens] :
+         {std::pair{text("position_p"), 0}, std::pair{text("max_temperature"), 128}}) {
+        Bench bench(text("SMSMB"));
+        device::Servo servo = bench.servo();
+        QVERIFY(device::write(bench.context(), servo, {{key, 62}}, {false, true}));
+        QCOMPARE(writtenTo(bench, bench.paper().reg(text("lock"))), (std::vector<int>{opens, 1}));
+    }
+}
+
+void TestFamilyWrites::bothAreasInOneWrite()
+{
+    Bench bench(text("SMSMB"));
+    device::Servo servo = bench.servo();
+    const auto report = device::write(
+        bench.context(), servo,
+        {{text("max_temperature"), 61}, {text("torque_limit"), 500}, {text("position_p"), 21}},
+        {false, true});
+    QVERIFY(report);
+    QVERIFY(report->allGood());
+    QCOMPARE(report->lock, LockState::Closed);
+    QCOMPARE(writtenTo(bench, bench.paper().reg(text("lock"))), (std::vector<int>{0, 1, 128, 1}));
+    bench.paper().powerCycle();
+    QCOMPARE(bench.paper().raw(text("max_temperature")), std::int64_t(61));
+    QCOMPARE(bench.paper().raw(text("position_p")), std::int64_t(21));
+    for (const device::WriteResult& result : report->writes)
+        QCOMPARE(device::outcomeName(result.outcome),
+                 result.key == text("torque_limit") ? text("temporary") : text("kept"));
+}
+
+void TestFamilyWrites::theLockIsWhereTheMapHasIt_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<int>("address");
+    QTest::newRow("HLS") << "HLS" << 55;
+    QTest::newRow("SMCL") << "SMCL" << 48;
+    QTest::newRow("SCS-2") << "SCS2" << 48;
+}
+
+void TestFamilyWrites::theLockIsWhereTheMapHasIt()
+{
+    QFETCH(QString, family);
+    QFETCH(int, address);
+    Bench bench(family);
+    device::Servo servo = bench.servo();
+    QVERIFY(device::write(bench.context(), servo, {{text("max_temperature"), 61}}, {}));
+    const int other = address == 48 ? 55 : 48;
+    int opened = 0;
+    for (const protocol::Request& request : bench.bus.said) {
+        const bool write = request.op == protocol::Op::Write;
+        opened += write && request.address == address ? 1 : 0;
+        QVERIFY(!write || request.address != other);
+    }
+    QCOMPARE(opened, 2);
+}
+
+void TestFamilyWrites::exceptionsAreRefusals()
+{
+    Bench bench(text("SMSMB"));
+    device::Servo servo = bench.servo();
+    bench.paper().exceptions[bench.paper().reg(text("position_p")).writeOffset] = 3;
+    const auto report = device::write(bench.context(), servo, {{text("position_p"), 21}}, {});
+    QVERIFY(report);
+    QCOMPARE(report->writes[0].outcome, WriteOutcome::Refused);
+    QCOMPARE(report->writes[0].error->detail, text("illegal-value"));
+    QCOMPARE(report->lock, LockState::Closed);
+    QCOMPARE(bench.openIntents(), std::size_t(0));
+    // In so many words: asking twice changes nothing.
+    QCOMPARE(writtenTo(bench, bench.paper().reg(text("position_p"))).size(), std::size_t(1));
+}
+
+void TestFamilyWrites::offsetNeedsConsentEvenToTry()
+{
+    for (const bool temporary : {false, true}) {
+        Bench bench(text("LX"));
+        device::Servo servo = bench.servo();
+        const auto report =
+            device::write(bench.context(), servo, {{text("angle_offset"), 20}}, {temporary, false});
+        QVERIFY(!report);
+        QCOMPARE(report.error().code, ErrorCode::NeedsConsent);
+        QVERIFY(bench.bus.said.empty());
+    }
+}
+
+void TestFamilyWrites::aMoveThatCannotBeReadIsNotSimplyWritten()
+{
+    Bench bench(text("LX"));
+    bench.paper().tellsStored = false;
+    device::Servo servo = bench.servo();
+    const auto stored = device::write(bench.context(), servo, {{text("wait_angle"), 500}}, {});
+    QVERIFY(!stored);
+    QCOMPARE(stored.error().code, ErrorCode::NotSupported);
+    QCOMPARE(stored.error().detail, text("not-readable"));
+    QCOMPARE(bench.bus.writes(), 0);
+    // A time alone would repeat the latest move.
+    const auto timed = device::write(bench.context(), servo, {{text("move_time"), 500}}, {});
+    QVERIFY(!timed);
+    QCOMPARE(timed.error().detail, text("with-goal"));
+}
+
+void TestFamilyWrites::switchingTheModeStopsTheMotor()
+{
+    Bench bench(text("LX"));
+    bench.paper().poke(text("motor_speed"), 400);
+    bench.paper().poke(text("load"), 1);
+    device::Servo servo = bench.servo();
+    const auto both =
+        device::write(bench.context(), servo, {{text("mode"), 1}, {text("motor_speed"), 300}}, {});
+    QVERIFY(!both);
+    QCOMPARE(both.error().detail, text("mode-first"));
+    QCOMPARE(bench.bus.writes(), 0);
+    const auto report = device::write(bench.context(), servo, {{text("mode"), 1}}, {});
+    QVERIFY(report);
+    QVERIFY(report->allGood());
+    QCOMPARE(bench.paper().raw(text("mode")), std::int64_t(1));
+    QCOMPARE(bench.paper().raw(text("motor_speed")), std::int64_t(0));
+    QCOMPARE(bench.paper().raw(text("load")), std::int64_t(0));
+    // Never for a moment in motor mode with a speed.
+    for (const protocol::Request& request : bench.bus.said) {
+        if (request.op == protocol::Op::Write && request.address == 8 * 29)
+            QCOMPARE(base::toHex(request.data), text("01 00 00 00"));
+    }
+}
+
+void TestFamilyWrites::faultResetClearsItself()
+{
+    Bench bench(text("SMSMB"));
+    device::Servo servo = bench.servo();
+    const auto report = device::write(bench.context(), servo, {{text("fault_reset"), 1}}, {});
+    QVERIFY(report);
+    QCOMPARE(report->writes[0].outcome, WriteOutcome::Temporary);
+    QVERIFY(report->allGood());
+    const auto centre = device::write(bench.context(), servo, {{text("fault_reset"), 5}}, {});
+    QVERIFY(!centre);
+    QCOMPARE(centre.error().detail, text("center"));
+}
+
+void TestFamilyWrites::twinsAreNotWritten()
+{
+    for (const char* family : {"STS", "SMSMB", "LX"}) {
+        Bench bench{{family, 1}, {family, 1}};
+        device::Servo servo = bench.servo();
+        bench.paper(1).poke(text(bench.paper().has(Role::PositionP) ? "position_p" : "temp_limit"),
+                            77);
+        const auto key = bench.paper().has(Role::PositionP) ? text("position_d") : text("led");
+        const auto report = device::write(bench.context(), servo, {{key, 1}}, {});
+        QVERIFY(!report);
+        QCOMPARE(report.error().code, ErrorCode::Garbled);
+        QCOMPARE(bench.bus.writes(), 0);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestFamilyWrites)
+#include "tst_family_writes.moc"
