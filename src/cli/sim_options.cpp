@@ -30,8 +30,9 @@ QString text(const std::string& local)
 
 void describe(CLI::App& app, Raw& raw)
 {
-    auto* preset = app.add_option("--preset", raw.preset, "A ready-made bus: demo, trouble")
-                       ->capture_default_str();
+    auto* preset =
+        app.add_option("--preset", raw.preset, "A ready-made bus: demo, trouble, modbus, lx")
+            ->capture_default_str();
     app.add_option("--servos", raw.servos,
                    "The servos, MODEL@ID or MODEL@ID:BAUD each: sts3215@1,sts3250@2,scs15@3")
         ->excludes(preset);

@@ -22,9 +22,9 @@ double noise(std::uint64_t seed, std::uint64_t tick)
 }
 } // namespace
 
-Encoder::Encoder(double stepsPerRadian, bool endless, std::uint64_t seed)
-    : m_stepsPerRadian(stepsPerRadian)
-    , m_endless(endless)
+Encoder::Encoder(const ServoTraits& traits, std::uint64_t seed)
+    : m_stepsPerRadian(traits.stepsPerRadian)
+    , m_sensor(traits.sensor)
     , m_seed(seed * 0xD1342543DE82EF95U)
 {}
 
@@ -35,10 +35,17 @@ std::int64_t Encoder::sample(double angle, std::uint64_t tick)
         std::floor(m_filtered * m_stepsPerRadian + noiseSteps * noise(m_seed, tick) + 0.5));
 }
 
-int Encoder::potentiometer(std::int64_t counted) const
+int Encoder::withinTurn(std::int64_t counted) const
 {
-    constexpr int last = 1023;
     const double turn = 2.0 * std::numbers::pi * m_stepsPerRadian;
+    if (m_sensor == Sensor::OneTurn) {
+        // The seam lies opposite the middle of the range.
+        constexpr int range = 1000;
+        const double below = 0.5 * (turn - range);
+        const double from = double(counted) + below;
+        return int(std::lround(from - turn * std::floor(from / turn) - below));
+    }
+    constexpr int last = 1023;
     const double steps = double(counted) - turn * std::floor(double(counted) / turn);
     if (steps <= last) {
         return int(steps);

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The position sensor on the output shaft: a little slow, a little noisy, whole steps. STS and SMS
-// turn endlessly through 4096 steps; the SCS potentiometer has 1024 steps over its range and a dead
-// sector behind it, where it reads its nearer end. Owned by one servo; its thread. Noise is a
-// function of the instant alone, so that a reading does not depend on how often others were taken.
+// The position sensor on the output shaft: a little slow, a little noisy, whole steps. Magnetic
+// sensors turn endlessly through 4096 steps; the SCS potentiometer has 1024 steps over its range
+// and a dead sector behind it, where it reads its nearer end; LX reads on below 0 and above 1000
+// until the turn is full. Owned by one servo; its thread. Noise is a function of the instant alone,
+// so that a reading does not depend on how often others were taken.
 #pragma once
 
-#include <cstdint>
+#include "sim/servo_traits.h"
 
 namespace sim {
 class Encoder {
 public:
-    Encoder(double stepsPerRadian, bool endless, std::uint64_t seed);
+    Encoder(const ServoTraits& traits, std::uint64_t seed);
 
     /// Steps since the sensor's zero, counted through all turns.
     std::int64_t sample(double angle, std::uint64_t tick);
     void settle(double angle) { m_filtered = angle; } ///< the shaft has rested for a while
 
-    /// What a potentiometer shows for a counted position.
-    int potentiometer(std::int64_t counted) const;
-    bool endless() const { return m_endless; }
-    double stepsPerRadian() const { return m_stepsPerRadian; }
+    /// What a sensor that does not count turns shows for a counted position.
+    int withinTurn(std::int64_t counted) const;
+    bool endless() const { return m_sensor == Sensor::Endless; }
 
 private:
     double m_stepsPerRadian;
-    bool m_endless;
+    Sensor m_sensor;
     std::uint64_t m_seed;
     double m_filtered = 0;
 };

@@ -35,6 +35,16 @@ double Mechanics::supplyVolts(const Surroundings& around) const
     return std::max(0.0, around.supplyVolts - around.supplyOhms * m_supplyAmps);
 }
 
+double Mechanics::dutyFor(double amps, const Surroundings& around) const
+{
+    const double volts = around.supplyVolts - around.supplyOhms * m_drive.idleAmps;
+    if (volts <= 0.0) {
+        return 0.0;
+    }
+    return std::clamp((amps * m_drive.resistance + m_drive.emfConstant * m_motor.speed) / volts,
+                      -1.0, 1.0);
+}
+
 /// The winding settles far faster than a step, so its current follows at once; the sag of the
 /// supply under that current is solved for in the same breath: i = (d(U − R·I₀) − kω)/(R + r·d²).
 Mechanics::Torques Mechanics::motorTorques(Bridge bridge, double effort,

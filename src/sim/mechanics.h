@@ -26,6 +26,8 @@ public:
     double motorAmps() const { return m_amps; } ///< through the winding, signed like the duty
     double supplyAmps() const { return m_supplyAmps; }
     double supplyVolts(const Surroundings& around) const;
+    /// The duty, −1…1, that lets this current through the winding at the present speed.
+    double dutyFor(double amps, const Surroundings& around) const;
     double copperWatts() const { return m_amps * m_amps * m_drive.resistance; }
 
     /// Neither body moved in the last step: with an open bridge and the same load it never will.

@@ -5,22 +5,42 @@
 
 namespace sim {
 namespace {
-constexpr std::array<std::uint8_t, 4> imageMagic{'S', 'D', 'E', 1}; // last: version
-constexpr std::size_t modelPair = 3;                                // addresses 3 and 4
+constexpr std::array<std::uint8_t, 4> imageMagic{'S', 'D', 'E', 2}; // last: version
+constexpr std::size_t countBytes = 2;
 } // namespace
+
+/// Where the sheet does not say whether a value survives, its area decides.
+Memory::Kind Memory::kindOf(const catalog::Register& reg)
+{
+    using catalog::Persistence;
+    if (!reg.writable())
+        return reg.eprom() ? Kind::EpromReadOnly : Kind::ReadOnly;
+    switch (reg.persistence) {
+    case Persistence::Kept:
+        return Kind::Kept;
+    case Persistence::AfterSave:
+        return Kind::Saved;
+    case Persistence::Lost:
+        return Kind::Volatile;
+    case Persistence::NotStated:
+        return reg.eprom() ? Kind::Kept : Kind::Volatile;
+    case Persistence::ByArea:
+        break;
+    }
+    if (reg.area == catalog::Area::Factory)
+        return Kind::Factory;
+    return reg.eprom() ? Kind::Eprom : Kind::Volatile;
+}
 
 Memory::Memory(const catalog::Profile& profile)
 {
     for (const catalog::Register& reg : profile.registers) {
-        const bool eprom = reg.eprom();
-        const Kind kind = reg.writable() ? (eprom ? Kind::Eprom : Kind::Sram)
-                                         : (eprom ? Kind::EpromReadOnly : Kind::ReadOnly);
-        for (int i = reg.offset; i < std::min(size, reg.offset + reg.size); ++i) {
-            m_kinds[std::size_t(i)] = kind;
-            if (eprom) {
-                m_epromSize = std::max(m_epromSize, std::size_t(i) + 1);
-            }
-        }
+        for (int i = reg.offset; i < std::min(size, reg.offset + reg.size); ++i)
+            m_kinds[std::size_t(i)] = kindOf(reg);
+    }
+    for (std::size_t i = 0; i < m_kinds.size(); ++i) {
+        if (survives(i))
+            m_surviving.push_back(i);
     }
 }
 
@@ -29,32 +49,63 @@ base::ByteView Memory::view(int address, int count) const
     return base::ByteView(m_live).subspan(std::size_t(address), std::size_t(count));
 }
 
-bool Memory::write(int address, base::ByteView data, bool keep)
+bool Memory::mapped(int address, int count) const
 {
-    bool eprom = false;
+    if (address < 0 || count < 0 || address + count > size)
+        return false;
+    const auto first = m_kinds.begin() + address;
+    return std::none_of(first, first + count, [](Kind kind) { return kind == Kind::Undefined; });
+}
+
+bool Memory::writable(int address, int count) const
+{
+    if (!mapped(address, count))
+        return false;
+    const auto first = m_kinds.begin() + address;
+    return std::none_of(first, first + count, [](Kind kind) {
+        return kind == Kind::ReadOnly || kind == Kind::EpromReadOnly;
+    });
+}
+
+bool Memory::write(int address, base::ByteView data, Unlocked unlocked)
+{
+    bool stored = false;
     for (std::size_t i = 0; i < data.size(); ++i) {
         const std::size_t place = std::size_t(address) + i;
-        if (place >= m_live.size()) {
+        if (place >= m_live.size())
             break;
-        }
-        if (m_kinds[place] == Kind::Sram) {
-            m_live[place] = data[i];
-        } else if (m_kinds[place] == Kind::Eprom) {
-            m_live[place] = data[i];
-            eprom = true;
-            if (keep) {
-                m_stored[place] = data[i];
-            }
+        const Kind kind = m_kinds[place];
+        const bool shut = kind == Kind::Factory && unlocked != Unlocked::Factory;
+        if (shut || kind < Kind::Volatile || kind == Kind::EpromReadOnly)
+            continue;
+        m_live[place] = data[i];
+        const bool keep = kind == Kind::Kept || kind == Kind::Factory ||
+                          (kind == Kind::Eprom && unlocked == Unlocked::Eprom);
+        if (keep) {
+            m_stored[place] = data[i];
+            stored = true;
         }
     }
-    return eprom;
+    return stored;
+}
+
+bool Memory::save(int address, int count)
+{
+    bool stored = false;
+    for (auto i = std::size_t(address); i < std::size_t(address + count); ++i) {
+        if (m_kinds[i] == Kind::Saved) {
+            m_stored[i] = m_live[i];
+            stored = true;
+        }
+    }
+    return stored;
 }
 
 void Memory::setInitial(int address, std::uint8_t value)
 {
     const std::size_t place = std::size_t(address);
     m_live[place] = m_stored[place] = value;
-    if (isEprom(place)) {
+    if (survives(place)) {
         m_backup[place] = value;
     }
 }
@@ -66,7 +117,7 @@ void Memory::powerOn()
 
 void Memory::restore(int keepAddress)
 {
-    for (std::size_t i = 0; i < m_epromSize; ++i) {
+    for (const std::size_t i : m_surviving) {
         if (isEprom(i) && int(i) != keepAddress) {
             m_live[i] = m_stored[i] = m_backup[i];
         }
@@ -76,30 +127,35 @@ void Memory::restore(int keepAddress)
 base::Bytes Memory::image() const
 {
     base::Bytes image(imageMagic.begin(), imageMagic.end());
-    image.push_back(std::uint8_t(m_epromSize));
-    image.insert(image.end(), m_stored.begin(), m_stored.begin() + std::ptrdiff_t(m_epromSize));
-    image.insert(image.end(), m_backup.begin(), m_backup.begin() + std::ptrdiff_t(m_epromSize));
+    const std::size_t count = m_surviving.size();
+    image.push_back(std::uint8_t(count & 0xFF));
+    image.push_back(std::uint8_t(count >> 8));
+    for (const auto* cells : {&m_stored, &m_backup}) {
+        for (const std::size_t i : m_surviving)
+            image.push_back((*cells)[i]);
+    }
     return image;
 }
 
+/// What nobody can write, the servo's identity, must be the same.
 bool Memory::setImage(base::ByteView image)
 {
-    const std::size_t head = imageMagic.size() + 1;
-    if (image.size() != head + 2 * m_epromSize || image[imageMagic.size()] != m_epromSize ||
-        !std::equal(imageMagic.begin(), imageMagic.end(), image.begin())) {
+    const std::size_t head = imageMagic.size() + countBytes;
+    const std::size_t count = m_surviving.size();
+    if (image.size() != head + 2 * count ||
+        !std::equal(image.begin(), image.begin() + 4, imageMagic.begin()) ||
+        std::size_t(image[4] | image[5] << 8) != count)
         return false;
+    const base::ByteView stored = image.subspan(head, count);
+    const base::ByteView backup = image.subspan(head + count, count);
+    for (std::size_t n = 0; n < count; ++n) {
+        const std::size_t place = m_surviving[n];
+        if (m_kinds[place] == Kind::EpromReadOnly && stored[n] != m_stored[place])
+            return false;
     }
-    const base::ByteView stored = image.subspan(head, m_epromSize);
-    const base::ByteView backup = image.subspan(head + m_epromSize, m_epromSize);
-    if (stored[modelPair] != m_stored[modelPair] ||
-        stored[modelPair + 1] != m_stored[modelPair + 1]) {
-        return false;
-    }
-    for (std::size_t i = 0; i < m_epromSize; ++i) {
-        if (isEprom(i)) {
-            m_stored[i] = stored[i];
-            m_backup[i] = backup[i];
-        }
+    for (std::size_t n = 0; n < count; ++n) {
+        m_stored[m_surviving[n]] = stored[n];
+        m_backup[m_surviving[n]] = backup[n];
     }
     m_live = m_stored;
     return true;

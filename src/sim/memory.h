@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The servo's memory table as bytes: what acts now, what the EPROM holds, and the copy that 0x06
-// brings back. Knows which addresses exist, not what they mean. Owned by one servo; its thread.
-// Writes to read-only and undefined addresses are lost silently; undefined bytes read 0.
+// The servo's memory table as bytes: what acts now, what survives power-off, and the copy that 0x06
+// brings back. Knows which bytes exist and how each is kept, not what they mean. Offsets are those
+// of catalog::Register. Owned by one servo; its thread. Writes to read-only and undefined bytes are
+// lost silently; undefined bytes read 0.
 #pragma once
 
 #include "base/bytes.h"
@@ -10,18 +11,26 @@
 #include <array>
 
 namespace sim {
+/// What the lock register lets a write keep.
+enum class Unlocked : std::uint8_t { Nothing, Eprom, Factory };
+
 class Memory {
 public:
-    static constexpr int size = 256;
+    static constexpr int size = 1024; ///< of the largest table; what is not mapped is undefined
 
     explicit Memory(const catalog::Profile& profile);
 
     std::uint8_t at(int address) const { return m_live[std::size_t(address)]; }
     base::ByteView view(int address, int count) const;
 
-    /// As from outside. `keep`: the lock is open, so EPROM bytes are stored as well. True when an
-    /// EPROM cell was written.
-    bool write(int address, base::ByteView data, bool keep);
+    bool mapped(int address, int count) const;   ///< every byte belongs to a register
+    bool writable(int address, int count) const; ///< and may be written from outside
+
+    /// As from outside. EPROM bytes always act, and stay if they are unlocked; bytes of the factory
+    /// block do neither unless they are. True when something was stored.
+    bool write(int address, base::ByteView data, Unlocked unlocked);
+    /// What is kept only when asked for (the LX offset). True when there is such a byte.
+    bool save(int address, int count);
 
     /// The servo itself sets a byte of RAM or feedback.
     void set(int address, std::uint8_t value) { m_live[std::size_t(address)] = value; }
@@ -30,22 +39,33 @@ public:
 
     void powerOn();
     void backup() { m_backup = m_stored; }
-    /// Everything but the byte at `keepAddress` becomes what backup() stored.
+    /// The EPROM but for the byte at `keepAddress` becomes what backup() stored.
     void restore(int keepAddress);
 
-    /// EPROM and back-up as one versioned block; a block of another size, version or model is
-    /// refused.
+    /// Everything kept, and its back-up, as one versioned block; a block of another size, version
+    /// or model is refused.
     base::Bytes image() const;
     bool setImage(base::ByteView image);
 
 private:
-    enum class Kind : std::uint8_t { Undefined, ReadOnly, Sram, Eprom, EpromReadOnly };
+    enum class Kind : std::uint8_t {
+        Undefined,
+        ReadOnly,
+        Volatile,
+        Kept,    ///< by every write
+        Saved,   ///< by save()
+        Factory, ///< under a lock of its own
+        Eprom,
+        EpromReadOnly,
+    };
+    static Kind kindOf(const catalog::Register& reg);
+    bool survives(std::size_t address) const { return m_kinds[address] >= Kind::Kept; }
     bool isEprom(std::size_t address) const { return m_kinds[address] >= Kind::Eprom; }
 
     std::array<Kind, size> m_kinds{};
     std::array<std::uint8_t, size> m_live{};
-    std::array<std::uint8_t, size> m_stored{}; ///< EPROM cells; RAM: the value after power-on
+    std::array<std::uint8_t, size> m_stored{}; ///< what survives; the rest: its value at power-on
     std::array<std::uint8_t, size> m_backup{};
-    std::size_t m_epromSize = 0; ///< EPROM lies below this address
+    std::vector<std::size_t> m_surviving; ///< addresses of what the image holds
 };
 } // namespace sim

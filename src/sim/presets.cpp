@@ -3,6 +3,8 @@
 
 #include "sim/servo_maker.h"
 
+#include <algorithm>
+
 namespace sim {
 namespace {
 constexpr int fast = 1'000'000;
@@ -97,22 +99,71 @@ Scene trouble()
         {QStringLiteral("STS3215"), 5, fast, 7.4, 180, jammed(), stall},
     };
 }
+
+Scene modbus()
+{
+    return {{QStringLiteral("SMSMB"), 1, {}, {}, 180, arm(0.2), nullptr}};
+}
+
+// What a technician tries first, told in the servo's own words: 17 and 18.
+void saveOffset(VirtualServo& servo)
+{
+    constexpr std::uint8_t adjust = 17;
+    constexpr std::uint8_t save = 18;
+    servo.handle({false, adjust, {12}, -1});
+    servo.handle({false, save, {}, -1});
+    letTimePass(servo, std::chrono::milliseconds(50));
+}
+
+// Warmer than the limit it was given, so unloaded until somebody opens a window.
+void overheat(VirtualServo& servo)
+{
+    constexpr int limit = 60;
+    constexpr double tooWarm = 64;
+    servo.poke(QStringLiteral("temp_limit"), limit);
+    servo.surroundings().ambientCelsius = tooWarm;
+    servo.setTemperature(tooWarm);
+    letTimePass(servo, std::chrono::milliseconds(50));
+}
+
+Scene lx()
+{
+    return {
+        {QStringLiteral("LX-16A"), 1, {}, {}, 120, arm(0.12), nullptr},
+        {QStringLiteral("LX-16A"), 2, {}, {}, 90, {}, saveOffset},
+        {QStringLiteral("LX-224"), 3, {}, {}, 150, turntable(), overheat},
+        {QStringLiteral("LX-224HV"), 4, {}, {}, 60, arm(0.2), nullptr},
+        {QStringLiteral("HTS-35H"), 5, {}, {}, 200, turntable(), nullptr},
+    };
+}
+
+struct Preset {
+    const char* name;
+    Scene (*scene)();
+};
+constexpr Preset presets[] = {{"demo", demo}, {"trouble", trouble}, {"modbus", modbus}, {"lx", lx}};
 } // namespace
 
 QStringList presetNames()
 {
-    return {QStringLiteral("demo"), QStringLiteral("trouble")};
+    QStringList names;
+    for (const Preset& preset : presets)
+        names << QString::fromLatin1(preset.name);
+    return names;
 }
 
 base::Result<std::unique_ptr<VirtualBus>>
 makePreset(const QString& name, const catalog::Catalog& catalog, const WireConfig& wire,
            std::optional<int> baud, std::optional<base::Duration> epromTime)
 {
-    if (!presetNames().contains(name))
+    const auto* preset =
+        std::find_if(std::begin(presets), std::end(presets),
+                     [&name](const Preset& known) { return name == QLatin1String(known.name); });
+    if (preset == std::end(presets))
         return base::fail(base::ErrorCode::BadArgument, QStringLiteral("simulate"),
                           QStringLiteral("%1: no such preset; known are %2")
                               .arg(name, presetNames().join(QLatin1String(", "))));
-    Scene scene = name == QLatin1String("demo") ? demo() : trouble();
+    Scene scene = preset->scene();
     for (ServoRecipe& recipe : scene)
         recipe.baud = baud.has_value() ? baud : recipe.baud;
     return makeBus(scene, catalog, wire, epromTime);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Simulated buses by name and by list, for "sim:NAME" and servodesk-sim. demo: six servos, mixed
-// models, one rate, one alarmed. trouble: mixed rates, twin IDs, an open lock, an overload.
+// models, one rate, one alarmed. trouble: mixed rates, twin IDs, an open lock, an overload. modbus:
+// one servo, station 1. lx: five servos, one with an offset, one too warm.
 #pragma once
 
 #include "base/error.h"
@@ -17,7 +18,7 @@ base::Result<std::unique_ptr<VirtualBus>>
 makePreset(const QString& name, const catalog::Catalog& catalog, const WireConfig& wire = {},
            std::optional<int> baud = {}, std::optional<base::Duration> epromTime = {});
 
-/// "sts3215@1,sts3250@2,scs15@3"; "@ID:BAUD" sets one servo's rate, `baud` all others'. Two servos
+/// "sts3215@1,smsmb@2,lx16a@3"; "@ID:BAUD" sets one servo's rate, `baud` all others'. Two servos
 /// may share an ID. BadArgument names the item it could not use and why.
 base::Result<std::unique_ptr<VirtualBus>>
 makeServos(const QString& list, const catalog::Catalog& catalog, std::optional<int> baud,

@@ -5,12 +5,16 @@
 #include <cmath>
 
 namespace sim {
-void Protection::mark(StatusBit bit, bool present)
+void Protection::mark(const Settings& s, StatusBit bit, bool present)
 {
-    m_faults = std::uint8_t(present ? m_faults | bit : m_faults & ~bit);
+    if (present) {
+        m_faults = std::uint8_t(m_faults | bit);
+    } else if (s.release != Release::Cleared) {
+        m_faults = std::uint8_t(m_faults & ~bit);
+    }
 }
 
-/// A trip that 19 does not ask for is still shown for as long as its cause lasts.
+/// A trip that the unload condition does not ask for is still shown for as long as its cause lasts.
 void Protection::watchOverload(const Settings& s, double duty)
 {
     m_overloadTicks = std::abs(duty) > s.overloadDuty ? m_overloadTicks + 1 : 0;
@@ -19,38 +23,65 @@ void Protection::watchOverload(const Settings& s, double duty)
         m_overload = true;
         m_stallDirection = duty > 0.0 ? 1.0 : -1.0;
     }
-    mark(OverloadBit, m_overload || tooLong);
+    mark(s, OverloadBit, m_overload || tooLong);
 }
 
-void Protection::watchCurrent(const Settings& s, double current)
+void Protection::watchCurrent(const Settings& s, const Measured& now)
 {
-    m_overcurrentTicks = s.senseCurrent && current > s.overcurrent ? m_overcurrentTicks + 1 : 0;
+    m_overcurrentTicks = s.senseCurrent && now.current > s.overcurrent ? m_overcurrentTicks + 1 : 0;
     const bool tooLong = m_overcurrentTicks > s.overcurrentTime;
-    m_overcurrent = m_overcurrent || (tooLong && (s.unloadCondition & CurrentBit) != 0);
-    mark(CurrentBit, m_overcurrent || tooLong);
+    if (tooLong && (s.unloadCondition & CurrentBit) != 0 && !m_overcurrent) {
+        m_overcurrent = true;
+        m_stallDirection = now.duty > 0.0 ? 1.0 : -1.0;
+    }
+    mark(s, CurrentBit, m_overcurrent || tooLong);
 }
 
 void Protection::update(const Settings& s, const Measured& now, bool watchVoltage)
 {
     watchOverload(s, now.duty);
-    watchCurrent(s, now.current);
+    watchCurrent(s, now);
     // What is judged is what is shown.
     const long volts = std::lround(now.volts);
-    mark(VoltageBit, watchVoltage && (volts > s.maxVoltage || volts < s.minVoltage));
-    mark(TemperatureBit, std::lround(now.celsius) > s.maxTemperature);
+    mark(s, VoltageBit, watchVoltage && (volts > s.maxVoltage || volts < s.minVoltage));
+    mark(s, TemperatureBit, std::lround(now.celsius) > s.maxTemperature);
 }
 
-bool Protection::commanded(double direction)
+bool Protection::commanded(const Settings& s, double direction)
 {
-    const bool opposite = m_overload && direction * m_stallDirection < 0.0;
-    const bool released = m_overcurrent || opposite;
-    m_overcurrent = false;
-    m_overcurrentTicks = 0;
-    if (opposite) {
+    if (s.release == Release::Cleared) {
+        return false;
+    }
+    const bool turnsBack = direction * m_stallDirection < 0.0;
+    const bool current = m_overcurrent && (turnsBack || s.release == Release::Command);
+    const bool overload = m_overload && turnsBack;
+    release(current || s.release == Release::Command, overload);
+    return current || overload;
+}
+
+void Protection::torqueOff(const Settings& s)
+{
+    const bool released = s.release == Release::TurnBack;
+    release(released, released);
+}
+
+void Protection::clear(std::uint8_t bits)
+{
+    release((bits & CurrentBit) != 0, (bits & OverloadBit) != 0);
+    m_faults = std::uint8_t(m_faults & ~bits);
+    m_injected = std::uint8_t(m_injected & ~bits);
+}
+
+void Protection::release(bool current, bool overload)
+{
+    if (current) {
+        m_overcurrent = false;
+        m_overcurrentTicks = 0;
+    }
+    if (overload) {
         m_overload = false;
         m_overloadTicks = 0;
     }
-    return released;
 }
 
 bool Protection::unloads(const Settings& s) const

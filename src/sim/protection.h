@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The servo's protections: what is watched, for how long, what happens and what releases it.
-// Source: protection section of the Feetech protocol notes (register 19, 13–15, 28, 34–36, 38).
+// Source: protection section of the Feetech protocol notes (register 19, 13–15, 28, 34–36, 38) and
+// the Modbus table (134, 392).
 // Plain class; its servo's thread; one call a millisecond.
 #pragma once
 
@@ -21,7 +22,7 @@ public:
     struct Measured {
         double duty = 0;    ///< −1000…1000, towards larger positions positive
         double current = 0; ///< 6.5 mA units, unsigned
-        double volts = 0;   ///< 0.1 V
+        double volts = 0;   ///< as the voltage registers count
         double celsius = 0;
     };
 
@@ -29,7 +30,9 @@ public:
 
     /// A new command that would turn the servo this way (sign) has been written. True when that
     /// released it.
-    bool commanded(double direction);
+    bool commanded(const Settings& s, double direction);
+    void torqueOff(const Settings& s); ///< on the host's word
+    void clear(std::uint8_t bits);     ///< by command; a cause that lasts brings them back
     void inject(std::uint8_t bits) { m_injected = bits; }
     void reset() { *this = Protection(); } ///< power-on
 
@@ -41,8 +44,9 @@ public:
 
 private:
     void watchOverload(const Settings& s, double duty);
-    void watchCurrent(const Settings& s, double current);
-    void mark(StatusBit bit, bool present);
+    void watchCurrent(const Settings& s, const Measured& now);
+    void release(bool current, bool overload);
+    void mark(const Settings& s, StatusBit bit, bool present);
 
     std::uint8_t m_faults = 0;
     std::uint8_t m_injected = 0;

@@ -6,20 +6,14 @@
 
 namespace sim {
 namespace {
-Field fieldOf(const catalog::Register& reg)
-{
-    Field field{reg.offset, reg.size};
-    if (reg.encoding == catalog::Encoding::SignBit) {
-        field.signBit = reg.signBit;
-    } else if (reg.encoding == catalog::Encoding::SignBit11Ext12) {
-        field.signBit = 11;
-        field.extended = true;
-    }
-    return field;
-}
+constexpr int widest = 2; ///< bytes
 
 int decode(int word, const Field& field)
 {
+    if (field.twosComplement) {
+        const int sign = 1 << (8 * field.size - 1);
+        return (word ^ sign) - sign;
+    }
     if (field.signBit < 0) {
         return word;
     }
@@ -32,6 +26,10 @@ int decode(int word, const Field& field)
 
 int encodeWord(int value, const Field& field)
 {
+    if (field.twosComplement) {
+        const int sign = 1 << (8 * field.size - 1);
+        return std::clamp(value, -sign, sign - 1) & (2 * sign - 1);
+    }
     if (field.signBit < 0) {
         return std::clamp(value, 0, (1 << (8 * field.size)) - 1);
     }
@@ -44,34 +42,58 @@ int encodeWord(int value, const Field& field)
 }
 } // namespace
 
+Field fieldOf(const catalog::Register& reg)
+{
+    Field field{reg.offset, reg.size};
+    field.scale = reg.scale;
+    if (reg.size > widest || reg.offset + reg.size > Memory::size) {
+        return {};
+    }
+    if (reg.encoding == catalog::Encoding::SignBit) {
+        field.signBit = reg.signBit;
+    } else if (reg.encoding == catalog::Encoding::SignBit11Ext12) {
+        field.signBit = 11;
+        field.extended = true;
+    }
+    field.twosComplement = reg.encoding == catalog::Encoding::TwosComplement;
+    return field;
+}
+
+Field fieldOf(const catalog::Profile& profile, const QString& key)
+{
+    const catalog::Register* reg = profile.find(key);
+    return reg == nullptr ? Field{} : fieldOf(*reg);
+}
+
 RegisterMap::RegisterMap(const catalog::Profile& profile)
     : m_order(profile.byteOrder)
 {
     for (const catalog::Register& reg : profile.registers) {
-        if (reg.role != catalog::Role::None && reg.size <= 2 &&
-            reg.offset + reg.size <= Memory::size) {
+        if (reg.role != catalog::Role::None) {
             m_fields[std::size_t(reg.role)] = fieldOf(reg);
         }
     }
 }
 
-int RegisterMap::readUnsigned(const Memory& memory, catalog::Role role, int fallback) const
+int RegisterMap::read(const Memory& memory, const Field& field) const
 {
-    const Field& field = at(role);
-    if (!field.exists()) {
-        return fallback;
-    }
     if (field.size == 1) {
-        return memory.at(field.address);
+        return decode(memory.at(field.address), field);
     }
     const int first = memory.at(field.address);
     const int second = memory.at(field.address + 1);
-    return m_order == base::ByteOrder::Little ? first | second << 8 : first << 8 | second;
+    return decode(m_order == base::ByteOrder::Little ? first | second << 8 : first << 8 | second,
+                  field);
 }
 
 int RegisterMap::read(const Memory& memory, catalog::Role role, int fallback) const
 {
-    return at(role).exists() ? decode(readUnsigned(memory, role), at(role)) : fallback;
+    return at(role).exists() ? read(memory, at(role)) : fallback;
+}
+
+double RegisterMap::physical(const Memory& memory, catalog::Role role, double fallback) const
+{
+    return at(role).exists() ? read(memory, at(role)) * at(role).scale : fallback;
 }
 
 base::Bytes RegisterMap::encode(catalog::Role role, int value) const
@@ -81,9 +103,8 @@ base::Bytes RegisterMap::encode(catalog::Role role, int value) const
                                m_order);
 }
 
-void RegisterMap::put(Memory& memory, catalog::Role role, int value) const
+void RegisterMap::put(Memory& memory, const Field& field, int value) const
 {
-    const Field& field = at(role);
     if (!field.exists()) {
         return;
     }

@@ -11,8 +11,10 @@ namespace sim {
 struct Field {
     int address = -1; ///< -1: this family has no such register
     int size = 0;
-    int signBit = -1;      ///< -1: unsigned
-    bool extended = false; ///< newer STS offset: bit 12 adds 2048 to the magnitude
+    int signBit = -1;            ///< -1: no sign bit
+    bool extended = false;       ///< newer STS offset: bit 12 adds 2048 to the magnitude
+    bool twosComplement = false; ///< Modbus, LX
+    double scale = 1;            ///< of one raw step, in the unit of the sheet
     bool exists() const { return address >= 0; }
     bool touches(int from, int count) const
     {
@@ -28,15 +30,22 @@ public:
 
     /// `fallback` where the family has no such register.
     int read(const Memory& memory, catalog::Role role, int fallback = 0) const;
-    int readUnsigned(const Memory& memory, catalog::Role role, int fallback = 0) const;
+    int read(const Memory& memory, const Field& field) const;
+    /// In the unit of the sheet.
+    double physical(const Memory& memory, catalog::Role role, double fallback = 0) const;
 
     /// Wire bytes of a value; a magnitude that does not fit is limited to the largest that does.
     base::Bytes encode(catalog::Role role, int value) const;
     /// The servo itself changes a register of RAM or feedback; nothing where it does not exist.
-    void put(Memory& memory, catalog::Role role, int value) const;
+    void put(Memory& memory, catalog::Role role, int value) const { put(memory, at(role), value); }
+    void put(Memory& memory, const Field& field, int value) const;
 
 private:
     std::array<Field, 256> m_fields{}; ///< by role
     base::ByteOrder m_order;
 };
+
+/// Of any register, for those that have no role.
+Field fieldOf(const catalog::Register& reg);
+Field fieldOf(const catalog::Profile& profile, const QString& key);
 } // namespace sim

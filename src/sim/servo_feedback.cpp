@@ -18,16 +18,15 @@ int shownSpeedSteps(double stepsPerSecond)
 }
 } // namespace
 
-/// Signed like the load; the sensor's range ends at 9 bits.
+/// Signed like the load; the sensor's range ends where its protection's does.
 double VirtualServo::State::sensedCurrent() const
 {
     constexpr double ampsPerUnit = 0.0065;
-    constexpr double largest = 511;
     if (!settings.senseCurrent) {
         return 0.0;
     }
     const double units = -mechanics.motorAmps() * settings.driveSign / ampsPerUnit;
-    return std::clamp(units, -largest, largest);
+    return std::clamp<double>(units, -type.largestCurrent, type.largestCurrent);
 }
 
 void VirtualServo::State::publish()
@@ -39,12 +38,12 @@ void VirtualServo::State::publish()
     if (encoder.endless() && settings.mode == DriveMode::Step) {
         shown = stepGoal - position;
     } else if (encoder.endless() && !settings.fullAngle) {
-        const double turn = profile->stepsPerTurn;
+        const double turn = traits.turnSteps;
         shown = position - turn * std::floor(position / turn);
     }
     put(Role::PresentPosition, shown);
     const int stepsPerSecond = shownSpeedSteps(shownSpeed);
-    put(Role::PresentSpeed, settings.fineSpeed ? stepsPerSecond : stepsPerSecond / 50);
+    put(Role::PresentSpeed, double(stepsPerSecond) / settings.speedUnit);
     // The bridge drives larger positions with negative duty: 44 = 200 turns counter-clockwise with
     // 58 negative and 60 positive.
     put(Role::PresentLoad, -duty);
@@ -52,13 +51,30 @@ void VirtualServo::State::publish()
     put(Role::PresentVoltage, showVolts ? volts : 0.0);
     put(Role::PresentTemperature, celsius);
     put(Role::AsyncFlag, held ? 1 : 0);
-    put(Role::Status, protection.status());
-    put(Role::Moving, moving ? 1 : 0);
+    put(Role::Status, shownStatus());
+    put(Role::Moving, shownMoving());
     put(Role::ActiveGoal, controller.path().position);
     put(Role::PresentCurrent, sensedCurrent());
 }
 
-/// A fault that 20 names blinks it; without one it shines if 20 is not 0.
+/// Modbus: bit 4 is a state, not a fault.
+int VirtualServo::State::shownStatus() const
+{
+    constexpr int torqueOn = 16;
+    return protection.status() | (traits.modbus && settings.torqueSwitch == 1 ? torqueOn : 0);
+}
+
+/// HLS has two flags: faster than the threshold, and on the way to the goal.
+int VirtualServo::State::shownMoving() const
+{
+    if (!type.movingBits) {
+        return moving ? 1 : 0;
+    }
+    return (std::abs(shownSpeed) < slowestShown ? 0 : 1) | (moving ? 2 : 0);
+}
+
+/// A fault that its condition names blinks it; without one it shines if there is a condition, on LX
+/// as its own register says.
 bool VirtualServo::State::led() const
 {
     if (!alive()) {
@@ -67,6 +83,6 @@ bool VirtualServo::State::led() const
     if ((protection.status() & settings.ledCondition) != 0) {
         return ticks / 250 % 2 == 0;
     }
-    return settings.ledCondition != 0;
+    return settings.led;
 }
 } // namespace sim

@@ -3,6 +3,7 @@
 
 #include "protocol/request.h"
 #include "sim/presets.h"
+#include "sim/servo_types.h"
 
 #include <QStringList>
 
@@ -16,57 +17,80 @@ tl::unexpected<base::Error> badServo(const QString& item, const QString& why)
                       QStringLiteral("%1: %2").arg(item, why));
 }
 
+/// A firmware that each simulated series was seen with, or that its map asks for. LX says nothing.
 struct Firmware {
-    int major = 0;
-    int minor = 0;
+    const char* series;
+    int major;
+    int minor;
+};
+constexpr Firmware firmwares[] = {
+    {"STS", 3, 10}, {"SMS", 2, 53},  {"SCS", 0, 4},    {"HLS", 3, 46},
+    {"SMCL", 1, 6}, {"SCS2", 3, 24}, {"SMSMB", 20, 9}, {"LX", -1, -1},
 };
 
-/// A firmware that each simulated series was seen with.
-std::optional<Firmware> firmwareOf(const QString& series)
+const Firmware* firmwareOf(const QString& series)
 {
-    if (series == QLatin1String("STS"))
-        return Firmware{3, 10};
-    if (series == QLatin1String("SMS"))
-        return Firmware{2, 53};
-    if (series == QLatin1String("SCS"))
-        return Firmware{0, 4};
-    return std::nullopt;
+    const auto* found =
+        std::find_if(std::begin(firmwares), std::end(firmwares), [&](const Firmware& firmware) {
+            return series == QLatin1String(firmware.series);
+        });
+    return found == std::end(firmwares) ? nullptr : found;
+}
+
+/// Shops add an M to the HLS models of the vendor's list.
+const catalog::ModelEntry* findModel(const catalog::Catalog& catalog, const QString& name)
+{
+    const catalog::ModelEntry* model = catalog.model(name);
+    if (model != nullptr || !name.endsWith(QLatin1Char('m'), Qt::CaseInsensitive))
+        return model;
+    model = catalog.model(name.chopped(1));
+    return model != nullptr && model->series == QLatin1String("HLS") ? model : nullptr;
 }
 
 bool knowsRate(const catalog::Profile& profile, int baud)
 {
     const catalog::Register* rate = profile.byRole(catalog::Role::BaudRate);
-    return rate != nullptr &&
-           std::any_of(rate->values.begin(), rate->values.end(),
+    if (rate == nullptr)
+        return profile.defaultBaud == baud;
+    return std::any_of(rate->values.begin(), rate->values.end(),
                        [baud](const auto& value) { return value.key == QString::number(baud); });
 }
 
-/// The middle of what the model may be fed; 7.4 V where its sheet says nothing.
-double nominalVolts(const catalog::Profile& profile)
+/// The middle of what the model may be fed, or what is usual where its sheet says nothing.
+double supplyOf(const catalog::Profile& profile)
 {
     if (!profile.minVoltage || !profile.maxVoltage)
-        return 7.4;
+        return servoType(profile).nominalVolts;
     return (*profile.minVoltage + *profile.maxVoltage) / 2;
+}
+
+/// Stations are counted from 1, and end where Modbus ends them.
+bool knowsId(const catalog::Profile& profile, int id)
+{
+    const catalog::Register* reg = profile.byRole(catalog::Role::Id);
+    return reg != nullptr && id >= reg->min.value_or(0) && id <= reg->max.value_or(protocol::maxId);
 }
 
 base::Result<VirtualServo> makeServo(const ServoRecipe& recipe, const catalog::Catalog& catalog,
                                      std::optional<base::Duration> epromTime, std::uint64_t seed)
 {
     const QString item = QStringLiteral("%1@%2").arg(recipe.model).arg(recipe.id);
-    const catalog::ModelEntry* model = catalog.model(recipe.model);
+    const catalog::ModelEntry* model = findModel(catalog, recipe.model);
     if (model == nullptr)
         return badServo(item, QStringLiteral("no such model"));
-    const auto firmware = firmwareOf(model->series);
-    if (!firmware || !model->supported)
+    const Firmware* firmware = firmwareOf(model->series);
+    if (firmware == nullptr || !model->supported)
         return badServo(item, QStringLiteral("this series cannot be simulated"));
     const auto profile = catalog.profileFor(*model, firmware->major, firmware->minor);
+    if (!knowsId(*profile, recipe.id))
+        return badServo(item, QStringLiteral("this model has no ID %1").arg(recipe.id));
     if (recipe.baud && !knowsRate(*profile, *recipe.baud))
         return badServo(item, QStringLiteral("this model has no rate %1").arg(*recipe.baud));
     ServoConfig config;
     config.id = recipe.id;
     config.baud = recipe.baud;
     config.load = recipe.load;
-    config.surroundings.supplyVolts = recipe.supplyVolts.value_or(nominalVolts(*profile));
+    config.surroundings.supplyVolts = recipe.supplyVolts.value_or(supplyOf(*profile));
     config.initialDegrees = recipe.initialDegrees;
     config.epromTime = epromTime.value_or(config.epromTime);
     config.seed = seed;

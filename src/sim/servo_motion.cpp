@@ -61,7 +61,7 @@ void VirtualServo::State::rebase()
         position = readPosition();
         return;
     }
-    const auto turn = double(profile->stepsPerTurn);
+    const auto turn = double(traits.turnSteps);
     const double before = readPosition();
     turnBase += std::int64_t(std::floor(before / turn) * turn);
     position = readPosition();
@@ -72,9 +72,9 @@ void VirtualServo::State::rebase()
 double VirtualServo::State::readPosition() const
 {
     if (!encoder.endless()) {
-        return encoder.potentiometer(counted);
+        return encoder.withinTurn(counted) - settings.offset;
     }
-    const std::int64_t steps = settings.reversed ? profile->stepsPerTurn - 1 - counted : counted;
+    const std::int64_t steps = settings.reversed ? traits.turnSteps - 1 - counted : counted;
     return double(steps - settings.offset - turnBase);
 }
 
@@ -90,8 +90,14 @@ void VirtualServo::State::measure()
 
 double VirtualServo::State::positionGoal() const
 {
+    if (restGoal) {
+        return *restGoal;
+    }
     if (settings.mode == DriveMode::Step) {
         return stepGoal;
+    }
+    if (settings.mode == DriveMode::Direct) {
+        return std::clamp<double>(settings.goalPosition, 0, traits.turnSteps - 1);
     }
     if (settings.limitsZero) {
         return settings.goalPosition;
@@ -110,6 +116,40 @@ double VirtualServo::State::topSpeed() const
     return settings.zeroSpeedIsMaximum ? settings.maxSpeed : 0.0;
 }
 
+/// What 44 allows through the winding at the present speed.
+double VirtualServo::State::withinCurrentLimit(double wanted) const
+{
+    const double sign = settings.driveSign;
+    const double low =
+        sign * 1000.0 * mechanics.dutyFor(-sign * settings.currentLimit, config.surroundings);
+    const double high =
+        sign * 1000.0 * mechanics.dutyFor(sign * settings.currentLimit, config.surroundings);
+    return std::clamp(wanted, low, high);
+}
+
+double VirtualServo::State::drive(double limit)
+{
+    const bool limited = traits.currentLimited;
+    double wanted = 0;
+    switch (settings.mode) {
+    case DriveMode::Pwm:
+        return std::clamp<double>(-settings.pwm, -limit, limit);
+    case DriveMode::Current: {
+        const double sign = settings.driveSign;
+        wanted = sign * 1000.0 * mechanics.dutyFor(-sign * settings.goalAmps, config.surroundings);
+        return std::clamp(wanted, -limit, limit);
+    }
+    case DriveMode::Direct:
+        return controller.holdPosition(settings, positionGoal(), topSpeed(), position, limit);
+    case DriveMode::Speed:
+        wanted = controller.holdSpeed(settings, settings.goalSpeed, speed, limit);
+        break;
+    default:
+        wanted = controller.holdPosition(settings, positionGoal(), topSpeed(), position, limit);
+    }
+    return limited ? withinCurrentLimit(wanted) : wanted;
+}
+
 void VirtualServo::State::control()
 {
     const bool output = alive() && settings.torqueSwitch == 1 && !protection.unloads(settings);
@@ -124,26 +164,22 @@ void VirtualServo::State::control()
     }
     if (bridge != Bridge::Driven) {
         bridge = Bridge::Driven;
-        if (!settings.limitsZero && settings.mode == DriveMode::Position) {
+        if (settings.mode == DriveMode::Direct ||
+            (!settings.limitsZero && settings.mode == DriveMode::Position)) {
             rebase();
         }
         controller.energise(position);
     }
-    const double limit = protection.dutyLimit(settings);
-    switch (settings.mode) {
-    case DriveMode::Speed:
-        duty = controller.holdSpeed(settings, settings.goalSpeed, speed, limit);
-        break;
-    case DriveMode::Pwm:
-        duty = std::clamp<double>(-settings.pwm, -limit, limit);
-        break;
-    default:
-        duty = controller.holdPosition(settings, positionGoal(), topSpeed(), position, limit);
-    }
+    duty = drive(protection.dutyLimit(settings));
     const bool still = std::abs(shownSpeed) < slowestShown && controller.path().speed == 0.0;
     stillTicks = still ? stillTicks + 1 : 0;
-    const bool drivesSpeed = settings.mode == DriveMode::Speed || settings.mode == DriveMode::Pwm;
-    moving = drivesSpeed ? !still : moving && stillTicks < stillTime;
+    const bool drivesGoal = settings.mode == DriveMode::Position ||
+                            settings.mode == DriveMode::Direct || settings.mode == DriveMode::Step;
+    const bool movedBefore = moving;
+    moving = drivesGoal ? moving && stillTicks < stillTime : !still;
+    if (settings.releaseAtGoal && movedBefore && !moving) {
+        setTorque(0);
+    }
 }
 
 void VirtualServo::State::watch()
@@ -154,10 +190,11 @@ void VirtualServo::State::watch()
     if (!alive()) {
         return;
     }
-    volts += (mechanics.supplyVolts(config.surroundings) * 10.0 - volts) * voltShare;
+    volts += (mechanics.supplyVolts(config.surroundings) * traits.rawPerVolt - volts) * voltShare;
     const bool watchVoltage = settings.maxVoltage != 0 || settings.minVoltage != 0;
     protection.update(settings, {duty, std::abs(sensedCurrent()), volts, celsius}, watchVoltage);
-    if (protection.overcurrentTripped() && settings.torqueSwitch != 0) {
+    if (settings.release == Release::Command && protection.overcurrentTripped() &&
+        settings.torqueSwitch != 0) {
         setTorque(0);
     }
 }

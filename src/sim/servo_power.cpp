@@ -1,145 +1,96 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a servo leaves the factory with, and what switching it off and on does.
+// Switching a servo off and on, and how it is spoken to.
 #include "sim/servo_state.h"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 
 namespace sim {
 namespace {
 using catalog::Role;
 
-/// Register 6; codes 8 and up only where the firmware has them. Source: baud code table of the
-/// Feetech protocol notes.
-constexpr std::array<int, 12> baudRates{1000000, 500000, 250000, 128000, 115200, 76800,
-                                        57600,   38400,  19200,  14400,  9600,   4800};
+/// Registers that power-on loads with what another one holds, where a family has both.
+struct StartLoad {
+    const char* to;
+    const char* from;
+};
+constexpr StartLoad startLoads[] = {
+    {"torque_limit", "max_torque"},           {"torque_limit", "torque_limit_default"},
+    {"acceleration", "acceleration_default"}, {"goal_speed", "speed_default"},
+    {"goal_current", "protection_current"},
+};
+constexpr StartLoad positionGains[] = {
+    {"kp", "position_p"},
+    {"kd", "position_d"},
+    {"ki", "position_i"},
+};
+constexpr StartLoad speedGains[] = {
+    {"kp", "speed_p"},
+    {"kd", "position_d"},
+    {"ki", "speed_i"},
+};
 
-std::optional<int> baudCode(int rate)
+template <std::size_t count>
+void carryOut(const StartLoad (&loads)[count], const catalog::Profile& profile,
+              const RegisterMap& map, Memory& memory)
 {
-    const auto found = std::find(baudRates.begin(), baudRates.end(), rate);
-    return found == baudRates.end() ? std::nullopt
-                                    : std::optional<int>(int(found - baudRates.begin()));
-}
-
-/// Values that make this servo this servo, whatever the sheet's default is.
-std::optional<int> ownValue(Role role, const catalog::Profile& profile, const ServoConfig& config)
-{
-    switch (role) {
-    case Role::FirmwareMajor:
-        return profile.identity.firmwareMajor;
-    case Role::FirmwareMinor:
-        return profile.identity.firmwareMinor;
-    case Role::ByteOrder:
-        return profile.byteOrder == base::ByteOrder::Big ? 1 : 0;
-    case Role::ModelMajor:
-        return profile.identity.modelMajor;
-    case Role::ModelMinor:
-        return profile.identity.modelMinor;
-    case Role::Id:
-        return config.id;
-    case Role::BaudRate: {
-        const int factory = profile.defaultBaud.value_or(1000000);
-        const auto code = baudCode(config.baud.value_or(factory));
-        return code ? code : baudCode(factory);
-    }
-    case Role::ReturnDelay:
-        return config.returnDelayRaw;
-    default:
-        return std::nullopt;
+    for (const StartLoad& load : loads) {
+        const Field from = fieldOf(profile, QString::fromLatin1(load.from));
+        if (from.exists()) {
+            map.put(memory, fieldOf(profile, QString::fromLatin1(load.to)), map.read(memory, from));
+        }
     }
 }
 
-/// What the sheet does not know and the kind of servo decides.
-int typicalValue(Role role, const ServoType& type)
+/// Where gravity lets the load hang: the middle of the range.
+double midRange(const catalog::Profile& profile, const ServoTraits& traits)
 {
-    switch (role) {
-    case Role::MaxVoltage:
-        return type.maxVoltageRaw;
-    case Role::MinVoltage:
-        return type.minVoltageRaw;
-    case Role::Phase:
-        return type.phase;
-    case Role::PositionP:
-        return 32;
-    case Role::PositionD:
-        return type.positionD;
-    case Role::UnloadCondition:
-        return type.unloadCondition;
-    case Role::LedCondition:
-        return type.ledCondition;
-    case Role::SpeedP:
-        return type.speedP;
-    case Role::SpeedI:
-        return type.speedI;
-    case Role::ResponseLevel:
-    case Role::Lock:
-    case Role::AngleResolution:
-        return 1;
-    case Role::MaxTemperature:
-        return 70;
-    case Role::MaxTorque:
-    case Role::TorqueLimit:
-        return 1000;
-    default:
-        return 0;
-    }
-}
-
-/// Read-only figures of the factory area, shown but not used by the simulation.
-int factoryValue(const catalog::Register& reg, int maxSpeed)
-{
-    const QString& key = reg.key;
-    if (reg.writable()) {
-        return 0;
-    }
-    if (key == QLatin1String("max_speed_limit")) {
-        return std::min(255, maxSpeed / 50);
-    }
-    if (key == QLatin1String("acceleration_limit")) {
-        return 254;
-    }
-    if (key == QLatin1String("d_control_time")) {
-        return 20;
-    }
-    return key == QLatin1String("acceleration_multiplier") ? 0 : 1;
-}
-
-double midRange(const catalog::Profile& profile)
-{
-    return 0.5 * profile.stepsPerTurn / stepsPerRadian(profile);
+    return 0.5 * profile.stepsPerTurn / traits.stepsPerRadian;
 }
 } // namespace
 
 VirtualServo::State::State(catalog::ProfilePtr ownProfile, const ServoConfig& ownConfig)
     : profile(std::move(ownProfile))
     , config(ownConfig)
+    , traits(traitsOf(*profile))
     , type(servoType(*profile))
     , map(*profile)
+    , secondaryId(fieldOf(*profile, QStringLiteral("secondary_id")))
     , memory(*profile)
     , mechanics(driveOf(type), config.gearPlayDegrees * std::numbers::pi / 180.0,
-                config.initialDegrees * std::numbers::pi / 180.0, midRange(*profile))
-    , encoder(stepsPerRadian(*profile), !isScs(*profile), config.seed)
+                config.initialDegrees * std::numbers::pi / 180.0, midRange(*profile, traits))
+    , encoder(traits, config.seed)
+    , baud(profile->defaultBaud.value_or(1000000))
     , celsius(config.surroundings.ambientCelsius)
 {
     fillFactoryValues();
     switchOn();
 }
 
-void VirtualServo::State::fillFactoryValues()
+std::optional<ServoAnswer> VirtualServo::State::handle(const ServoRequest& request)
 {
-    const int maxSpeed = maximumSpeed(type, *profile);
-    for (const catalog::Register& reg : profile->registers) {
-        std::int64_t value = reg.defaultRaw.value_or(
-            reg.role == Role::None ? factoryValue(reg, maxSpeed) : typicalValue(reg.role, type));
-        value = ownValue(reg.role, *profile, config).value_or(int(value));
-        const base::Bytes bytes =
-            base::writeUnsigned(std::uint64_t(std::max<std::int64_t>(0, value)),
-                                std::size_t(reg.size), profile->byteOrder);
-        for (std::size_t i = 0; i < bytes.size() && reg.offset + int(i) < Memory::size; ++i) {
-            memory.setInitial(reg.offset + int(i), bytes[i]);
-        }
+    if (!alive() || deafLeft.count() > 0) {
+        return std::nullopt;
     }
+    // It speaks before it writes; the shortest reply has six bytes of ten bits.
+    const base::Duration answerTime = replyDelay() + base::Duration(60'000'000 / baud);
+    epromWritten = false;
+    std::optional<ServoAnswer> reply;
+    switch (profile->protocol) {
+    case base::Protocol::Feetech:
+        reply = handleFeetech(request);
+        break;
+    case base::Protocol::Modbus:
+        reply = handleModbus(request);
+        break;
+    case base::Protocol::Lx:
+        reply = handleLx(request);
+        break;
+    }
+    if (epromWritten) {
+        deafLeft = config.epromTime + (reply ? answerTime : base::Duration());
+    }
+    return reply;
 }
 
 void VirtualServo::State::switchOff()
@@ -147,21 +98,50 @@ void VirtualServo::State::switchOff()
     settings.torqueSwitch = 0;
     duty = 0;
     held.reset();
+    moveStored = false;
     moving = false;
     deafLeft = {};
     rebootLeft = {};
 }
 
+void VirtualServo::State::restart()
+{
+    switchOff();
+    rebootLeft = std::max(config.rebootTime, base::Duration(1));
+}
+
+void VirtualServo::State::loadDefaults()
+{
+    // Fast until told otherwise, as a Feetech servo starts.
+    if (!traits.lx) {
+        settings = readSettings(memory, map, *profile, traits, type);
+        map.put(memory, Role::GoalSpeed, settings.maxSpeed / settings.speedUnit);
+    }
+    carryOut(startLoads, *profile, map, memory);
+    loadGains();
+    settings = readSettings(memory, map, *profile, traits, type);
+}
+
+/// HLS: what acts now depends on the mode.
+void VirtualServo::State::loadGains()
+{
+    if (!traits.liveGains) {
+        return;
+    }
+    if (settings.mode == DriveMode::Speed) {
+        carryOut(speedGains, *profile, map, memory);
+    } else {
+        carryOut(positionGains, *profile, map, memory);
+    }
+}
+
 void VirtualServo::State::switchOn()
 {
     memory.powerOn();
-    map.put(memory, Role::TorqueLimit, map.read(memory, Role::MaxTorque));
-    settings = readSettings(memory, map, *profile, type);
-    map.put(memory, Role::GoalSpeed, settings.maxSpeed / (settings.fineSpeed ? 1 : 50));
-    settings = readSettings(memory, map, *profile, type);
+    loadDefaults();
     takeBaud();
     protection.reset();
-    volts = mechanics.supplyVolts(config.surroundings) * 10.0;
+    volts = mechanics.supplyVolts(config.surroundings) * traits.rawPerVolt;
     encoder.settle(mechanics.angle());
     counted = encoder.sample(mechanics.angle(), ticks);
     speed = shownSpeed = 0;
@@ -169,22 +149,37 @@ void VirtualServo::State::switchOn()
     rebase();
     controller.energise(position);
     stepGoal = position;
+    restGoal.reset();
 }
 
+/// A family without a baud register has one rate.
 void VirtualServo::State::takeBaud()
 {
+    const catalog::Register* codes = profile->byRole(Role::BaudRate);
+    if (codes == nullptr) {
+        return;
+    }
     const int code = map.read(memory, Role::BaudRate);
-    if (code < int(baudRates.size())) {
-        baud = baudRates[std::size_t(code)];
+    for (const catalog::NamedValue& value : codes->values) {
+        if (value.value == code) {
+            baud = value.key.toInt();
+        }
     }
 }
 
+/// SMS and SMCL count in 2 µs and act upon 1–49 like 50; Modbus counts in 1 µs from the silence
+/// after the request on. The turn-around of an LX servo is not published.
 base::Duration VirtualServo::State::replyDelay() const
 {
     constexpr base::Duration shortest(40);
-    const int raw = isSms(*profile) ? map.read(memory, Role::ReturnDelay) : 0;
+    constexpr base::Duration lxTurnAround(300);
+    const Field& field = map.at(Role::ReturnDelay);
+    if (traits.modbus) {
+        return base::Duration(map.read(memory, field));
+    }
+    const int raw = field.exists() ? map.read(memory, field) : 0;
     if (raw == 0) {
-        return shortest;
+        return traits.lx ? lxTurnAround : shortest;
     }
     return base::Duration(2 * std::max(raw, 50));
 }

@@ -15,16 +15,23 @@ constexpr double slowestShown = 50; ///< step/s, the resolution of the measured 
 struct VirtualServo::State {
     State(catalog::ProfilePtr profile, const ServoConfig& config);
 
-    // servo_power.cpp
+    // servo_factory.cpp
     void fillFactoryValues();
+
+    // servo_power.cpp
+    std::optional<ServoAnswer> handle(const ServoRequest& request);
     void switchOff();
     void switchOn();
+    void restart(); ///< by request: deaf for the reboot time
+    void loadDefaults();
+    void loadGains();
     void takeBaud();
     bool alive() const { return powered && rebootLeft.count() == 0; }
     base::Duration replyDelay() const;
 
-    // servo_requests.cpp
-    std::optional<ServoAnswer> handle(const ServoRequest& request);
+    // feetech_front.cpp
+    Hears hears(int id, std::uint8_t instruction) const;
+    std::optional<ServoAnswer> handleFeetech(const ServoRequest& request);
     std::optional<ServoAnswer> answer(base::ByteView data = {}) const;
     std::optional<ServoAnswer> acknowledge(const ServoRequest& request, int oldId, int oldLevel);
     std::optional<ServoAnswer> readTable(base::ByteView params);
@@ -34,14 +41,28 @@ struct VirtualServo::State {
     void carryOutHeld();
     bool calibrate(base::ByteView params);
 
+    // modbus_front.cpp
+    std::optional<ServoAnswer> handleModbus(const ServoRequest& request);
+
+    // lx_front.cpp
+    std::optional<ServoAnswer> handleLx(const ServoRequest& request);
+    std::optional<ServoAnswer> readLx(const ServoRequest& request);
+    void writeLx(std::uint8_t command, base::ByteView params);
+    bool acceptsLx(const catalog::Block& block, base::ByteView params) const;
+    void startStored();
+    void stopMove();
+
     // servo_writes.cpp
     void write(int address, base::ByteView data);
     void restore();
     void backup();
     void makePresent(int position);
     void applyChanges(int address, int count);
-    void switchTorque();
-    void command();
+    void followId();
+    void changeMode(DriveMode before);
+    void switchTorque(int before);
+    void resetFaults();
+    void command(bool energise);
     void setTorque(int value);
     double commandDirection() const;
 
@@ -56,16 +77,23 @@ struct VirtualServo::State {
     void rebase();
     double positionGoal() const;
     double topSpeed() const;
+    double drive(double limit);
+    double withinCurrentLimit(double wanted) const;
+    void holdHere();
 
     // servo_feedback.cpp
     void publish();
     double sensedCurrent() const; ///< 6.5 mA units
+    int shownStatus() const;
+    int shownMoving() const;
     bool led() const;
 
     catalog::ProfilePtr profile;
     ServoConfig config;
+    ServoTraits traits;
     ServoType type;
     RegisterMap map;
+    Field secondaryId; ///< HLS
     Memory memory;
     Mechanics mechanics;
     Encoder encoder;
@@ -89,10 +117,11 @@ struct VirtualServo::State {
     double duty = 0;           ///< towards larger positions positive
     Bridge bridge = Bridge::Open;
     double celsius = 25;
-    double volts = 0;
+    double volts = 0; ///< as the voltage registers count
 
-    double stepGoal = 0;   ///< step mode: where the sum of all moves leads
-    double timedSpeed = 0; ///< SCS: speed that makes the running time of this move
+    double stepGoal = 0;            ///< step mode: where the sum of all moves leads
+    double timedSpeed = 0;          ///< SCS, LX: speed that makes the running time of this move
+    std::optional<double> restGoal; ///< LX: holds here instead of at the goal register
     bool moving = false;
     int stillTicks = 0; ///< path ended and shaft still
     int restTicks = 0;  ///< mechanics at rest with an open bridge
@@ -103,5 +132,6 @@ struct VirtualServo::State {
         base::Bytes data;
     };
     std::optional<Held> held; ///< REG WRITE waiting for ACTION
+    bool moveStored = false;  ///< LX: 7 waiting for 11
 };
 } // namespace sim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/servo_types.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,7 +10,8 @@ namespace {
 constexpr double radPerSecondPerRpm = 2.0 * std::numbers::pi / 60.0;
 constexpr double newtonMetresPerKgCm = 0.0980665;
 
-/// Data-sheet figures of models a bench is likely to see.
+/// Data-sheet figures of models a bench is likely to see. Currents of LX servos are typical values
+/// for their size.
 struct Known {
     const char* model;
     double volts;
@@ -23,11 +25,50 @@ constexpr Known knownTypes[] = {
     {"STS3032", 6.0, 4.5, 110.0, 1.2, 0.12},   {"SM40BLHV", 12.0, 40.0, 65.0, 3.8, 0.25},
     {"SM45BLHV", 24.0, 45.0, 60.0, 2.2, 0.15}, {"SCS15", 6.0, 15.0, 62.0, 1.6, 0.13},
     {"SCS0009", 6.0, 2.3, 100.0, 0.8, 0.08},   {"SCS215", 6.0, 15.0, 60.0, 1.8, 0.13},
+    {"LX-16A", 7.4, 17.0, 62.0, 2.4, 0.10},    {"LX-224", 7.4, 20.0, 55.0, 2.8, 0.12},
+    {"LX-224HV", 11.1, 20.0, 53.0, 1.9, 0.10}, {"LX-824HV", 11.1, 17.0, 55.0, 1.7, 0.10},
+    {"HTS-35H", 11.1, 35.0, 55.0, 2.9, 0.15},
 };
+
+/// What a series is like, and the factory values its sheet leaves open: seen on one of its servos
+/// where there are reports, typical otherwise. Of SMCL and SCS2 no bit of the phase is known, of
+/// Modbus no factory value at all.
+struct Series {
+    const char* key;
+    double stallTorque; ///< N·m
+    double noLoadRpm;
+    double stallAmps;
+    double noLoadAmps;
+    double minVoltage;
+    int phase;
+    int positionP;
+    int positionD;
+    int unloadCondition;
+    int ledCondition;
+};
+constexpr Series seriesFigures[] = {
+    {"STS", 1.91, 55.0, 2.4, 0.15, 4.0, 12, 32, 32, 44, 45},
+    {"SCS", 15.0 * newtonMetresPerKgCm, 60.0, 1.6, 0.13, 2.5, 8, 32, 0, 37, 37},
+    {"SCS2", 15.0 * newtonMetresPerKgCm, 60.0, 1.6, 0.13, 4.0, 0, 32, 0, 37, 37},
+    {"SMS", 40.0 * newtonMetresPerKgCm, 65.0, 3.8, 0.25, 7.0, 44, 32, 32, 44, 45},
+    {"SMCL", 60.0 * newtonMetresPerKgCm, 45.0, 4.0, 0.25, 8.0, 0, 32, 0, 37, 37},
+    {"SMSMB", 40.0 * newtonMetresPerKgCm, 65.0, 3.8, 0.25, 7.0, 0, 32, 32, 47, 47},
+    {"HLS", 25.0 * newtonMetresPerKgCm, 60.0, 3.0, 0.18, 4.0, 0, 32, 40, 13, 13},
+    {"LX", 17.0 * newtonMetresPerKgCm, 60.0, 2.4, 0.12, 4.5, 0, 60, 8, 0, 7},
+};
+
+/// LX servos of the 11.1 V class carry it in their names only.
+bool highVoltageName(const catalog::Profile& profile)
+{
+    const QString& name = profile.modelName;
+    return profile.protocol == base::Protocol::Lx &&
+           (name.endsWith(QLatin1Char('H')) || name.endsWith(QLatin1String("HV")));
+}
 
 double nominalVolts(const catalog::Profile& profile)
 {
-    const double top = profile.maxVoltage.value_or(isSms(profile) ? 12.6 : 7.4);
+    const bool high = profile.line == catalog::Line::Rs485 || highVoltageName(profile);
+    const double top = profile.maxVoltage.value_or(high ? 12.6 : 7.4);
     if (top > 16.0) {
         return 24.0;
     }
@@ -37,40 +78,51 @@ double nominalVolts(const catalog::Profile& profile)
     return top < 6.5 ? 6.0 : 7.4;
 }
 
-int maxVoltageRaw(double nominal, const catalog::Profile& profile)
+double highestVoltage(double nominal, const catalog::Profile& profile)
 {
     if (nominal > 16.0) {
-        return 254;
+        return 25.4;
     }
     if (nominal > 9.0) {
-        return 140;
+        return 14.0;
     }
-    return profile.maxVoltage.value_or(7.4) > 8.0 ? 90 : 80;
+    return profile.maxVoltage.value_or(7.4) > 8.0 ? 9.0 : 8.0;
+}
+
+/// A sheet says it, or the table has a register for it.
+bool sensesCurrent(const catalog::Profile& profile)
+{
+    return profile.currentSensing != catalog::CurrentSensing::No &&
+           profile.byRole(catalog::Role::PresentCurrent) != nullptr;
 }
 
 ServoType seriesType(const catalog::Profile& profile)
 {
     ServoType type;
-    if (isScs(profile)) {
-        type.stallTorque = 15.0 * newtonMetresPerKgCm;
-        type.noLoadRpm = 60.0;
-        type.stallAmps = 1.6;
-        type.noLoadAmps = 0.13;
-        type.phase = 8;
-        type.positionD = 0;
-        type.unloadCondition = 37;
-        type.ledCondition = 37;
-        type.minVoltageRaw = 25;
-        type.currentSensing = profile.modelName == QLatin1String("SCS40");
-    } else if (isSms(profile)) {
-        type.stallTorque = 40.0 * newtonMetresPerKgCm;
-        type.noLoadRpm = 65.0;
-        type.stallAmps = 3.8;
-        type.noLoadAmps = 0.25;
-        type.phase = 44;
-        type.minVoltageRaw = 70;
+    for (const Series& series : seriesFigures) {
+        if (profile.series == QLatin1String(series.key)) {
+            type.stallTorque = series.stallTorque;
+            type.noLoadRpm = series.noLoadRpm;
+            type.stallAmps = series.stallAmps;
+            type.noLoadAmps = series.noLoadAmps;
+            type.minVoltage = series.minVoltage;
+            type.phase = series.phase;
+            type.positionP = series.positionP;
+            type.positionD = series.positionD;
+            type.unloadCondition = series.unloadCondition;
+            type.ledCondition = series.ledCondition;
+        }
     }
     type.nominalVolts = nominalVolts(profile);
+    type.currentSensing = sensesCurrent(profile);
+    if (const catalog::Register* limit = profile.byRole(catalog::Role::ProtectionCurrent)) {
+        type.largestCurrent = int(limit->max.value_or(type.largestCurrent));
+    }
+    if (const catalog::Register* moving = profile.byRole(catalog::Role::Moving)) {
+        type.movingBits = moving->encoding == catalog::Encoding::Bits;
+    }
+    // Bench notes on the HD-1910: it leaves the factory in mode 4.
+    type.mode = profile.modelName == QLatin1String("HD-1910") ? 4 : 0;
     return type;
 }
 } // namespace
@@ -92,7 +144,7 @@ ServoType servoType(const catalog::Profile& profile)
             type.noLoadAmps = known.noLoadAmps;
         }
     }
-    type.maxVoltageRaw = maxVoltageRaw(type.nominalVolts, profile);
+    type.maxVoltage = highestVoltage(type.nominalVolts, profile);
     // A small case sheds less heat: scale with the copper loss it was built for.
     const double stallWatts = type.nominalVolts * type.stallAmps;
     type.thermalResistance = 14.0 * std::sqrt(18.0 / stallWatts);
@@ -118,24 +170,8 @@ Drive driveOf(const ServoType& type)
     return drive;
 }
 
-int maximumSpeed(const ServoType& type, const catalog::Profile& profile)
+int maximumSpeed(const ServoType& type, const ServoTraits& traits)
 {
-    return int(0.78 * type.noLoadSpeed() * stepsPerRadian(profile) / 50.0) * 50;
-}
-
-double stepsPerRadian(const catalog::Profile& profile)
-{
-    const double degrees = isScs(profile) ? profile.angleRangeDeg.value_or(300.0) : 360.0;
-    return profile.stepsPerTurn * 180.0 / (degrees * std::numbers::pi);
-}
-
-bool isScs(const catalog::Profile& profile)
-{
-    return profile.series == QLatin1String("SCS");
-}
-
-bool isSms(const catalog::Profile& profile)
-{
-    return profile.series == QLatin1String("SMS");
+    return int(0.78 * type.noLoadSpeed() * traits.stepsPerRadian / 50.0) * 50;
 }
 } // namespace sim

@@ -5,7 +5,7 @@
 // of them.
 #pragma once
 
-#include "catalog/profile.h"
+#include "sim/servo_traits.h"
 
 namespace sim {
 /// Data-sheet figures, at nominal volts and seen at the output shaft.
@@ -19,14 +19,18 @@ struct ServoType {
     double thermalResistance = 14.0; ///< K/W, winding to air
     double thermalTime = 240.0;      ///< s
     bool currentSensing = true;
-    int maxVoltageRaw = 80; ///< register 14, 0.1 V
-    int minVoltageRaw = 40; ///< register 15
-    int phase = 12;         ///< register 18: step/s, goal speed 0 = maximum
+    int largestCurrent = 511; ///< what its current register can show
+    bool movingBits = false;  ///< the moving register has a flag for each sense of the word
+    double maxVoltage = 8.0;  ///< limits it leaves the factory with
+    double minVoltage = 4.0;
+    int phase = 12; ///< register 18: step/s, goal speed 0 = maximum
+    int positionP = 32;
     int positionD = 32;
     int unloadCondition = 44;
     int ledCondition = 45;
     int speedP = 10;
     int speedI = 200;
+    int mode = 0; ///< operating mode
 
     double noLoadSpeed() const; ///< rad/s
 };
@@ -51,11 +55,5 @@ Drive driveOf(const ServoType& type);
 
 /// Fastest goal speed the firmware accepts, step/s: what it can keep up at nominal volts with a
 /// duty below the usual overload threshold.
-int maximumSpeed(const ServoType& type, const catalog::Profile& profile);
-
-/// Steps of the position sensor for one radian of the shaft.
-double stepsPerRadian(const catalog::Profile& profile);
-
-bool isScs(const catalog::Profile& profile); ///< potentiometer, 1024 steps, high byte first
-bool isSms(const catalog::Profile& profile);
+int maximumSpeed(const ServoType& type, const ServoTraits& traits);
 } // namespace sim

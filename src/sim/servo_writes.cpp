@@ -3,15 +3,14 @@
 #include "sim/servo_state.h"
 
 #include <algorithm>
+#include <array>
 
 namespace sim {
 using catalog::Role;
 
 void VirtualServo::State::write(int address, base::ByteView data)
 {
-    const bool keep = !settings.locked;
-    const bool eprom = memory.write(address, data, keep);
-    epromWritten = epromWritten || (eprom && keep);
+    epromWritten = memory.write(address, data, settings.unlocked) || epromWritten;
     applyChanges(address, int(data.size()));
 }
 
@@ -19,7 +18,7 @@ void VirtualServo::State::write(int address, base::ByteView data)
 /// so it is acknowledged without effect.
 void VirtualServo::State::restore()
 {
-    if (!settings.locked) {
+    if (settings.unlocked != Unlocked::Nothing) {
         memory.restore(map.at(Role::Id).address);
         epromWritten = true;
         applyChanges(0, map.at(Role::TorqueSwitch).address);
@@ -28,7 +27,7 @@ void VirtualServo::State::restore()
 
 void VirtualServo::State::backup()
 {
-    if (!settings.locked) {
+    if (settings.unlocked != Unlocked::Nothing) {
         memory.backup();
         epromWritten = true;
     }
@@ -37,33 +36,60 @@ void VirtualServo::State::backup()
 void VirtualServo::State::applyChanges(int address, int count)
 {
     const auto touched = [&](Role role) { return map.at(role).touches(address, count); };
-    const DriveMode modeBefore = settings.mode;
-    const int offsetBefore = settings.offset;
-    const bool reversedBefore = settings.reversed;
+    const Settings before = settings;
     const double goalBefore = positionGoal();
-    settings = readSettings(memory, map, *profile, type);
+    settings = readSettings(memory, map, *profile, traits, type);
 
+    if (settings.id != before.id && !secondaryId.touches(address, count)) {
+        followId();
+    }
     if (touched(Role::OperatingMode)) {
-        setTorque(0);
+        changeMode(before.mode);
     }
     if (touched(Role::BaudRate) && !config.baudAfterRestart) {
         takeBaud();
     }
-    if (settings.offset != offsetBefore || settings.reversed != reversedBefore) {
+    if (settings.offset != before.offset || settings.reversed != before.reversed) {
         rebase();
     }
+    if (touched(Role::FaultReset)) {
+        resetFaults();
+    }
     if (touched(Role::TorqueSwitch)) {
-        switchTorque();
+        switchTorque(before.torqueSwitch);
     }
     if (touched(settings.command)) {
-        command();
+        command(!touched(Role::TorqueSwitch));
         moving = moving || positionGoal() != goalBefore;
         stillTicks = 0;
     }
-    if (settings.mode != modeBefore) {
+    if (settings.mode != before.mode) {
         moving = false;
     }
     restTicks = 0;
+}
+
+/// HLS: writing the ID also sets the second one, for as long as the ID itself stays.
+void VirtualServo::State::followId()
+{
+    if (secondaryId.exists()) {
+        const std::array<std::uint8_t, 1> id{std::uint8_t(settings.id)};
+        memory.write(secondaryId.address, id, settings.unlocked);
+    }
+}
+
+/// Feetech servos switch their torque off; an LX servo comes back from motor mode holding.
+void VirtualServo::State::changeMode(DriveMode before)
+{
+    if (traits.lx) {
+        if (settings.mode != before) {
+            holdHere();
+        }
+        return;
+    }
+    setTorque(0);
+    loadGains();
+    settings = readSettings(memory, map, *profile, traits, type);
 }
 
 void VirtualServo::State::setTorque(int value)
@@ -72,7 +98,7 @@ void VirtualServo::State::setTorque(int value)
     map.put(memory, Role::TorqueSwitch, value);
 }
 
-void VirtualServo::State::switchTorque()
+void VirtualServo::State::switchTorque(int before)
 {
     constexpr int centre = 128;
     constexpr int middle = 2048;
@@ -83,15 +109,44 @@ void VirtualServo::State::switchTorque()
     } else if (wanted > (profile->damping ? 2 : 1)) {
         setTorque(0);
     }
+    if (settings.torqueSwitch == 0) {
+        protection.torqueOff(settings);
+    }
+    if (traits.lx && settings.torqueSwitch == 1 && before != 1) {
+        holdHere();
+    }
 }
 
-/// The correction lands in register 31; it survives a power-off only with the lock open.
+/// Modbus 134: the bits return to 0 when it is done. Status bits of the faults it names.
+void VirtualServo::State::resetFaults()
+{
+    struct Reset {
+        int bit;
+        StatusBit fault;
+    };
+    static constexpr std::array<Reset, 5> resets{
+        {{0, OverloadBit}, {1, CurrentBit}, {5, VoltageBit}, {6, TemperatureBit}, {7, SensorBit}}};
+    constexpr int centre = 4;
+    constexpr int middle = 2048;
+    const int wanted = map.read(memory, Role::FaultReset);
+    for (const Reset& reset : resets) {
+        if ((wanted >> reset.bit & 1) != 0) {
+            protection.clear(reset.fault);
+        }
+    }
+    if ((wanted & centre) != 0) {
+        makePresent(middle);
+    }
+    map.put(memory, Role::FaultReset, 0);
+}
+
+/// The correction lands in the offset register; it survives a power-off only with the lock open.
 void VirtualServo::State::makePresent(int wanted)
 {
     if (!encoder.endless()) {
         return;
     }
-    const auto turn = std::int64_t(profile->stepsPerTurn);
+    const auto turn = std::int64_t(traits.turnSteps);
     const std::int64_t uncorrected = (settings.reversed ? turn - 1 - counted : counted) - wanted;
     std::int64_t offset = ((uncorrected % turn) + turn) % turn;
     if (offset >= turn / 2) {
@@ -107,16 +162,30 @@ double VirtualServo::State::commandDirection() const
         return settings.goalSpeed;
     case DriveMode::Pwm:
         return -settings.pwm;
+    case DriveMode::Current:
+        return -settings.goalAmps;
     default:
         return positionGoal() - position;
     }
 }
 
-/// A write to the register that drives the present mode: it energises, releases protections and, in
-/// step mode, adds to the goal each time it is sent.
-void VirtualServo::State::command()
+void VirtualServo::State::holdHere()
 {
-    if (settings.mode == DriveMode::Step && settings.limitsZero) {
+    restGoal = position;
+    moving = false;
+    controller.energise(position);
+}
+
+/// A write to the register that drives the present mode: it energises, unless the write says itself
+/// what the torque shall be, releases protections and, in step mode, adds to the goal each time it
+/// is sent. An LX servo obeys only when it is loaded.
+void VirtualServo::State::command(bool energise)
+{
+    if (traits.lx && settings.torqueSwitch != 1) {
+        return;
+    }
+    restGoal.reset();
+    if (settings.mode == DriveMode::Step && (settings.limitsZero || traits.modbus)) {
         constexpr double farthest = 30719;
         stepGoal = std::clamp(stepGoal + settings.goalPosition, -farthest, farthest);
     }
@@ -125,9 +194,11 @@ void VirtualServo::State::command()
     } else {
         timedSpeed = 0;
     }
-    if (protection.commanded(commandDirection())) {
+    if (protection.commanded(settings, commandDirection())) {
         controller.energise(position);
     }
-    setTorque(1);
+    if (energise && settings.goalEnergises) {
+        setTorque(1);
+    }
 }
 } // namespace sim

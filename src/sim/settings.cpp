@@ -1,121 +1,199 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/settings.h"
 
+#include "catalog/value.h"
+#include "sim/protection.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace sim {
 namespace {
 using catalog::Role;
 
-constexpr int speedStep = 50; ///< step/s of the coarse speed unit
+constexpr int never = 1 << 20;               ///< duty, ms or current that is not reached
+constexpr double ampsPerUnit = 0.0065;       ///< of the current registers
+constexpr double stepsPerAcceleration = 100; ///< step/s² of one raw, in every family
 
 struct Reader {
     const Memory& memory;
     const RegisterMap& map;
+    const catalog::Profile& profile;
+    const ServoTraits& traits;
+
     int operator()(Role role, int fallback = 0) const { return map.read(memory, role, fallback); }
+
+    int byKey(const QString& key) const
+    {
+        const catalog::Register* reg = profile.find(key);
+        return reg == nullptr ? 0 : map.read(memory, fieldOf(*reg));
+    }
+    catalog::Meaning meaning(const catalog::Register& reg) const
+    {
+        return catalog::meaningOf(reg, profile, [this](const QString& key) { return byKey(key); });
+    }
+    /// With what the mode makes of the register.
+    int meant(Role role) const
+    {
+        const catalog::Register* reg = profile.byRole(role);
+        if (reg == nullptr) {
+            return 0;
+        }
+        return int(catalog::decodeRaw(memory.view(reg->offset, reg->size), *reg, meaning(*reg),
+                                      profile.byteOrder));
+    }
+    /// A percentage as duty, whatever the register counts in.
+    int duty(Role role, int fallback) const
+    {
+        return map.at(role).exists() ? int(std::lround(map.physical(memory, role) * 10.0))
+                                     : fallback;
+    }
+    int milliseconds(Role role, int fallback) const
+    {
+        return int(std::lround(map.physical(memory, role, fallback)));
+    }
 };
 
-/// 44 is magnitude and bit 10 wherever it drives the motor, whatever else it is in other modes.
-int pwmWord(int word)
-{
-    const int magnitude = std::min(word & 0x3FF, 1000);
-    return (word & 0x400) != 0 ? -magnitude : magnitude;
-}
-
-void readMode(Settings& s, const Reader& read, bool scs)
+void readMode(Settings& s, const Reader& read)
 {
     s.minAngle = read(Role::MinAngle);
     s.maxAngle = read(Role::MaxAngle);
     s.limitsZero = s.minAngle == 0 && s.maxAngle == 0;
     s.torqueSwitch = read(Role::TorqueSwitch);
-    if (scs) {
-        s.mode = s.limitsZero ? DriveMode::Pwm : DriveMode::Position;
-    } else {
-        const int mode = read(Role::OperatingMode);
-        s.mode = mode <= int(DriveMode::Step) ? DriveMode(mode) : DriveMode::Position;
-    }
-    const bool hasPwm = read.map.at(Role::GoalPwm).exists();
-    switch (s.mode) {
-    case DriveMode::Speed:
-        s.command = Role::GoalSpeed;
-        break;
-    case DriveMode::Pwm:
-        s.command = hasPwm ? Role::GoalPwm : Role::GoalTime;
-        break;
-    default:
-        s.command = Role::GoalPosition;
-    }
-    const Role word44 = hasPwm ? Role::GoalPwm : Role::GoalTime;
-    s.pwm = pwmWord(read.map.readUnsigned(read.memory, word44));
-    s.goalTime = read.map.readUnsigned(read.memory, Role::GoalTime);
+    const ModeRule& mode = read.traits.modeOf(read(Role::OperatingMode), s.limitsZero);
+    s.mode = mode.drive;
+    s.command = mode.command;
+    s.releaseAtGoal = mode.release;
 }
 
-void readPhase(Settings& s, const Reader& read, bool scs, const ServoType& type, bool sts)
+void readPhase(Settings& s, const Reader& read, const ServoType& type)
 {
     const int phase = read(Role::Phase);
-    s.driveSign = (phase & 1) != 0 ? -1.0 : 1.0;
-    s.zeroSpeedIsMaximum = (phase & 8) != 0;
-    s.senseCurrent = type.currentSensing && !(sts && (phase & 32) != 0);
-    if (!scs) {
-        s.fineSpeed = (phase & 4) != 0;
-        s.fullAngle = (phase & 16) != 0;
-        s.reversed = (phase & 128) != 0;
+    const PhaseMasks& masks = read.traits.phase;
+    const auto has = [phase](int mask) { return (phase & mask) != 0; };
+    s.driveSign = has(masks.driveDirection) ? -1.0 : 1.0;
+    s.reversed = has(masks.feedbackDirection);
+    s.fullAngle = has(masks.fullAngle);
+    s.zeroSpeedIsMaximum =
+        !read.traits.zeroSpeedStops && (masks.zeroIsMaximum == 0 || has(masks.zeroIsMaximum));
+    s.senseCurrent = type.currentSensing && !has(masks.integratedBridge);
+    s.goalEnergises = !read.traits.lx && !has(masks.torqueByCommand);
+    if (read.traits.modbus) {
+        s.release = has(masks.manualReset) ? Release::Cleared : Release::TurnBack;
     }
     s.offset = read(Role::PositionOffset);
     s.resolution = std::max(1, read(Role::AngleResolution, 1));
 }
 
-/// P counts a quarter and D an eighth (register sheet); D looks at the change of the error over the
-/// 20 ms of the firmware's D control time. What I counts is not published: 4 duty/s for each step.
-void readGains(Settings& s, const Reader& read)
+/// What moves it and how far. LX: the speed belongs to motor mode, a move has a time only.
+void readGoals(Settings& s, const Reader& read, const ServoType& type)
 {
-    s.positionP = read(Role::PositionP) / 4.0;
-    s.positionD = read(Role::PositionD) / 8.0 * 0.020;
-    s.positionI = read(Role::PositionI) * 4.0;
+    s.maxSpeed = maximumSpeed(type, read.traits);
+    if (const catalog::Register* speed = read.profile.byRole(Role::GoalSpeed)) {
+        const double degrees = 180.0 / M_PI / read.traits.stepsPerRadian;
+        const catalog::Meaning meaning = read.meaning(*speed);
+        s.speedUnit = meaning.unit == QLatin1String("rpm")
+                          ? std::max(1, int(std::lround(meaning.scale * 6.0 / degrees)))
+                          : 1;
+    }
+    if (!read.traits.lx) {
+        s.goalSpeed =
+            std::clamp(read.meant(Role::GoalSpeed) * s.speedUnit, -s.maxSpeed, s.maxSpeed);
+    }
+    s.goalPosition = read(Role::GoalPosition) * s.resolution;
+    s.goalTime = read(Role::GoalTime);
+    s.acceleration = read(Role::Acceleration) * stepsPerAcceleration;
+    if (s.mode == DriveMode::Pwm) {
+        // Positive PWM turns counter-clockwise on Feetech servos; LX does not say: forward.
+        const int pwm = std::clamp(read.meant(s.command), -1000, 1000);
+        s.pwm = read.traits.lx ? -pwm : pwm;
+    }
+    if (read.traits.currentLimited) {
+        s.goalAmps = read.meant(Role::GoalCurrent) * ampsPerUnit;
+        s.currentLimit = std::abs(s.goalAmps);
+    }
+    const Role limit =
+        read.map.at(Role::TorqueLimit).exists() ? Role::TorqueLimit : Role::MaxTorque;
+    s.torqueLimit = std::min(read(limit, 1000), 1000);
+}
+
+/// P counts a quarter and D an eighth (register sheet), HLS the other way round, as printed; D
+/// looks at the change of the error over the 20 ms of the firmware's D control time. What I counts
+/// is not published: 4 duty/s for each step. LX has no gains to read.
+void readGains(Settings& s, const Reader& read, const ServoType& type)
+{
+    constexpr double controlTime = 0.020;
+    const bool live = read.traits.liveGains;
+    const int kp = live ? read.byKey(QStringLiteral("kp")) : 0;
+    const int kd = live ? read.byKey(QStringLiteral("kd")) : 0;
+    const int ki = live ? read.byKey(QStringLiteral("ki")) : 0;
+    s.positionP = live ? kp / 8.0 : read(Role::PositionP, type.positionP) / 4.0;
+    s.positionD = (live ? kd / 4.0 : read(Role::PositionD, type.positionD) / 8.0) * controlTime;
+    s.positionI = live ? 0.0 : read(Role::PositionI) * 4.0;
     s.integralLimit = read(Role::IntegralLimit) * 4.0;
     s.startupForce = read(Role::StartupForce);
     s.cwDeadZone = read(Role::CwDeadZone);
     s.ccwDeadZone = read(Role::CcwDeadZone);
-    s.speedP = read(Role::SpeedP) * 0.02;
-    s.speedI = read(Role::SpeedI) * 0.02;
+    s.speedP = (live ? kp : read(Role::SpeedP)) * 0.02;
+    s.speedI = (live ? ki : read(Role::SpeedI)) * 0.02;
+}
+
+/// The LX mask has an order of its own. Its stall bit is not explained: full drive for a second.
+void readLxProtection(Settings& s, const Reader& read)
+{
+    const int mask = read(Role::LedCondition);
+    s.ledCondition = ((mask & 1) != 0 ? TemperatureBit : 0) | ((mask & 2) != 0 ? VoltageBit : 0) |
+                     ((mask & 4) != 0 ? OverloadBit : 0);
+    s.led = read(Role::Led) == 0;
+    s.unloadCondition = VoltageBit | TemperatureBit;
+    s.overloadDuty = 900;
+    s.overloadTime = 1000;
+    s.overcurrent = never;
 }
 
 void readProtection(Settings& s, const Reader& read)
 {
-    s.unloadCondition = read(Role::UnloadCondition);
-    s.ledCondition = read(Role::LedCondition);
     s.maxTemperature = read(Role::MaxTemperature);
     s.maxVoltage = read(Role::MaxVoltage);
     s.minVoltage = read(Role::MinVoltage);
-    s.overloadDuty = read(Role::OverloadTorque) * 10;
-    s.overloadTime = read(Role::ProtectionTime) * 10;
-    s.holdDuty = std::min(read(Role::ProtectionTorque) * 10, 1000);
-    constexpr int never = 1 << 20; // SCS has no overcurrent protection
+    if (read.traits.lx) {
+        readLxProtection(s, read);
+        return;
+    }
+    s.unloadCondition = read(Role::UnloadCondition);
+    s.ledCondition = read(Role::LedCondition);
+    s.led = s.ledCondition != 0;
+    // What a family has no register for it does not watch: HLS overload, SCS overcurrent.
+    s.overloadDuty = read.duty(Role::OverloadTorque, never);
+    s.overloadTime = read.milliseconds(Role::ProtectionTime, never);
+    s.holdDuty = std::min(read.duty(Role::ProtectionTorque, never), 1000);
     s.overcurrent = read(Role::ProtectionCurrent, never);
-    s.overcurrentTime = read(Role::OvercurrentTime) * 10;
+    s.overcurrentTime = read.milliseconds(Role::OvercurrentTime, never);
+}
+
+Unlocked unlockedBy(int lock, bool modbus)
+{
+    constexpr int factory = 128;
+    if (lock == 0) {
+        return Unlocked::Eprom;
+    }
+    return modbus && lock == factory ? Unlocked::Factory : Unlocked::Nothing;
 }
 } // namespace
 
 Settings readSettings(const Memory& memory, const RegisterMap& map, const catalog::Profile& profile,
-                      const ServoType& type)
+                      const ServoTraits& traits, const ServoType& type)
 {
-    const Reader read{memory, map};
-    const bool scs = isScs(profile);
+    const Reader read{memory, map, profile, traits};
     Settings s;
     s.id = read(Role::Id);
     s.responseLevel = read(Role::ResponseLevel, 1);
-    s.locked = read(Role::Lock, 1) != 0;
-    readMode(s, read, scs);
-    readPhase(s, read, scs, type, !scs && !isSms(profile));
-    readGains(s, read);
+    s.unlocked = unlockedBy(read(Role::Lock, 1), traits.modbus);
+    readMode(s, read);
+    readPhase(s, read, type);
+    readGoals(s, read, type);
+    readGains(s, read, type);
     readProtection(s, read);
-    const int unit = s.fineSpeed ? 1 : speedStep;
-    s.maxSpeed = maximumSpeed(type, profile);
-    s.goalSpeed = std::clamp(read(Role::GoalSpeed) * unit, -s.maxSpeed, s.maxSpeed);
-    s.goalPosition = read(Role::GoalPosition) * s.resolution;
-    s.acceleration = read(Role::Acceleration) * 100.0;
-    const Role limit = map.at(Role::TorqueLimit).exists() ? Role::TorqueLimit : Role::MaxTorque;
-    s.torqueLimit = std::min(read(limit, 1000), 1000);
     return s;
 }
 } // namespace sim

@@ -85,6 +85,8 @@ std::optional<base::Duration> VirtualBus::nextHostRun(base::Duration deadline)
     State& s = *m_state;
     const Nanos limit = toNanos(deadline);
     s.advance(std::min(limit, std::max(s.now, s.hostSpeaksUntil)));
+    if (const auto due = s.silenceDue(); due && *due <= limit && !s.replyUnderWay())
+        s.advance(*due);
     Nanos end = 0;
     if (!s.toHost.empty()) {
         end = s.toHost.front().runEnd;

@@ -10,8 +10,27 @@ constexpr std::size_t syncReadHead = 2; // address and count ahead of the IDs
 constexpr std::size_t statusOverhead = 6;
 /// Between the replies of a SYNC READ: 16 servos × 21 bytes at 1 Mbaud came 0.295 ms apart.
 constexpr Nanos syncReadGap = 85'000;
-/// How long a byte begun within a burst may last beyond its end, in bits of the slowest listener.
-constexpr double lingeringBits = 12;
+/// How long a byte begun within a burst may last beyond its end, or a silence after it, in bits of
+/// the slowest listener.
+constexpr double lingeringBits = 48;
+
+bool hasEarFor(const VirtualServo& servo, const ServoEar& ear)
+{
+    return servo.baud() == ear.baud() && servo.profile().protocol == ear.protocol();
+}
+
+base::Bytes encode(base::Protocol protocol, const ServoAnswer& answer)
+{
+    switch (protocol) {
+    case base::Protocol::Feetech:
+        return protocol::encodeFeetechStatus(answer.id, answer.status, answer.data);
+    case base::Protocol::Modbus:
+        return protocol::encodeModbusReply(answer.id, answer.function, answer.data);
+    case base::Protocol::Lx:
+        break;
+    }
+    return protocol::encodeLxReply(answer.id, answer.function, answer.data);
+}
 } // namespace
 
 // The clock may count from anywhere: the bus' own time begins with the first call.
@@ -30,9 +49,9 @@ void VirtualBus::State::advance(Nanos to)
     begin(to);
     if (to <= now)
         return;
-    Heard heard;
-    while (ServoEar* ear = nextEar(to, heard)) {
-        if (const auto frame = ear->take(heard))
+    ServoEar::Event event;
+    while (ServoEar* ear = nextEar(to, event)) {
+        if (const auto frame = ear->take(event))
             obey(*frame);
     }
     receiveForHost(to);
@@ -54,38 +73,64 @@ void VirtualBus::State::stepServos(Nanos to)
     }
 }
 
-// One ear for each rate that some servo listens at.
+// One ear for each rate and language that some servo listens in.
 void VirtualBus::State::tuneEars(Nanos at)
 {
     for (const Seat& seat : seats) {
-        const int baud = seat.servo.baud();
-        const bool known = std::any_of(ears.begin(), ears.end(),
-                                       [baud](const ServoEar& ear) { return ear.baud() == baud; });
+        const bool known = std::any_of(ears.begin(), ears.end(), [&seat](const ServoEar& ear) {
+            return hasEarFor(seat.servo, ear);
+        });
         if (!known)
-            ears.emplace_back(baud, at);
+            ears.emplace_back(seat.servo.profile().protocol, seat.servo.baud(), at);
     }
     std::erase_if(ears, [this](const ServoEar& ear) {
         return std::none_of(seats.begin(), seats.end(),
-                            [&ear](const Seat& seat) { return seat.servo.baud() == ear.baud(); });
+                            [&ear](const Seat& seat) { return hasEarFor(seat.servo, ear); });
     });
 }
 
-ServoEar* VirtualBus::State::nextEar(Nanos to, Heard& heard)
+ServoEar* VirtualBus::State::nextEar(Nanos to, ServoEar::Event& event)
 {
     ServoEar* first = nullptr;
     for (ServoEar& ear : ears) {
         const auto next = ear.peek(line);
-        if (next && next->end <= to && (first == nullptr || next->end < heard.end)) {
+        if (next && next->at <= to && (first == nullptr || next->at < event.at)) {
             first = &ear;
-            heard = *next;
+            event = *next;
         }
     }
     return first;
 }
 
-bool VirtualBus::State::listens(const Seat& seat, const HeardFrame& frame) const
+// The latest instant at which a silence may turn what has been heard so far into a request.
+std::optional<Nanos> VirtualBus::State::silenceDue() const
 {
-    return seat.servo.baud() == frame.baud && !seat.servo.deaf() && seat.deafUntil < frame.start;
+    std::optional<Nanos> latest;
+    for (const ServoEar& ear : ears) {
+        if (const auto due = ear.silenceDue(); due && (!latest || *due > *latest))
+            latest = due;
+    }
+    return latest;
+}
+
+bool VirtualBus::State::listens(std::size_t place, const HeardFrame& frame) const
+{
+    const Seat& seat = seats[place];
+    return seat.servo.profile().protocol == frame.protocol && seat.servo.baud() == frame.baud &&
+           !seat.servo.deaf() && seat.deafUntil < frame.start && quietBefore(place, frame);
+}
+
+// To a Modbus servo a request that follows another servo's reply too closely is part of that reply;
+// its own it does not hear.
+bool VirtualBus::State::quietBefore(std::size_t place, const HeardFrame& frame) const
+{
+    if (frame.protocol != base::Protocol::Modbus)
+        return true;
+    const Nanos from = frame.start - modbusSilence(frame.baud);
+    return std::none_of(line.bursts().begin(), line.bursts().end(), [&](const Burst& burst) {
+        return burst.speaker != hostSpeaker && burst.speaker != static_cast<int>(place) &&
+               burst.start < frame.start && burst.end() > from;
+    });
 }
 
 void VirtualBus::State::obey(const HeardFrame& frame)
@@ -93,20 +138,28 @@ void VirtualBus::State::obey(const HeardFrame& frame)
     stepServos(frame.end);
     if (dice.losesRequest(config.faults))
         return;
-    if (frame.content.instruction == syncReadInstruction) {
+    if (frame.protocol == base::Protocol::Feetech &&
+        frame.content.instruction == syncReadInstruction)
         obeySyncRead(frame);
-    } else {
-        ServoRequest request;
-        request.broadcast = frame.content.id == protocol::broadcastId;
-        request.instruction = frame.content.instruction;
-        request.params = frame.content.params;
-        for (std::size_t place = 0; place < seats.size(); ++place) {
-            const Seat& seat = seats[place];
-            if (listens(seat, frame) && (request.broadcast || seat.servo.id() == frame.content.id))
-                ask(place, request, frame.end, std::nullopt);
-        }
-    }
+    else
+        obeyRequest(frame);
     tuneEars(frame.end);
+}
+
+void VirtualBus::State::obeyRequest(const HeardFrame& frame)
+{
+    const bool toAll = frame.content.id == protocol::broadcastId;
+    ServoRequest request;
+    request.instruction = frame.content.instruction;
+    request.params = frame.content.params;
+    for (std::size_t place = 0; place < seats.size(); ++place) {
+        if (!listens(place, frame))
+            continue;
+        const Hears hears = seats[place].servo.hears(frame.content.id, request.instruction);
+        request.broadcast = toAll || hears == Hears::Silently;
+        if (toAll || hears != Hears::No)
+            ask(place, request, frame.end, std::nullopt);
+    }
 }
 
 // Each listed servo speaks after the one before it; where one is missing, its time passes unused.
@@ -126,8 +179,7 @@ void VirtualBus::State::obeySyncRead(const HeardFrame& frame)
         const bool leads = request.syncReadIndex == 0;
         std::optional<Nanos> spokenUntil;
         for (std::size_t place = 0; place < seats.size(); ++place) {
-            const Seat& seat = seats[place];
-            if (!listens(seat, frame) || seat.servo.id() != params[index])
+            if (!listens(place, frame) || seats[place].servo.id() != params[index])
                 continue;
             const auto end = ask(place, request, frame.end,
                                  leads ? std::nullopt : std::optional(turn + syncReadGap));
@@ -154,7 +206,7 @@ std::optional<Nanos> VirtualBus::State::ask(std::size_t place, const ServoReques
     const std::vector<int>& mute = config.faults.muteIds;
     if (!answer || cut || std::find(mute.begin(), mute.end(), id) != mute.end())
         return std::nullopt;
-    auto frame = protocol::encodeFeetechStatus(answer->id, answer->status, answer->data);
+    auto frame = encode(seat.servo.profile().protocol, *answer);
     const auto lateness = dice.spoil(frame, config.faults);
     if (!lateness)
         return std::nullopt;
@@ -174,6 +226,11 @@ void VirtualBus::State::receiveForHost(Nanos to)
         if (!cut)
             toHost.push_back({heard->end + latency(), heard->burstEnd + latency(), heard->value});
     }
+}
+
+bool VirtualBus::State::replyUnderWay() const
+{
+    return !toHost.empty() || hostReceiver.peek(line).has_value();
 }
 
 void VirtualBus::State::forgetPast()

@@ -62,13 +62,17 @@ struct VirtualBus::State {
     void advance(Nanos to);
     void stepServos(Nanos to);
     void tuneEars(Nanos at);
-    ServoEar* nextEar(Nanos to, Heard& heard);
+    ServoEar* nextEar(Nanos to, ServoEar::Event& event);
+    std::optional<Nanos> silenceDue() const;
     void obey(const HeardFrame& frame);
+    void obeyRequest(const HeardFrame& frame);
     void obeySyncRead(const HeardFrame& frame);
     std::optional<Nanos> ask(std::size_t place, const ServoRequest& request, Nanos at,
                              std::optional<Nanos> notBefore);
-    bool listens(const Seat& seat, const HeardFrame& frame) const;
+    bool listens(std::size_t place, const HeardFrame& frame) const;
+    bool quietBefore(std::size_t place, const HeardFrame& frame) const;
     void receiveForHost(Nanos to);
+    bool replyUnderWay() const;
     void forgetPast();
     Nanos latency() const { return toNanos(config.adapterLatency); }
     Listens hostHears() const { return config.echo ? Listens::All : Listens::Servos; }

@@ -29,6 +29,11 @@ int VirtualServo::baud() const
     return m_state->baud;
 }
 
+Hears VirtualServo::hears(int id, std::uint8_t instruction) const
+{
+    return m_state->hears(id, instruction);
+}
+
 bool VirtualServo::deaf() const
 {
     return !m_state->alive() || m_state->deafLeft.count() > 0;

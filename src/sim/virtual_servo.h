@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One simulated servo: register semantics (locks, modes, protections, power cycle) on top of the
-// mechanics. Speaks decoded requests only; bytes, timing and collisions are the wire's business.
-// Owned by a VirtualBus; one thread. Behaviour follows the fact sheets: a locked EPROM write acts
-// but is lost at power-off, the lock closes at every power-on, torque limit 16 → 48, and so on.
+// mechanics. Hears decoded requests of its own language only; bytes, timing and collisions are the
+// wire's business. Owned by a VirtualBus; one thread. Behaviour follows the sheets: a locked EPROM
+// write acts but is lost at power-off, the lock closes at every power-on, an LX servo keeps what it
+// is told, and so on.
 #pragma once
 
 #include "base/bytes.h"
@@ -49,8 +50,9 @@ struct ServoConfig {
     std::uint64_t seed = 1;
 };
 
-/// A request as it reached the servo, protocol already removed (Feetech instruction bytes). SYNC
-/// READ and SYNC WRITE carry their whole parameter list; the servo finds its own part.
+/// A request as it reached the servo: instruction, Modbus function or LX command, and what stands
+/// between it and the checksum. SYNC READ and SYNC WRITE carry their whole parameter list; the
+/// servo finds its own part.
 struct ServoRequest {
     bool broadcast = false;
     std::uint8_t instruction = 0;
@@ -59,9 +61,16 @@ struct ServoRequest {
 };
 
 struct ServoAnswer {
-    int id = 0; ///< the ID in the status packet
-    std::uint8_t status = 0;
+    int id = 0;              ///< the ID in the reply
+    std::uint8_t status = 0; ///< Feetech: error byte
     base::Bytes data;
+    std::uint8_t function = 0; ///< Modbus: with its exception flag; LX: command
+};
+
+enum class Hears : std::uint8_t {
+    No,
+    Silently, ///< obeys, but never answers
+    Yes,
 };
 
 class VirtualServo {
@@ -72,8 +81,10 @@ public:
 
     const catalog::Profile& profile() const;
 
-    int id() const;    ///< it listens to, now
-    int baud() const;  ///< it listens at, now
+    int id() const;   ///< it listens to, now
+    int baud() const; ///< it listens at, now
+    /// Whether a request to this ID is meant for it: HLS servos obey a second ID for some.
+    Hears hears(int id, std::uint8_t instruction) const;
     bool deaf() const; ///< off, rebooting or writing its EPROM
     base::Duration replyDelay() const;
 

@@ -27,24 +27,34 @@ inline const catalog::Catalog& models()
     return catalog;
 }
 
-/// The firmware each family was seen with: STS 3.10, SMS 2.48, SCS 0.4.
+/// A firmware of each family; those of STS, SMS and SCS were seen.
 inline catalog::ProfilePtr profileOf(const QString& modelName)
 {
+    struct Firmware {
+        const char* series;
+        int major;
+        int minor;
+    };
+    constexpr Firmware firmwares[] = {
+        {"STS", 3, 10}, {"SMS", 2, 48},  {"SCS", 0, 4},    {"HLS", 3, 46},
+        {"SMCL", 1, 6}, {"SCS2", 3, 24}, {"SMSMB", 20, 9}, {"LX", -1, -1},
+    };
     const catalog::ModelEntry* entry = models().model(modelName);
-    if (entry == nullptr) {
-        qFatal("no model %s", qPrintable(modelName));
+    for (const Firmware& firmware : firmwares) {
+        if (entry != nullptr && entry->series == QLatin1String(firmware.series)) {
+            return models().profileFor(*entry, firmware.major, firmware.minor);
+        }
     }
-    if (entry->series == QLatin1String("SCS")) {
-        return models().profileFor(*entry, 0, 4);
-    }
-    return entry->series == QLatin1String("SMS") ? models().profileFor(*entry, 2, 48)
-                                                 : models().profileFor(*entry, 3, 10);
+    qFatal("no model %s", qPrintable(modelName));
 }
 
 inline sim::ServoConfig configOf(const QString& modelName)
 {
     sim::ServoConfig config;
-    if (modelName.startsWith(QLatin1String("SM")) || modelName == QLatin1String("STS3250")) {
+    if (modelName.startsWith(QLatin1String("LX"))) {
+        config.surroundings.supplyVolts = modelName.endsWith(QLatin1String("HV")) ? 11.1 : 7.4;
+        config.initialDegrees = 120;
+    } else if (modelName.startsWith(QLatin1String("SM")) || modelName == QLatin1String("STS3250")) {
         config.surroundings.supplyVolts = 12.0;
     } else if (modelName.startsWith(QLatin1String("SCS"))) {
         config.surroundings.supplyVolts = 6.0;

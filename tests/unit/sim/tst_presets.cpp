@@ -176,7 +176,11 @@ private Q_SLOTS:
         row("rate no number", "sts3215@1:fast", "sts3215@1:fast");
         row("rate the model lacks", "sts3215@1:9600", "9600");
         row("too many parts", "sts3215@1:9600:3", "sts3215@1:9600:3");
-        row("series without a map", "scs15-2@1", "scs15-2@1");
+        row("series without a map", "sws3225@1", "sws3225@1");
+        row("Modbus station 0", "smsmb@0", "smsmb@0");
+        row("Modbus station 248", "smsmb@248", "smsmb@248");
+        row("LX at another rate", "lx16a@1:1000000", "1000000");
+        row("Modbus at a Feetech rate", "smsmb@1:1000000", "1000000");
         row("comma at the end", "sts3215@1,", "MODEL@ID");
     }
     void refusesWhatItCannotMake()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Instructions: what is done, and what is answered. Source: instruction and answer tables of the
-// Feetech protocol notes. Unknown instructions and malformed parameters stay unanswered.
+// Feetech instructions: what is done, and what is answered. Source: instruction and answer tables
+// of the Feetech protocol notes. Unknown instructions and malformed parameters stay unanswered.
 #include "sim/servo_state.h"
 
 #include <algorithm>
@@ -32,7 +32,23 @@ bool knowsCalibration(const catalog::Profile& profile)
 }
 
 constexpr int largestRead = 253; ///< LEN is one byte and counts two more
+constexpr int tableSize = 256;
 } // namespace
+
+/// The second ID is for groups, so nobody answers to it; which instructions it serves is from the
+/// HLS table.
+Hears VirtualServo::State::hears(int id, std::uint8_t instruction) const
+{
+    if (id == settings.id) {
+        return Hears::Yes;
+    }
+    if (!secondaryId.exists() || id != map.read(memory, secondaryId)) {
+        return Hears::No;
+    }
+    const bool forGroups = instruction == Write || instruction == RegWrite ||
+                           instruction == Action || instruction == SyncWrite;
+    return forGroups ? Hears::Silently : Hears::No;
+}
 
 std::optional<ServoAnswer> VirtualServo::State::answer(base::ByteView data) const
 {
@@ -43,18 +59,15 @@ std::optional<ServoAnswer> VirtualServo::State::readTable(base::ByteView params)
 {
     const int address = params[0];
     const int count = params[1];
-    if (count > largestRead || address + count > Memory::size) {
+    if (count > largestRead || address + count > tableSize) {
         return std::nullopt;
     }
     publish();
     return answer(memory.view(address, count));
 }
 
-std::optional<ServoAnswer> VirtualServo::State::handle(const ServoRequest& request)
+std::optional<ServoAnswer> VirtualServo::State::handleFeetech(const ServoRequest& request)
 {
-    if (!alive() || deafLeft.count() > 0) {
-        return std::nullopt;
-    }
     switch (request.instruction) {
     case Ping:
         return request.params.empty() ? answer() : std::nullopt;
@@ -73,17 +86,10 @@ std::optional<ServoAnswer> VirtualServo::State::handle(const ServoRequest& reque
     }
     const int oldId = settings.id;
     const int oldLevel = settings.responseLevel;
-    const base::Duration answerTime =
-        replyDelay() + base::Duration(60'000'000 / baud); // six bytes of ten bits
-    epromWritten = false;
     if (!execute(request)) {
         return std::nullopt;
     }
-    const auto reply = acknowledge(request, oldId, oldLevel);
-    if (epromWritten) {
-        deafLeft = config.epromTime + (reply ? answerTime : base::Duration());
-    }
-    return reply;
+    return acknowledge(request, oldId, oldLevel);
 }
 
 std::optional<ServoAnswer> VirtualServo::State::acknowledge(const ServoRequest& request, int oldId,
@@ -137,8 +143,7 @@ bool VirtualServo::State::execute(const ServoRequest& request)
         rebase();
         return true;
     case Reboot:
-        switchOff();
-        rebootLeft = std::max(config.rebootTime, base::Duration(1));
+        restart();
         return true;
     default:
         return false;
@@ -156,7 +161,7 @@ void VirtualServo::State::syncWrite(base::ByteView params)
         return;
     }
     for (std::size_t at = 0; at < list.size(); at += count + 1) {
-        if (list[at] == settings.id) {
+        if (hears(list[at], SyncWrite) != Hears::No) {
             write(params[0], list.subspan(at + 1, count));
             return;
         }
