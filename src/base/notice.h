@@ -47,6 +47,7 @@ enum class NoticeCode : std::uint8_t {
     CurrentRestored,      ///< key, a = current limit put back after a mode that uses it otherwise
     DerivedTemperature,   ///< key, a = reading, b = limit: worked out here, not reported
     DerivedVoltage,       ///< key, a = reading, b = the limit it is beyond
+    FamiliesMixed,        ///< SCS beside STS or SMS on one line
 };
 
 struct Notice {

@@ -58,8 +58,8 @@ public:
     ProfilePtr profileFor(const ModelEntry& model, int firmwareMajor, int firmwareMinor) const;
     QStringList mapKeys() const;
 
-    /// The languages that can be met at this rate, in the order Feetech, LX, Modbus: those whose
-    /// servos can be set to it or leave the factory with it. Feetech alone for a rate nobody names.
+    /// The languages that can be met at this rate: Feetech always, then LX and Modbus if servos of
+    /// theirs can be set to it or leave the factory with it.
     std::vector<base::Protocol> protocolsAt(int baud) const;
 
 private:

@@ -37,15 +37,12 @@ bool canExist(const Catalog::Data& data, base::Protocol protocol, int baud)
 
 std::vector<base::Protocol> Catalog::protocolsAt(int baud) const
 {
-    std::vector<base::Protocol> found;
-    for (const auto protocol :
-         {base::Protocol::Feetech, base::Protocol::Lx, base::Protocol::Modbus}) {
+    // Feetech has families without a public map, whose rates nobody knows.
+    std::vector<base::Protocol> found{base::Protocol::Feetech};
+    for (const auto protocol : {base::Protocol::Lx, base::Protocol::Modbus}) {
         if (canExist(*m_data, protocol, baud))
             found.push_back(protocol);
     }
-    // Only Feetech has families without a public map, whose rates nobody knows.
-    if (found.empty())
-        found.push_back(base::Protocol::Feetech);
     return found;
 }
 } // namespace catalog

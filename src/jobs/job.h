@@ -9,10 +9,11 @@
 
 namespace jobs {
 struct Progress {
-    double fraction = 0;        ///< 0…1
-    base::Duration remaining{}; ///< estimate
-    int found = 0;              ///< scan: servos so far
-    int baud = 0;               ///< scan: rate being searched
+    double fraction = 0;                               ///< 0…1
+    base::Duration remaining{};                        ///< estimate
+    int found = 0;                                     ///< scan: servos so far
+    int baud = 0;                                      ///< scan: rate being searched
+    base::Protocol protocol = base::Protocol::Feetech; ///< scan: in which language
 };
 
 using ProgressFn = std::function<void(const Progress&)>;

@@ -2,20 +2,20 @@
 #include "jobs/scan.h"
 
 #include "device/reader.h"
+#include "jobs/scan_list.h"
+#include "jobs/scan_meter.h"
 #include "jobs/scan_sweep.h"
 #include "jobs/scan_twins.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <list>
 
 namespace jobs {
 namespace {
 using base::ErrorCode;
+using base::Protocol;
 
 constexpr base::Duration settleTime = std::chrono::milliseconds(5);
-constexpr base::Duration progressInterval = std::chrono::milliseconds(50);
-// A receiver takes a rate that is up to this far off, so 250000 is also heard at 256000.
-constexpr double rateTolerance = 0.04;
 
 std::vector<int> ratesToSearch(const ScanSpec& spec, int presentBaud)
 {
@@ -29,51 +29,35 @@ std::vector<int> ratesToSearch(const ScanSpec& spec, int presentBaud)
     return rates;
 }
 
-/// Progress by planned time: what is left of the plan is the estimate.
-class Meter {
-public:
-    Meter(const ProgressFn& report, base::Clock& clock, base::Duration total)
-        : m_report(report)
-        , m_clock(clock)
-        , m_total(total)
-    {}
+std::vector<Protocol> languagesAt(const device::Context& context, const ScanSpec& spec, int baud)
+{
+    return spec.protocols.empty() ? context.catalog.protocolsAt(baud) : spec.protocols;
+}
 
-    /// `heard`: servos at the present rate that are not counted as found yet.
-    void add(base::Duration planned, int heard)
-    {
-        m_now.found = m_found + heard;
-        m_done = std::min(m_total, m_done + planned);
-        if (m_clock.now() - m_reportedAt >= progressInterval)
-            tell();
+base::Duration estimateAt(const device::Context& context, const ScanSpec& spec, int baud)
+{
+    base::Duration total{};
+    for (const Protocol protocol : languagesAt(context, spec, baud)) {
+        if (idsToAsk(spec, protocol).count() > 0)
+            total += questionEstimate(baud, protocol) + sweepEstimate(spec, baud, protocol);
     }
+    return total;
+}
 
-    void startRate(int baud)
-    {
-        m_now.baud = baud;
-        tell();
+/// What says something about this servo and leaves the scan to go on.
+bool concernsServo(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::NoAnswer:
+    case ErrorCode::Garbled:
+    case ErrorCode::WrongAnswer:
+    case ErrorCode::Refused:
+    case ErrorCode::UnknownModel:
+        return true;
+    default:
+        return false;
     }
-    void skip(base::Duration planned) { m_total -= planned; }
-    void countFound() { m_now.found = ++m_found; }
-
-    void tell()
-    {
-        if (!m_report)
-            return;
-        m_reportedAt = m_clock.now();
-        m_now.fraction = m_total.count() > 0 ? double(m_done.count()) / double(m_total.count()) : 1;
-        m_now.remaining = m_total - m_done;
-        m_report(m_now);
-    }
-
-private:
-    const ProgressFn& m_report;
-    base::Clock& m_clock;
-    base::Duration m_total;
-    base::Duration m_done{};
-    base::Duration m_reportedAt{};
-    int m_found = 0;
-    Progress m_now;
-};
+}
 
 class Scan {
 public:
@@ -83,15 +67,14 @@ public:
         , m_spec(spec)
         , m_onFound(onFound)
         , m_oldBaud(context.bus.baud())
-        , m_meter(progress, context.bus.clock(), scanEstimate(spec, m_oldBaud))
+        , m_meter(progress, context.bus.clock(), scanEstimate(context, spec))
     {}
 
     base::Result<ScanReport> run()
     {
         const base::Duration start = m_context.bus.clock().now();
-        const auto rates = ratesToSearch(m_spec, m_oldBaud);
         m_report.port = m_context.bus.portName();
-        const auto searched = searchRates(rates);
+        const auto searched = searchQuickly().and_then([this] { return searchSlowly(); });
         const bool atForeignRate = m_context.bus.baud() != m_oldBaud;
         const auto restored = restoreBaud();
         // Torque-off frames sent at a rate just being searched reached nobody the user knows.
@@ -102,7 +85,7 @@ public:
         if (!restored)
             return tl::unexpected(restored.error());
         m_report.stopped = !searched;
-        dropNeighbourRates();
+        finishList();
         m_report.slowPassAdvised = m_report.lateReplies > 1 && !m_spec.slowPass;
         m_report.elapsed = m_context.bus.clock().now() - start;
         m_meter.tell();
@@ -110,23 +93,80 @@ public:
     }
 
 private:
-    base::Result<void> searchRates(const std::vector<int>& rates)
+    struct Search {
+        int baud = 0;
+        RateSweep sweep;
+    };
+
+    /// Every rate: the questions to all, then what takes a second or where somebody has spoken up.
+    base::Result<void> searchQuickly()
     {
-        for (const int baud : rates) {
+        for (const int baud : ratesToSearch(m_spec, m_oldBaud)) {
             const auto set = setBaud(baud);
             if (!set && set.error().code == ErrorCode::RateUnsupported) {
                 m_report.ratesRefused.push_back(baud);
-                m_meter.skip(sweepEstimate(m_spec, baud));
+                m_meter.skip(estimateAt(m_context, m_spec, baud));
                 continue;
             }
             if (!set)
                 return set;
             m_report.rates.push_back(baud);
-            m_meter.startRate(baud);
             if (const auto done = searchRate(); !done)
                 return done;
         }
         return {};
+    }
+
+    base::Result<void> searchRate()
+    {
+        std::list<Search> searches;
+        for (const Protocol protocol : languagesAt(m_context, m_spec, m_context.bus.baud())) {
+            Search& search = searches.emplace_back(newSearch(protocol));
+            if (const auto asked = askAll(search); !asked)
+                return asked;
+        }
+        searches.sort([](const Search& a, const Search& b) {
+            return a.sweep.heardSomebody() && !b.sweep.heardSomebody();
+        });
+        for (auto it = searches.begin(); it != searches.end();) {
+            const auto search = it++;
+            const RateSweep& sweep = search->sweep;
+            if (mannerOf(sweep.protocol()).asksAll && !sweep.heardSomebody())
+                m_slow.splice(m_slow.end(), searches, search);
+            else if (const auto done = sweepIds(*search); !done)
+                return done;
+        }
+        return {};
+    }
+
+    /// The sweeps that were put off, language by language.
+    base::Result<void> searchSlowly()
+    {
+        m_slow.sort([](const Search& a, const Search& b) {
+            return a.sweep.protocol() == Protocol::Lx && b.sweep.protocol() != Protocol::Lx;
+        });
+        for (Search& search : m_slow) {
+            const auto done = setBaud(search.baud).and_then([&] { return sweepIds(search); });
+            if (!done)
+                return done;
+        }
+        return {};
+    }
+
+    Search newSearch(Protocol protocol)
+    {
+        const int baud = m_context.bus.baud();
+        return {baud, RateSweep(m_context, m_spec, protocol,
+                                [this, baud, protocol](base::Duration planned, int heard) {
+                                    m_meter.add(planned, heard - countedAt(baud, protocol));
+                                })};
+    }
+
+    int countedAt(int baud, Protocol protocol) const
+    {
+        return int(std::count_if(m_report.found.begin(), m_report.found.end(), [&](const auto& f) {
+            return f.servo.baud == baud && f.servo.protocol == protocol;
+        }));
     }
 
     base::Result<void> restoreBaud()
@@ -147,18 +187,26 @@ private:
             [this] { return m_context.bus.listen(settleTime); });
     }
 
-    base::Result<void> searchRate()
+    base::Result<void> askAll(Search& search)
     {
-        RateSweep sweep(m_context, m_spec,
-                        [this](base::Duration planned, int heard) { m_meter.add(planned, heard); });
-        const auto swept = sweep.run();
-        m_report.lateReplies += sweep.lateReplies();
-        m_report.garbledHeard = m_report.garbledHeard || sweep.garbledUnexplained();
+        m_meter.startSearch(search.baud, search.sweep.protocol());
+        const auto alone = search.sweep.askAll();
+        if (!alone)
+            return tl::unexpected(alone.error());
+        return *alone ? addFound(**alone, search) : base::Result<void>{};
+    }
+
+    base::Result<void> sweepIds(Search& search)
+    {
+        m_meter.startSearch(search.baud, search.sweep.protocol());
+        const auto swept = search.sweep.run();
+        m_report.lateReplies += search.sweep.lateReplies();
+        m_report.garbledHeard = m_report.garbledHeard || search.sweep.garbledUnexplained();
         const bool stopped = !swept && swept.error().code == ErrorCode::Stopped;
         if (!swept && !stopped)
             return swept;
-        for (const auto& [id, contact] : sweep.contacts()) {
-            const auto added = contact.present() ? addFound(id, contact) : base::Result<void>{};
+        for (const auto& [id, contact] : search.sweep.contacts()) {
+            const auto added = contact.present() ? addFound(id, search) : base::Result<void>{};
             if (!added)
                 return added;
         }
@@ -167,11 +215,18 @@ private:
         return {};
     }
 
-    base::Result<void> addFound(int id, const Contact& contact)
+    base::Result<void> addFound(int id, const Search& search)
     {
+        const Contact& contact = search.sweep.contacts().at(id);
+        if (Found* known = listed(id, search)) {
+            known->twinsSuspected = known->twinsSuspected || contact.twins();
+            known->heardLate = known->heardLate || contact.late;
+            return {};
+        }
         Found found;
+        found.servo.protocol = search.sweep.protocol();
         found.servo.id = id;
-        found.servo.baud = m_context.bus.baud();
+        found.servo.baud = search.baud;
         found.servo.port = m_context.bus.portName();
         found.servo.status = contact.status;
         found.heardLate = contact.late;
@@ -189,74 +244,86 @@ private:
         return {};
     }
 
+    /// Whom the question to all has found already.
+    Found* listed(int id, const Search& search)
+    {
+        const auto known =
+            std::find_if(m_report.found.begin(), m_report.found.end(), [&](const Found& found) {
+                return found.servo.id == id && found.servo.baud == search.baud &&
+                       found.servo.protocol == search.sweep.protocol();
+            });
+        return known == m_report.found.end() ? nullptr : &*known;
+    }
+
     base::Result<void> identify(Found& found)
     {
-        auto servo = device::identify(m_context, found.servo.id);
+        auto servo = device::identify(m_context, found.servo.id, found.servo.protocol);
         if (!servo) {
             const ErrorCode code = servo.error().code;
             const bool broken = code == ErrorCode::Garbled || code == ErrorCode::WrongAnswer;
             found.twinsSuspected = found.twinsSuspected || broken;
-            if (broken || code == ErrorCode::NoAnswer)
-                return {};
-            return tl::unexpected(servo.error());
+            return concernsServo(code) ? base::Result<void>{} : tl::unexpected(servo.error());
         }
         found.servo = std::move(*servo);
         const auto twins = suspectTwins(m_context, found.servo);
         if (!twins)
             return tl::unexpected(twins.error());
         found.twinsSuspected = found.twinsSuspected || *twins;
-        return {};
+        return readRate(found.servo);
     }
 
-    /// The rate its own baud register names, 0 if that is not known.
-    static int ownRate(const device::Servo& servo)
+    /// Feetech servos have told it with their identity.
+    base::Result<void> readRate(device::Servo& servo)
     {
-        const catalog::Register* reg =
-            servo.profile ? servo.profile->byRole(catalog::Role::BaudRate) : nullptr;
-        const auto code = servo.raw(catalog::Role::BaudRate);
-        if (reg == nullptr || !code)
-            return 0;
-        for (const catalog::NamedValue& value : reg->values) {
-            if (value.value == *code)
-                return value.key.toInt();
-        }
-        return 0;
+        if (servo.raw(catalog::Role::BaudRate) || m_context.stop.requested())
+            return {};
+        const auto read = device::readRoles(m_context, servo, {catalog::Role::BaudRate});
+        return read || concernsServo(read.error().code) ? base::Result<void>{} : read;
     }
 
-    /// One servo heard at two rates a few per cent apart is listed once, at its own.
-    void dropNeighbourRates()
+    void finishList()
     {
-        const auto heardElsewhere = [this](const Found& weak) {
-            return std::any_of(
-                m_report.found.begin(), m_report.found.end(), [&](const Found& strong) {
-                    const int baud = strong.servo.baud;
-                    const bool neighbours =
-                        baud != weak.servo.baud &&
-                        std::abs(baud - weak.servo.baud) <= rateTolerance * baud;
-                    return neighbours && strong.servo.id == weak.servo.id &&
-                           ownRate(strong.servo) == baud && ownRate(weak.servo) != weak.servo.baud;
-                });
-        };
-        std::vector<Found> kept;
-        std::copy_if(m_report.found.begin(), m_report.found.end(), std::back_inserter(kept),
-                     [&](const Found& found) { return !heardElsewhere(found); });
-        m_report.found = std::move(kept);
+        dropNeighbourRates(m_report.found);
+        sortFound(m_report.found, m_report.rates);
+        if (familiesMixed(m_report.found))
+            m_context.note(device::NoticeCode::FamiliesMixed, -1);
     }
 
     const device::Context& m_context;
     const ScanSpec& m_spec;
     const std::function<void(const Found&)>& m_onFound;
     int m_oldBaud;
-    Meter m_meter;
+    ScanMeter m_meter;
+    std::list<Search> m_slow; ///< put off
     ScanReport m_report;
 };
+
+base::Result<void> check(const device::Context& context, const ScanSpec& spec)
+{
+    const auto refuse = [](const QString& why) -> base::Result<void> {
+        return base::fail(ErrorCode::BadArgument, QStringLiteral("scan"), why);
+    };
+    const bool idsGood =
+        spec.firstId >= 0 && spec.firstId <= spec.lastId && spec.lastId <= protocol::maxId;
+    const bool ratesGood =
+        std::all_of(spec.bauds.begin(), spec.bauds.end(), [](int baud) { return baud > 0; });
+    if (!idsGood || !ratesGood)
+        return refuse(QStringLiteral("IDs 0 to 253, rates above 0"));
+    for (const int baud : ratesToSearch(spec, context.bus.baud())) {
+        for (const Protocol protocol : languagesAt(context, spec, baud)) {
+            if (idsToAsk(spec, protocol).count() > 0)
+                return {};
+        }
+    }
+    return refuse(QStringLiteral("Modbus stations are 1 to 247"));
+}
 } // namespace
 
-base::Duration scanEstimate(const ScanSpec& spec, int presentBaud)
+base::Duration scanEstimate(const device::Context& context, const ScanSpec& spec)
 {
     base::Duration total{};
-    for (const int baud : ratesToSearch(spec, presentBaud))
-        total += sweepEstimate(spec, baud);
+    for (const int baud : ratesToSearch(spec, context.bus.baud()))
+        total += estimateAt(context, spec, baud);
     return total;
 }
 
@@ -264,13 +331,8 @@ base::Result<ScanReport> scan(const device::Context& context, const ScanSpec& sp
                               const ProgressFn& progress,
                               const std::function<void(const Found&)>& onFound)
 {
-    const bool idsGood =
-        spec.firstId >= 0 && spec.firstId <= spec.lastId && spec.lastId <= protocol::maxId;
-    const bool ratesGood =
-        std::all_of(spec.bauds.begin(), spec.bauds.end(), [](int baud) { return baud > 0; });
-    if (!idsGood || !ratesGood)
-        return base::fail(ErrorCode::BadArgument, QStringLiteral("scan"),
-                          QStringLiteral("IDs 0 to 253, rates above 0"));
+    if (const auto good = check(context, spec); !good)
+        return tl::unexpected(good.error());
     // At a foreign rate nobody else may speak; at its own the bus keeps its feedback.
     const int baud = context.bus.baud();
     if (ratesToSearch(spec, baud) == std::vector{baud})

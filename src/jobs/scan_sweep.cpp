@@ -7,61 +7,100 @@ namespace jobs {
 namespace {
 using std::chrono::milliseconds;
 
-constexpr base::Duration pingPatience = milliseconds(4);
 // USB adapters hold bytes back for up to 16 ms; some servos take tens of milliseconds when busy.
 constexpr base::Duration longPatience = milliseconds(60);
 // How long after a PING its reply may still come in: the final listening, and the search for
 // whoever sent garbled bytes.
 constexpr base::Duration lateWindow = milliseconds(40);
-// What the bus allows every servo at most (SMS, reply delay 254).
-constexpr base::Duration longestReplyDelay{508};
-constexpr int pingWireBytes = 12; ///< request and reply
-constexpr int bitsPerByte = 10;
 constexpr int confirmTries = 3;
+// The first transaction after opening a port or changing its rate may be lost.
+constexpr int questionTries = 2;
+// After a question to all that nobody answered the bus listens for so long.
+constexpr base::Duration quietTime = milliseconds(25);
 // More broken answers than this at one rate are a bad line, and asking each again would take long.
 constexpr std::size_t maxGarblesExplained = 16;
 
-base::Duration askTime(int baud, base::Duration patience)
+bool unreadable(base::ErrorCode code)
 {
-    return base::Duration(std::int64_t{pingWireBytes} * bitsPerByte * 1'000'000 / baud) +
-           longestReplyDelay + patience;
+    return code == base::ErrorCode::Garbled || code == base::ErrorCode::WrongAnswer;
 }
 } // namespace
 
-base::Duration sweepEstimate(const ScanSpec& spec, int baud)
+base::Duration questionEstimate(int baud, base::Protocol protocol)
 {
-    const auto ids = spec.lastId - spec.firstId + 1;
-    base::Duration total = (ids + 1) * askTime(baud, pingPatience) + lateWindow;
+    const Manner& manner = mannerOf(protocol);
+    if (!manner.asksAll)
+        return {};
+    return questionTries * (askTime(manner, baud, manner.patience) + quietTime);
+}
+
+base::Duration sweepEstimate(const ScanSpec& spec, int baud, base::Protocol protocol)
+{
+    const Manner& manner = mannerOf(protocol);
+    const int ids = idsToAsk(spec, protocol).count();
+    if (ids == 0)
+        return {};
+    base::Duration total = (ids + 1) * askTime(manner, baud, manner.patience) + lateWindow;
     if (spec.slowPass)
-        total += ids * askTime(baud, longPatience);
+        total += ids * askTime(manner, baud, longPatience);
     return total;
 }
 
-RateSweep::RateSweep(const device::Context& context, const ScanSpec& spec, OnAsked onAsked)
+RateSweep::RateSweep(const device::Context& context, const ScanSpec& spec, base::Protocol protocol,
+                     OnAsked onAsked)
     : m_context(context)
     , m_spec(spec)
+    , m_protocol(protocol)
+    , m_manner(mannerOf(protocol))
+    , m_ids(idsToAsk(spec, protocol))
     , m_onAsked(std::move(onAsked))
 {}
 
+base::Result<std::optional<int>> RateSweep::askAll()
+{
+    std::optional<int> alone;
+    const int tries = m_manner.asksAll && m_ids.count() > 0 ? questionTries : 0;
+    for (int i = 0; !m_heardSomebody && i < tries; ++i) {
+        const auto outcome = question(protocol::broadcastId, m_manner.patience);
+        tell(questionEstimate(m_context.bus.baud(), m_protocol) / questionTries);
+        if (outcome) {
+            m_heardSomebody = true;
+            alone = outcome->parts.front().id;
+        } else if (unreadable(outcome.error().code)) {
+            m_heardSomebody = true;
+        } else if (outcome.error().code != base::ErrorCode::NoAnswer) {
+            return tl::unexpected(outcome.error());
+        }
+    }
+    if (!alone || !m_ids.contains(*alone))
+        return std::nullopt;
+    // Out of colliding answers may come a frame that nobody sent.
+    if (const auto asked = ask(*alone, longPatience); !asked)
+        return tl::unexpected(asked.error());
+    return m_contacts[*alone].replies > 0 ? alone : std::nullopt;
+}
+
 base::Result<void> RateSweep::run()
 {
+    if (m_ids.count() == 0)
+        return {};
     m_context.bus.takeStrays();
-    return askAll()
+    return askEach()
         .and_then([this] { return listen(lateWindow); })
         .and_then([this] { return confirmLate(); })
         .and_then([this] { return explainGarbles(); })
         .and_then([this] { return m_spec.slowPass ? askSilent() : base::Result<void>{}; });
 }
 
-base::Result<void> RateSweep::askAll()
+base::Result<void> RateSweep::askEach()
 {
-    const auto step = askTime(m_context.bus.baud(), pingPatience);
+    const auto step = askTime(m_manner, m_context.bus.baud(), m_manner.patience);
     // The first transaction after opening a port or changing its rate may be lost, so somebody is
     // asked who gets another turn.
-    for (int i = m_spec.firstId - 1; i <= m_spec.lastId; ++i) {
-        const int id = i < m_spec.firstId ? m_spec.lastId : i;
+    for (int i = m_ids.first - 1; i <= m_ids.last; ++i) {
+        const int id = i < m_ids.first ? m_ids.last : i;
         const int garbledBefore = m_contacts[id].garbled;
-        if (const auto asked = ask(id, pingPatience); !asked)
+        if (const auto asked = ask(id, m_manner.patience); !asked)
             return asked;
         if (m_contacts[id].garbled > garbledBefore)
             m_garbles.push_back({id, m_contacts[id].askedAt});
@@ -143,7 +182,7 @@ base::Result<bool> RateSweep::askUntilKnown(int id, bool persistent)
 
 base::Result<void> RateSweep::askSilent()
 {
-    const auto step = askTime(m_context.bus.baud(), longPatience);
+    const auto step = askTime(m_manner, m_context.bus.baud(), longPatience);
     for (auto& [id, contact] : m_contacts) {
         if (!contact.present()) {
             if (const auto asked = ask(id, longPatience); !asked)
@@ -154,26 +193,32 @@ base::Result<void> RateSweep::askSilent()
     return {};
 }
 
-base::Result<void> RateSweep::ask(int id, base::Duration patience)
+base::Result<bus::Outcome> RateSweep::question(int id, base::Duration patience)
 {
     if (m_context.stop.requested())
         return base::fail(base::ErrorCode::Stopped, QStringLiteral("scan"));
     bus::Transaction transaction;
-    transaction.request = protocol::Request::ping(id);
+    transaction.request = protocol::Request::ping(id).in(m_protocol);
     transaction.priority = m_context.priority;
     transaction.retries = 0;
     transaction.patience = patience;
     transaction.hold = m_context.hold;
     transaction.stop = &m_context.stop;
+    return m_context.bus.transact(transaction);
+}
+
+base::Result<void> RateSweep::ask(int id, base::Duration patience)
+{
     Contact& contact = m_contacts[id];
     ++contact.pings;
-    const auto outcome = m_context.bus.transact(transaction);
+    const auto outcome = question(id, patience);
     contact.askedAt = m_context.bus.clock().now();
     if (outcome) {
         contact.status = outcome->status();
         ++contact.replies;
-    } else if (outcome.error().code == base::ErrorCode::Garbled ||
-               outcome.error().code == base::ErrorCode::WrongAnswer) {
+    } else if (outcome.error().code == base::ErrorCode::Refused) {
+        ++contact.replies; // who refuses is there
+    } else if (unreadable(outcome.error().code)) {
         ++contact.garbled;
     } else if (outcome.error().code != base::ErrorCode::NoAnswer) {
         return tl::unexpected(outcome.error());
@@ -194,8 +239,8 @@ void RateSweep::collectStrays()
 {
     for (const bus::Stray& stray : m_context.bus.takeStrays()) {
         const auto asked = m_contacts.find(stray.id);
-        if (asked == m_contacts.end() || !stray.data.empty())
-            continue; // not the reply to a PING of this sweep
+        if (asked == m_contacts.end() || !answersQuestion(m_protocol, stray))
+            continue; // not the reply to a question of this sweep
         Contact& contact = asked->second;
         contact.status = stray.status;
         ++contact.replies;

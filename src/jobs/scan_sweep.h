@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One rate of a scan: PINGs every ID with short patience, collects late replies, then asks again
-// singly where something was heard. Used by scan() only; its thread.
+// One rate and language of a scan: asks everybody at once where that is possible, then every ID
+// with short patience, collects late replies, and asks again singly where something was heard. Used
+// by scan() only; its thread.
 #pragma once
 
-#include "jobs/scan.h"
+#include "jobs/scan_manner.h"
 
 #include <map>
 
@@ -22,18 +23,28 @@ struct Contact {
     bool twins() const { return replies > pings || (replies == 0 && garbled > 1); }
 };
 
-base::Duration sweepEstimate(const ScanSpec& spec, int baud);
+/// Of the question to all and of the sweep.
+base::Duration questionEstimate(int baud, base::Protocol protocol);
+base::Duration sweepEstimate(const ScanSpec& spec, int baud, base::Protocol protocol);
 
 class RateSweep {
 public:
     /// `onAsked` gets the planned time of every step of the sweep when it is done, and how many IDs
     /// have been heard so far.
     using OnAsked = std::function<void(base::Duration planned, int heard)>;
-    RateSweep(const device::Context& context, const ScanSpec& spec, OnAsked onAsked);
+    RateSweep(const device::Context& context, const ScanSpec& spec, base::Protocol protocol,
+              OnAsked onAsked);
+
+    /// The ID of a servo that answered the question to all and, asked by itself, once more. Errors
+    /// as run().
+    base::Result<std::optional<int>> askAll();
+    /// Somebody answered the question to all, however badly: the sweep is worth while.
+    bool heardSomebody() const { return m_heardSomebody; }
 
     /// Stopped, LinkLost, Preempted, Held.
     base::Result<void> run();
 
+    base::Protocol protocol() const { return m_protocol; }
     const std::map<int, Contact>& contacts() const { return m_contacts; }
     int lateReplies() const { return m_lateReplies; }
     bool garbledUnexplained() const { return m_garbledUnexplained; }
@@ -44,23 +55,28 @@ private:
         base::Duration at{};
     };
 
-    base::Result<void> askAll();
+    base::Result<void> askEach();
     base::Result<void> confirmLate();
     base::Result<void> explainGarbles();
     base::Result<bool> findSource(const Garble& garble);
     base::Result<bool> askUntilKnown(int id, bool persistent);
     base::Result<void> askSilent();
     base::Result<void> ask(int id, base::Duration patience);
+    base::Result<bus::Outcome> question(int id, base::Duration patience);
     base::Result<void> listen(base::Duration span);
     void collectStrays();
     void tell(base::Duration planned) const;
 
     const device::Context& m_context;
     const ScanSpec& m_spec;
+    base::Protocol m_protocol;
+    const Manner& m_manner;
+    IdRange m_ids;
     OnAsked m_onAsked;
     std::map<int, Contact> m_contacts;
     std::vector<Garble> m_garbles; ///< heard while all IDs were asked
     int m_lateReplies = 0;
     bool m_garbledUnexplained = false;
+    bool m_heardSomebody = false;
 };
 } // namespace jobs

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/scan_twins.h"
 
+#include "device/alarms.h"
 #include "device/reader.h"
 
 #include <algorithm>
@@ -21,8 +22,9 @@ constexpr base::Duration readsApart = std::chrono::milliseconds(1);
 constexpr double fastestStepsPerSecond = 16'000;
 constexpr double restJitterSteps = 12;
 constexpr double stepsPerTurn = 4096;
-constexpr std::int64_t maxTemperatureJump = 3; // degrees
-constexpr std::int64_t maxVoltageJump = 30;    // 0.1 V: supplies sag when a motor starts
+constexpr double maxTemperatureJump = 3; // degrees
+constexpr double maxVoltageJump = 3;     // volts: supplies sag when a motor starts
+constexpr double jumpSlack = 1e-6;       // physical values are binary fractions
 
 class TwinCheck {
 public:
@@ -47,13 +49,31 @@ private:
 
     base::Result<bool> readIdentity()
     {
-        constexpr int identityBytes = 9;
-        const auto before = m_servo.image.bytes(0, identityBytes);
+        const auto spans = identitySpans();
         device::Servo again = m_servo;
-        const auto clean = readUntilClean(again, {{0, identityBytes}});
+        const auto clean = readUntilClean(again, spans);
         if (!clean)
             return tl::unexpected(clean.error());
-        return suspicious() || (*clean && again.image.bytes(0, identityBytes) != before);
+        // What was not read before says nothing.
+        const bool changed =
+            std::any_of(spans.begin(), spans.end(), [&](const bus::PollSpan& span) {
+                const auto before = m_servo.image.bytes(span.address, span.count);
+                return before && again.image.bytes(span.address, span.count) != before;
+            });
+        return suspicious() || (*clean && changed);
+    }
+
+    /// What device::identify() reads, and what tells one servo from another.
+    std::vector<bus::PollSpan> identitySpans() const
+    {
+        std::vector<const catalog::Register*> registers;
+        for (const Role role :
+             {Role::FirmwareMajor, Role::FirmwareMinor, Role::ByteOrder, Role::ModelMajor,
+              Role::ModelMinor, Role::Id, Role::BaudRate, Role::ReturnDelay, Role::ResponseLevel}) {
+            if (const catalog::Register* reg = m_servo.profile->byRole(role))
+                registers.push_back(reg);
+        }
+        return device::planSpans(*m_servo.profile, registers);
     }
 
     base::Result<bool> readFeedback()
@@ -115,7 +135,8 @@ private:
     base::Result<Read> readOnce(device::Servo& servo, const bus::PollSpan& span)
     {
         bus::Transaction transaction;
-        transaction.request = protocol::Request::read(servo.id, span.address, span.count);
+        transaction.request =
+            protocol::Request::read(servo.id, span.address, span.count).in(servo.protocol);
         transaction.priority = m_context.priority;
         transaction.retries = 0; // a repeated read would hide what is looked for
         transaction.hold = m_context.hold;
@@ -132,8 +153,10 @@ private:
             (!m_timedOut && std::any_of(strays.begin(), strays.end(), [&](const bus::Stray& stray) {
                 return stray.id == servo.id;
             }));
-        servo.status = outcome->status();
+        if (servo.repliesCarryStatus())
+            servo.status = outcome->status();
         servo.image.store(span.address, outcome->data(), outcome->sentAt + outcome->roundTrip);
+        device::takeStatus(servo, span.address, span.count);
         return Read::Clean;
     }
 
@@ -144,6 +167,7 @@ private:
         case base::ErrorCode::WrongAnswer:
             ++m_broken;
             return Read::Broken;
+        case base::ErrorCode::Refused: // a Modbus station without this register
         case base::ErrorCode::NoAnswer:
             m_timedOut = true;
             return Read::Silent;
@@ -160,11 +184,20 @@ private:
     bool m_secondReply = false;
 };
 
-std::int64_t jump(const device::Servo& a, const device::Servo& b, Role role)
+double jump(const device::Servo& a, const device::Servo& b, Role role)
 {
-    const auto before = a.raw(role);
-    const auto after = b.raw(role);
+    const auto before = a.physical(role);
+    const auto after = b.physical(role);
     return before && after ? std::abs(*after - *before) : 0;
+}
+
+/// A turn in the unit of the present position: degrees, or steps where the range is not known.
+double turnOf(const device::Servo& servo)
+{
+    const catalog::Register* position = servo.profile->byRole(Role::PresentPosition);
+    const bool degrees =
+        position != nullptr && servo.meaning(*position).unit == QLatin1String("deg");
+    return degrees ? 360 : servo.profile->stepsPerTurn;
 }
 
 bool resting(const device::Servo& servo)
@@ -176,11 +209,11 @@ bool resting(const device::Servo& servo)
 
 bool couldBeOneServo(const device::Servo& before, const device::Servo& after, base::Duration apart)
 {
-    if (jump(before, after, Role::PresentTemperature) > maxTemperatureJump ||
-        jump(before, after, Role::PresentVoltage) > maxVoltageJump)
+    if (jump(before, after, Role::PresentTemperature) > maxTemperatureJump + jumpSlack ||
+        jump(before, after, Role::PresentVoltage) > maxVoltageJump + jumpSlack)
         return false;
-    const double turn = after.profile->stepsPerTurn;
-    double moved = std::fmod(double(jump(before, after, Role::PresentPosition)), turn);
+    const double turn = turnOf(after);
+    double moved = std::fmod(jump(before, after, Role::PresentPosition), turn);
     moved = std::min(moved, turn - moved) * stepsPerTurn / turn; // the seam of a turn is no jump
     double possible = restJitterSteps;
     if (!resting(before) || !resting(after))

@@ -105,6 +105,9 @@ constexpr std::array entries{
     Entry{NoticeCode::DerivedVoltage, "derived-voltage",
           QT_TRANSLATE_NOOP("text", "The voltage is outside its limits (derived from its limits, "
                                     "not reported by the servo).")},
+    Entry{NoticeCode::FamiliesMixed, "families-mixed",
+          QT_TRANSLATE_NOOP("text", "SCS servos share this line with STS, SMS or HLS servos; the "
+                                    "vendor advises against it.")},
 };
 
 const Entry* entryFor(NoticeCode code)

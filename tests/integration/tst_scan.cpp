@@ -251,7 +251,7 @@ void TestScan::progressRisesToTheEnd()
     SimBench bench(QStringLiteral("sts3215@1,sts3215@2:500000"));
     jobs::ScanSpec spec;
     spec.bauds = {fast, 500'000};
-    const base::Duration estimate = jobs::scanEstimate(spec, fast);
+    const base::Duration estimate = jobs::scanEstimate(bench.context(), spec);
     std::vector<jobs::Progress> seen;
     const auto report =
         jobs::scan(bench.context(), spec, [&](const jobs::Progress& p) { seen.push_back(p); });

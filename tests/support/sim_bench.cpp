@@ -12,7 +12,27 @@
 namespace support {
 namespace {
 constexpr std::size_t idPlace = 2;
-constexpr std::size_t instructionPlace = 4;
+constexpr std::size_t lengthPlace = 3;
+constexpr std::size_t instructionPlace = 4; ///< of Feetech, and the command of LX
+constexpr std::size_t functionPlace = 1;    ///< of Modbus
+
+/// Feetech packets and LX packets begin with the same byte twice, Modbus frames with the station.
+bool begins(const base::Bytes& frame, std::uint8_t header)
+{
+    return frame.size() > instructionPlace && frame[0] == header && frame[1] == header;
+}
+
+bool onlyAsks(const base::Bytes& frame)
+{
+    const auto is = [](std::uint8_t code, std::initializer_list<int> codes) {
+        return std::find(codes.begin(), codes.end(), code) != codes.end();
+    };
+    if (begins(frame, 0xFF))
+        return is(frame[instructionPlace], {Ping, Read, SyncRead});
+    if (begins(frame, 0x55)) // without parameters: a read, start, stop, or save the offset
+        return frame[lengthPlace] == 3 && !is(frame[instructionPlace], {11, 12, 18});
+    return frame.size() > functionPlace && is(frame[functionPlace], {0x03, 0x11});
+}
 
 std::unique_ptr<sim::VirtualBus> checked(base::Result<std::unique_ptr<sim::VirtualBus>> made)
 {
@@ -107,7 +127,7 @@ void SimBench::reconnect(int baud)
 int SimBench::frames(std::uint8_t instruction) const
 {
     return int(std::count_if(m_tap.written.begin(), m_tap.written.end(), [&](const auto& frame) {
-        return frame.size() > instructionPlace && frame[instructionPlace] == instruction;
+        return begins(frame, 0xFF) && frame[instructionPlace] == instruction;
     }));
 }
 
@@ -120,7 +140,7 @@ int SimBench::framesTo(int id) const
 
 bool SimBench::onlyAsked() const
 {
-    return frames(Ping) + frames(Read) + frames(SyncRead) == int(frameCount());
+    return std::all_of(m_tap.written.begin(), m_tap.written.end(), onlyAsks);
 }
 
 device::Servo SimBench::servo(int id)

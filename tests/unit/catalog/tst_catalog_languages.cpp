@@ -137,9 +137,7 @@ void TestCatalogLanguages::protocolsAt()
     QFETCH(int, baud);
     QFETCH(bool, lx);
     QFETCH(bool, modbus);
-    std::vector<Protocol> expected;
-    if (baud != 256000 && baud != 56000) // codes of Modbus only
-        expected.push_back(Protocol::Feetech);
+    std::vector<Protocol> expected{Protocol::Feetech};
     if (lx)
         expected.push_back(Protocol::Lx);
     if (modbus)

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/scan_manner.h"
+
+#include <algorithm>
+
+namespace jobs {
+namespace {
+using base::Protocol;
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
+constexpr int bitsPerByte = 10;
+// What the bus allows every servo at most (SMS, reply delay 254).
+constexpr base::Duration longestReplyDelay{508};
+
+constexpr Manner feetech{0, 253, milliseconds(4), 12, {}, false};
+// How long an LX servo takes to turn round is not published; 20 ms and more are in use.
+constexpr Manner lx{0, 253, milliseconds(25), 13, {}, true};
+constexpr Manner modbus{1, 247, milliseconds(25), 21, microseconds(1750), true};
+constexpr std::size_t modbusIdentity = 9; ///< byte count and four registers
+} // namespace
+
+const Manner& mannerOf(Protocol protocol)
+{
+    switch (protocol) {
+    case Protocol::Lx:
+        return lx;
+    case Protocol::Modbus:
+        return modbus;
+    case Protocol::Feetech:
+        break;
+    }
+    return feetech;
+}
+
+IdRange idsToAsk(const ScanSpec& spec, Protocol protocol)
+{
+    const Manner& manner = mannerOf(protocol);
+    return {std::max(spec.firstId, manner.firstId), std::min(spec.lastId, manner.lastId)};
+}
+
+base::Duration askTime(const Manner& manner, int baud, base::Duration patience)
+{
+    return base::Duration(std::int64_t{manner.wireBytes} * bitsPerByte * 1'000'000 / baud) +
+           longestReplyDelay + manner.pause + patience;
+}
+
+bool answersQuestion(Protocol protocol, const bus::Stray& stray)
+{
+    switch (protocol) {
+    case Protocol::Lx:
+        return stray.data.size() == 1 && stray.data.front() == stray.id;
+    case Protocol::Modbus:
+        return stray.data.size() == modbusIdentity &&
+               stray.data.front() == static_cast<std::uint8_t>(modbusIdentity - 1);
+    case Protocol::Feetech:
+        break;
+    }
+    return stray.data.empty();
+}
+} // namespace jobs
