@@ -119,7 +119,7 @@ void readGoals(Settings& s, const Reader& read, const ServoType& type)
 
 /// P counts a quarter and D an eighth (register sheet), HLS the other way round, as printed; D
 /// looks at the change of the error over the 20 ms of the firmware's D control time. What I counts
-/// is not published: 4 duty/s for each step. LX has no gains to read.
+/// is not published: 4 duty/s for each step. LX has no gains to read, SMCL none for speed.
 void readGains(Settings& s, const Reader& read, const ServoType& type)
 {
     constexpr double controlTime = 0.020;
@@ -134,8 +134,8 @@ void readGains(Settings& s, const Reader& read, const ServoType& type)
     s.startupForce = read(Role::StartupForce);
     s.cwDeadZone = read(Role::CwDeadZone);
     s.ccwDeadZone = read(Role::CcwDeadZone);
-    s.speedP = (live ? kp : read(Role::SpeedP)) * 0.02;
-    s.speedI = (live ? ki : read(Role::SpeedI)) * 0.02;
+    s.speedP = (live ? kp : read(Role::SpeedP, type.speedP)) * 0.02;
+    s.speedI = (live ? ki : read(Role::SpeedI, type.speedI)) * 0.02;
 }
 
 /// The LX mask has an order of its own. Its stall bit is not explained: full drive for a second.
