@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who is there, in which language; what its table says; what ails it; how it is stopped.
+#include "device/alarms.h"
+#include "device/stop_frames.h"
+
+#include <QTest>
+
+#include "paper_bus.h"
+
+using base::ErrorCode;
+using base::Protocol;
+using catalog::Role;
+using device::NoticeCode;
+using paper::Bench;
+
+namespace {
+const std::vector<Protocol> all(base::allProtocols.begin(), base::allProtocols.end());
+
+QString text(const char* word)
+{
+    return QString::fromLatin1(word);
+}
+} // namespace
+
+class TestIdentify : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void everyFamilyIsKnown_data();
+    void everyFamilyIsKnown();
+    void nobodyAnswers();
+    void twoLanguagesUnderOneId();
+    void othersTroubleDoesNotHideAServo();
+    void garbledIsNotSilent();
+    void theLinkEndsTheQuestion();
+    void idsThatALanguageLacks();
+    void wholeTable_data();
+    void wholeTable();
+    void aSilentStoredMoveFailsNothing();
+    void askedForItASilentReadIsTold();
+    void statusComesFromItsRegister();
+    void derivedAlarms_data();
+    void derivedAlarms();
+    void stopFramesInEachLanguage();
+};
+
+void TestIdentify::everyFamilyIsKnown_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<QString>("map");
+    QTest::newRow("STS") << "STS"
+                         << "sts-sms";
+    QTest::newRow("SMS") << "SMS"
+                         << "sts-sms";
+    QTest::newRow("SCS") << "SCS"
+                         << "scs";
+    QTest::newRow("HLS") << "HLS"
+                         << "hls";
+    QTest::newRow("SMCL") << "SMCL"
+                          << "smcl";
+    QTest::newRow("SCS-2") << "SCS2"
+                           << "scs2";
+    QTest::newRow("Modbus") << "SMSMB"
+                            << "sms-modbus";
+    QTest::newRow("LX") << "LX"
+                        << "lx";
+}
+
+void TestIdentify::everyFamilyIsKnown()
+{
+    QFETCH(QString, family);
+    QFETCH(QString, map);
+    Bench bench(family, 7);
+    const auto servo = device::identifyAmong(bench.context(), 7, all);
+    QVERIFY(servo);
+    QCOMPARE(servo->profile->mapKey, map);
+    QCOMPARE(servo->protocol, bench.paper().profile->protocol);
+    QCOMPARE(servo->identity().protocol, servo->protocol);
+    QVERIFY(servo->profile->writable);
+    QCOMPARE(bench.bus.writes(), 0);
+}
+
+void TestIdentify::nobodyAnswers()
+{
+    Bench bench(text("LX"), 7);
+    const auto servo = device::identifyAmong(bench.context(), 8, all);
+    QVERIFY(!servo);
+    QCOMPARE(servo.error().code, ErrorCode::NoAnswer);
+    QCOMPARE(servo.error().id, 8);
+}
+
+void TestIdentify::twoLanguagesUnderOneId()
+{
+    Bench bench{{"SMSMB", 3}, {"LX", 3}};
+    const auto servo = device::identifyAmong(bench.context(), 3, all);
+    QVERIFY(!servo);
+    QCOMPARE(servo.error().code, ErrorCode::SeveralProtocols);
+    QCOMPARE(servo.error().detail, text("modbus, lx"));
+    // Said which, each is its own.
+    QCOMPARE(device::identifyAmong(bench.context(), 3, {Protocol::Lx})->profile->series,
+             text("LX"));
+    QCOMPARE(device::identifyAmong(bench.context(), 3, {Protocol::Modbus})->profile->series,
+             text("SMSMB"));
+}
+
+void TestIdentify::othersTroubleDoesNotHideAServo()
+{
+    // Two stations disagree about themselves; the LX servo of that number is sound.
+    Bench bench{{"SMSMB", 3}, {"SMSMB", 3}, {"LX", 3}};
+    bench.paper(1).poke(text("servo_version"), 99);
+    const auto servo = device::identifyAmong(bench.context(), 3, all);
+    QVERIFY(servo);
+    QCOMPARE(servo->protocol, Protocol::Lx);
+}
+
+void TestIdentify::garbledIsNotSilent()
+{
+    Bench bench{{"SMSMB", 3}, {"SMSMB", 3}};
+    bench.paper(1).poke(text("servo_version"), 99);
+    const auto servo = device::identifyAmong(bench.context(), 3, all);
+    QVERIFY(!servo);
+    QCOMPARE(servo.error().code, ErrorCode::Garbled);
+}
+
+void TestIdentify::theLinkEndsTheQuestion()
+{
+    Bench bench{{"LX", 3}};
+    bench.bus.cutAfter = 1;
+    const auto servo = device::identifyAmong(bench.context(), 3, all);
+    QVERIFY(!servo);
+    QCOMPARE(servo.error().code, ErrorCode::LinkLost);
+}
+
+/// Modbus stations end at 247 and begin at 1; that others have no such ID is no failure.
+void TestIdentify::idsThatALanguageLacks()
+{
+    for (const int id : {0, 250}) {
+        Bench bench(text("LX"), id);
+        const auto servo = device::identifyAmong(bench.context(), id, all);
+        QVERIFY(servo);
+        QCOMPARE(servo->protocol, Protocol::Lx);
+        for (const protocol::Request& request : bench.bus.said)
+            QVERIFY(request.protocol != Protocol::Modbus);
+    }
+}
+
+void TestIdentify::wholeTable_data()
+{
+    everyFamilyIsKnown_data();
+}
+
+void TestIdentify::wholeTable()
+{
+    QFETCH(QString, family);
+    Bench bench(family);
+    device::Servo servo = bench.servo();
+    servo.image.clear();
+    QVERIFY(device::readAll(bench.context(), servo));
+    for (const catalog::Register& reg : servo.profile->registers)
+        QCOMPARE(servo.raw(reg), std::optional(bench.paper().raw(reg.key)));
+    for (const protocol::Request& request : bench.bus.said)
+        QVERIFY(request.count <= servo.profile->maxRead);
+}
+
+void TestIdentify::aSilentStoredMoveFailsNothing()
+{
+    Bench bench(text("LX"));
+    bench.paper().tellsStored = false;
+    device::Servo servo = bench.servo();
+    QVERIFY(device::readAll(bench.context(), servo));
+    QVERIFY(!servo.raw(text("wait_angle")));
+    QVERIFY(!servo.raw(text("wait_time")));
+    QCOMPARE(servo.raw(text("angle_limit_max")), std::optional<std::int64_t>(1000));
+    int asked = 0;
+    for (const protocol::Request& request : bench.bus.said)
+        asked += request.address == 8 * 8 ? 1 : 0;
+    QCOMPARE(asked, 1);
+    // Settings are read often, and never wait for it.
+    bench.bus.said.clear();
+    QVERIFY(device::readSettings(bench.context(), servo));
+    for (const protocol::Request& request : bench.bus.said)
+        QVERIFY(request.address != 8 * 8);
+}
+
+void TestIdentify::askedForItASilentReadIsTold()
+{
+    Bench bench(text("LX"));
+    bench.paper().tellsStored = false;
+    device::Servo servo = bench.servo();
+    const auto read = device::readKeys(bench.context(), servo, {text("wait_time")});
+    QVERIFY(!read);
+    QCOMPARE(read.error().code, ErrorCode::NotSupported);
+    QCOMPARE(read.error().detail, text("not-readable"));
+}
+
+/// Bit 4 says that torque is on, which is no fault.
+void TestIdentify::statusComesFromItsRegister()
+{
+    Bench bench(text("SMSMB"));
+    device::Servo servo = bench.servo();
+    bench.paper().poke(text("servo_status"), 0x10);
+    device::noteAlarms(bench.context(), servo);
+    QCOMPARE(int(servo.status), 0);
+    QVERIFY(bench.notices.empty());
+    bench.paper().poke(text("servo_status"), 0x10 | 0x20 | 0x04);
+    device::noteAlarms(bench.context(), servo);
+    QCOMPARE(int(servo.status), 0x24);
+    QCOMPARE(bench.noted(NoticeCode::OverloadHolds), 1);
+    QCOMPARE(bench.noted(NoticeCode::TemperatureHolds), 1);
+    QCOMPARE(bench.notices.size(), std::size_t(2));
+    // Other reads do not wipe it.
+    QVERIFY(device::readKeys(bench.context(), servo, {text("present_position")}));
+    QCOMPARE(int(servo.status), 0x24);
+    QVERIFY(device::derivedAlarms(servo).empty());
+}
+
+void TestIdentify::derivedAlarms_data()
+{
+    QTest::addColumn<int>("celsius");
+    QTest::addColumn<int>("millivolts");
+    QTest::addColumn<int>("hot");
+    QTest::addColumn<int>("voltage");
+    QTest::newRow("nothing") << 85 << 7400 << 0 << 0;
+    QTest::newRow("too hot") << 86 << 7400 << 1 << 0;
+    QTest::newRow("at the lower limit") << 25 << 6500 << 0 << 0;
+    QTest::newRow("too low") << 25 << 6499 << 0 << 1;
+    QTest::newRow("too high") << 25 << 12001 << 0 << 1;
+    QTest::newRow("both") << 99 << 3000 << 1 << 1;
+}
+
+void TestIdentify::derivedAlarms()
+{
+    QFETCH(int, celsius);
+    QFETCH(int, millivolts);
+    QFETCH(int, hot);
+    QFETCH(int, voltage);
+    Bench bench(text("LX"));
+    bench.paper().poke(text("temperature"), celsius);
+    bench.paper().poke(text("vin"), millivolts);
+    auto servo = device::identify(bench.context(), 1, Protocol::Lx);
+    QVERIFY(servo);
+    QVERIFY(device::derivedAlarms(*servo).empty()); // nothing read, nothing derived
+    device::noteAlarms(bench.context(), *servo);
+    QCOMPARE(bench.noted(NoticeCode::DerivedTemperature), hot);
+    QCOMPARE(bench.noted(NoticeCode::DerivedVoltage), voltage);
+    QCOMPARE(int(device::derivedAlarms(*servo).size()), hot + voltage);
+    QCOMPARE(int(servo->status), 0);
+}
+
+void TestIdentify::stopFramesInEachLanguage()
+{
+    Bench bench{{"LX", 1}, {"SMSMB", 1}, {"SCS2", 4}};
+    const auto frames = device::stopFrames({Protocol::Feetech, Protocol::Modbus, Protocol::Lx},
+                                           {bench.servo(0), bench.servo(1), bench.servo(2)});
+    QStringList shown;
+    for (const base::Bytes& frame : frames)
+        shown << base::toHex(frame);
+    QCOMPARE(shown.size(), 6);
+    QCOMPARE(shown[0], text("FF FF FE 04 03 28 00 D2"));
+    QVERIFY(shown[1].startsWith(text("00 06 00 81 00 00")));
+    // NOT(FE + 4 + 1F + 0) = DE
+    QCOMPARE(shown[2], text("55 55 FE 04 1F 00 DE"));
+    QCOMPARE(shown[3], text("55 55 01 04 1F 00 DB")); // the sheet's worked frame
+    QVERIFY(shown[4].startsWith(text("01 06 00 81 00 00")));
+    QVERIFY(shown[5].startsWith(text("FF FF 04 04 03 28 00")));
+}
+
+QTEST_GUILESS_MAIN(TestIdentify)
+#include "tst_identify.moc"
