@@ -115,6 +115,46 @@ private Q_SLOTS:
         QCOMPARE(tripped(), 1);
     }
 
+    void modbusIsOneServoAtStationOne()
+    {
+        const auto bus = preset("modbus");
+        QCOMPARE(bus->servos().size(), std::size_t{1});
+        QCOMPARE(bus->servos()[0]->baud(), 115'200);
+        Duration now = 1ms;
+        bus->hostReads(now);
+        const Bytes whoIsThere{0x00, 0x11, 0xC1, 0xBC};
+        const Bytes stationOne{0x01, 0x11, 0x03, 0x01, 0x00, 0x00, 0xAC, 0x4D};
+        QCOMPARE(wire::ask(*bus, whoIsThere, now, 115'200), stationOne);
+    }
+
+    // What a table of the preset would show: IDs, an offset that was saved, a motor too warm.
+    void lxHasSomethingToSee()
+    {
+        const auto bus = preset("lx");
+        bus->hostReads(1ms);
+        bus->powerCycle();
+        bus->hostReads(10s);
+        QStringList models;
+        std::vector<int> ids;
+        int offsets = 0;
+        int warm = 0;
+        for (const sim::VirtualServo* servo : bus->servos()) {
+            QCOMPARE(servo->baud(), 115'200);
+            ids.push_back(servo->id());
+            models += servo->profile().modelName;
+            offsets += servo->raw(QStringLiteral("angle_offset")) != 0 ? 1 : 0;
+            warm +=
+                servo->raw(QStringLiteral("temperature")) > servo->raw(QStringLiteral("temp_limit"))
+                    ? 1
+                    : 0;
+        }
+        models.removeDuplicates();
+        QVERIFY(models.size() >= 3);
+        QCOMPARE(ids, (std::vector<int>{1, 2, 3, 4, 5}));
+        QCOMPARE(offsets, 1);
+        QCOMPARE(warm, 1);
+    }
+
     void oneRateForAllMayBeAskedFor()
     {
         const auto bus = preset("demo", 57'600);
@@ -150,12 +190,71 @@ private Q_SLOTS:
         QCOMPARE(servos[2]->profile().modelName, QStringLiteral("SCS15"));
     }
 
+    void namesMatchHoweverTheyAreWritten_data()
+    {
+        QTest::addColumn<QString>("written");
+        QTest::addColumn<QString>("model");
+        const auto row = [](const char* written, const char* model) {
+            QTest::newRow(written) << QString::fromLatin1(written) << QString::fromLatin1(model);
+        };
+        row("lx16a", "LX-16A");
+        row("LX-16A", "LX-16A");
+        row("lx 224 hv", "LX-224HV");
+        row("hts35h", "HTS-35H");
+        row("hls3606m", "HLS3606");
+        row("HLS3915", "HLS3915");
+        row("hd1910", "HD-1910");
+        row("scs15-2", "SCS15-2");
+        row("sm80360m", "SM80-360M");
+        row("smsmb", "SMSMB");
+    }
+    void namesMatchHoweverTheyAreWritten()
+    {
+        QFETCH(QString, written);
+        QFETCH(QString, model);
+        const auto bus = wire::bus(qPrintable(written + QStringLiteral("@7")));
+        QCOMPARE(bus->servos()[0]->profile().modelName, model);
+        QCOMPARE(bus->servos()[0]->id(), 7);
+    }
+
+    void everyModelWithAMapCanBeSimulated_data()
+    {
+        QTest::addColumn<QString>("model");
+        for (const auto& model : wire::models().models()) {
+            if (model.supported)
+                QTest::addRow("%s %d.%d", qPrintable(model.name), model.major, model.minor)
+                    << model.name;
+        }
+    }
+    void everyModelWithAMapCanBeSimulated()
+    {
+        QFETCH(QString, model);
+        const auto bus = wire::bus(qPrintable(model + QStringLiteral("@1")));
+        sim::VirtualServo& servo = *bus->servos()[0];
+        QCOMPARE(servo.baud(), servo.profile().defaultBaud.value_or(0));
+        bus->hostReads(1ms);
+        bus->hostReads(1s);
+        QVERIFY2(servo.profile().find(QStringLiteral("servo_status")) == nullptr ||
+                     servo.raw(QStringLiteral("servo_status")) == 0,
+                 "alarmed at its own supply");
+        QCOMPARE(servo.raw(servo.profile().byRole(catalog::Role::Id)->key), 1);
+        const auto position = servo.profile().byRole(catalog::Role::PresentPosition)->key;
+        const std::int64_t before = servo.raw(position);
+        const auto goal = servo.profile().byRole(catalog::Role::GoalPosition)->key;
+        servo.poke(servo.profile().byRole(catalog::Role::TorqueSwitch)->key, 1);
+        servo.poke(goal, before * 3 / 4);
+        bus->hostReads(4s);
+        QVERIFY(std::abs(servo.raw(position) - before * 3 / 4) <= 15);
+    }
+
     void servosComeWithTheirFactoryRate()
     {
-        const auto bus = wire::bus("sts3215@1,sm40blhv@2,scs0009@3");
-        QCOMPARE(bus->servo(1)->baud(), 1'000'000);
-        QCOMPARE(bus->servo(2)->baud(), 115'200);
-        QCOMPARE(bus->servo(3)->baud(), 1'000'000);
+        const auto bus = wire::bus("sts3215@1,sm40blhv@2,scs0009@3,hls3606@4,smsmb@5,lx16a@6,"
+                                   "sm60-360m@7,scs15-2@8");
+        const std::vector<int> rates{1'000'000, 115'200, 1'000'000, 1'000'000,
+                                     115'200,   115'200, 115'200,   1'000'000};
+        for (std::size_t i = 0; i < rates.size(); ++i)
+            QCOMPARE(bus->servos()[i]->baud(), rates[i]);
     }
 
     void refusesWhatItCannotMake_data()

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A state file carries what each kind of servo keeps over a restart of the simulator; a file of
+// other servos, or of another version of the format, is refused and left alone.
+#include "sim/eprom_store.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "wire_bench.h"
+
+namespace {
+struct Kept {
+    const char* model;
+    const char* key; ///< survives
+    int value;
+    const char* lostKey; ///< does not
+};
+constexpr Kept rows[] = {
+    {"sts3215", "max_temperature", 61, "goal_position"},
+    {"scs15", "max_temperature", 61, "goal_position"},
+    {"sm40blhv", "max_temperature", 61, "goal_position"},
+    {"hls3606", "protection_current", 321, "goal_position"},
+    {"sm60-360m", "position_offset", -77, "goal_position"},
+    {"scs15-2", "position_offset", -77, "goal_position"},
+    {"smsmb", "position_offset", -77, "goal_position"},
+    {"lx16a", "temp_limit", 61, "move_angle"},
+};
+} // namespace
+
+class TestStateFiles : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
+        m_folder = std::make_unique<QTemporaryDir>();
+    }
+
+    void carryWhatIsKept_data()
+    {
+        QTest::addColumn<int>("row");
+        for (int i = 0; i < int(std::size(rows)); ++i)
+            QTest::newRow(rows[i].model) << i;
+    }
+    void carryWhatIsKept()
+    {
+        QFETCH(int, row);
+        const Kept& kept = rows[row];
+        const QString key = QString::fromLatin1(kept.key);
+        const QString lostKey = QString::fromLatin1(kept.lostKey);
+        const QByteArray servos = QByteArray(kept.model) + "@1," + kept.model + "@2";
+        std::int64_t usual = 0;
+        {
+            const auto bus = wire::bus(servos);
+            auto store = sim::EpromStore::open(file(), *bus);
+            QVERIFY(store);
+            sim::VirtualServo& servo = *bus->servo(2);
+            usual = servo.raw(lostKey);
+            if (servo.profile().byRole(catalog::Role::Lock) != nullptr)
+                servo.poke(QStringLiteral("lock"), 0);
+            servo.poke(key, kept.value);
+            servo.poke(lostKey, 345);
+            QVERIFY(store->saveChanges());
+        }
+        const auto bus = wire::bus(servos);
+        QVERIFY(sim::EpromStore::open(file(), *bus));
+        QCOMPARE(bus->servo(2)->raw(key), kept.value);
+        QCOMPARE(bus->servo(2)->raw(lostKey), usual);
+        QVERIFY(bus->servo(1)->raw(key) != kept.value);
+    }
+
+    void refuseOtherServos_data()
+    {
+        QTest::addColumn<QByteArray>("servos");
+        QTest::newRow("another LX") << QByteArray("lx16a@1,lx224@2");
+        QTest::newRow("another language") << QByteArray("lx16a@1,smsmb@2");
+        QTest::newRow("fewer") << QByteArray("lx16a@1");
+    }
+    void refuseOtherServos()
+    {
+        QFETCH(QByteArray, servos);
+        const auto first = wire::bus("lx16a@1,lx16a@2");
+        QVERIFY(sim::EpromStore::open(file(), *first));
+        const QByteArray before = content();
+        const auto other = wire::bus(servos);
+        const auto refused = sim::EpromStore::open(file(), *other);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, base::ErrorCode::FileFormat);
+        QCOMPARE(content(), before);
+    }
+
+    // Version 1 held the first 256 bytes as they lay.
+    void refuseAnotherVersion()
+    {
+        const auto bus = wire::bus("sts3215@1");
+        base::Bytes image = bus->servo(1)->epromImage();
+        QVERIFY(bus->servo(1)->setEpromImage(image));
+        image[3] = 1;
+        QVERIFY(!bus->servo(1)->setEpromImage(image));
+    }
+
+private:
+    QString file() const { return m_folder->filePath(QStringLiteral("state.json")); }
+    QByteArray content() const
+    {
+        QFile state(file());
+        return state.open(QIODevice::ReadOnly) ? state.readAll() : QByteArray();
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_GUILESS_MAIN(TestStateFiles)
+#include "tst_state_files.moc"
