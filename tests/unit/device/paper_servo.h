@@ -72,6 +72,12 @@ struct Servo {
             set(*max, max->max.value_or(1000), true);
         id = withId;
         put(catalog::Role::Id, withId);
+        if (const catalog::Register* rate = profile->byRole(catalog::Role::BaudRate)) {
+            for (const catalog::NamedValue& value : rate->values) {
+                if (value.key.toInt() == baud)
+                    put(catalog::Role::BaudRate, value.value);
+            }
+        }
     }
 
     const catalog::Register& reg(const QString& key) const
