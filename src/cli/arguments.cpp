@@ -116,6 +116,16 @@ base::Result<std::vector<int>> parseBauds(const QString& word)
     return bauds;
 }
 
+base::Result<std::optional<base::Protocol>> parseProtocol(const QString& word)
+{
+    if (word == QLatin1String("auto"))
+        return std::optional<base::Protocol>();
+    if (const auto protocol = base::protocolFromName(word))
+        return protocol;
+    return badArgument(
+        translate("cli", "\"%1\" is no protocol (auto, feetech, modbus, lx)").arg(word));
+}
+
 base::Result<std::pair<QString, QString>> parseAssignment(const QString& word)
 {
     const qsizetype sign = word.indexOf(QLatin1Char('='));

@@ -28,6 +28,9 @@ base::Result<IdRange> parseIdRange(const QString& word);
 base::Result<int> parseWhole(const QString& word, int min, int max);
 base::Result<double> parsePositive(const QString& word);
 /// "all" or "N,N…".
+/// "feetech", "modbus", "lx"; nullopt: "auto".
+base::Result<std::optional<base::Protocol>> parseProtocol(const QString& word);
+
 base::Result<std::vector<int>> parseBauds(const QString& word);
 
 /// "KEY=VALUE"

@@ -35,15 +35,12 @@ base::Result<Exit> runSetId(Run& run, const Values& values)
 
 base::Result<Exit> runSetBaud(Run& run, const Values& values)
 {
-    const auto id = parseId(values.word("ID"));
-    if (!id)
-        return tl::unexpected(id.error());
     const auto rates = parseBauds(values.word("RATE"));
     if (!rates)
         return tl::unexpected(rates.error());
     if (rates->size() != 1)
         return badArgument(translate("cli", "give one baud rate"));
-    auto servo = run.servoWithSettings(*id);
+    auto servo = run.servoWithSettings(values);
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
@@ -56,17 +53,14 @@ base::Result<Exit> runSetBaud(Run& run, const Values& values)
 
 base::Result<Exit> runCenter(Run& run, const Values& values)
 {
-    const auto id = parseId(values.word("ID"));
-    if (!id)
-        return tl::unexpected(id.error());
-    auto servo = run.servoWithSettings(*id);
+    auto servo = run.servoWithSettings(values);
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
     const auto report = jobs::center(*context, *servo);
     if (!report)
         return tl::unexpected(report.error());
-    Table table({translate("cli", "Servo %1").arg(*id), translate("cli", "Before"),
+    Table table({translate("cli", "Servo %1").arg(servo->id), translate("cli", "Before"),
                  translate("cli", "After")});
     table.right({1, 2});
     const auto row = [&](const QString& name, catalog::Role role, auto before, auto after) {
@@ -84,7 +78,7 @@ base::Result<Exit> runCenter(Run& run, const Values& values)
         report->offsetAfter);
     run.finish(
         Json::object()
-            .add("id", *id)
+            .add("id", servo->id)
             .add("position_before", report->positionBefore)
             .add("position_after", report->positionAfter)
             .add("offset_before", report->offsetBefore)
@@ -98,18 +92,15 @@ base::Result<Exit> runCenter(Run& run, const Values& values)
 
 base::Result<Exit> runReboot(Run& run, const Values& values)
 {
-    const auto id = parseId(values.word("ID"));
-    if (!id)
-        return tl::unexpected(id.error());
-    auto servo = run.servo(*id);
+    auto servo = run.servo(values);
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
     const auto elapsed = jobs::reboot(*context, *servo);
     if (!elapsed)
         return tl::unexpected(elapsed.error());
-    run.finish(Json::object().add("id", *id).add("elapsed_ms", *elapsed),
-               translate("cli", "Servo %1 has restarted.").arg(*id) + QLatin1Char('\n'));
+    run.finish(Json::object().add("id", servo->id).add("elapsed_ms", *elapsed),
+               translate("cli", "Servo %1 has restarted.").arg(servo->id) + QLatin1Char('\n'));
     return Exit::Done;
 }
 } // namespace

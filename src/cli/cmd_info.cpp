@@ -82,7 +82,8 @@ QString infoText(const device::Servo& servo)
     row(translate("cli", "Series, map"),
         QStringLiteral("%1, %2").arg(profile.series, profile.mapKey));
     row(translate("cli", "Protocol, line"),
-        QStringLiteral("%1, %2").arg(base::protocolName(profile.protocol), text::lineWord(profile.line)));
+        QStringLiteral("%1, %2").arg(base::protocolName(profile.protocol),
+                                     text::lineWord(profile.line)));
     row(translate("cli", "Port, baud rate"),
         QStringLiteral("%1, %2").arg(servo.port).arg(servo.baud));
     row(translate("cli", "Mode"),
@@ -98,10 +99,7 @@ QString infoText(const device::Servo& servo)
 
 base::Result<Exit> run(Run& run, const Values& values)
 {
-    const auto id = parseId(values.word("ID"));
-    if (!id)
-        return tl::unexpected(id.error());
-    auto servo = run.servo(*id);
+    auto servo = run.servo(values);
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
@@ -113,7 +111,7 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (lock != nullptr && servo->raw(*lock) == 0) {
         text +=
             translate("cli", "The EPROM lock is open; to close it: servodesk-cli write %1 lock=1")
-                .arg(*id) +
+                .arg(servo->id) +
             QLatin1Char('\n');
     }
     run.finish(jsonInfo(*servo), text);

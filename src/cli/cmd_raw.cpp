@@ -14,9 +14,8 @@ struct Piece {
 };
 
 /// Cuts what came back into frames and noise.
-std::vector<Piece> pieces(base::ByteView received)
+std::vector<Piece> pieces(const protocol::Codec& codec, base::ByteView received)
 {
-    const protocol::Codec& codec = protocol::feetechCodec();
     std::vector<Piece> found;
     while (!received.empty()) {
         const protocol::ScanResult result = codec.scan(received, {}, true);
@@ -31,8 +30,19 @@ std::vector<Piece> pieces(base::ByteView received)
     return found;
 }
 
-bool wantsAnswer(base::ByteView sent)
+/// What the bytes look like: two equal header bytes, or none with Modbus.
+base::Protocol languageOf(base::ByteView sent)
 {
+    if (sent.size() < 2 || sent[0] != sent[1])
+        return base::Protocol::Modbus;
+    return sent[0] == 0x55 ? base::Protocol::Lx : base::Protocol::Feetech;
+}
+
+/// A broadcast is not answered.
+bool wantsAnswer(base::Protocol language, base::ByteView sent)
+{
+    if (language == base::Protocol::Modbus)
+        return sent[0] != 0;
     constexpr std::size_t idPlace = 2;
     return sent.size() <= idPlace || sent[idPlace] != protocol::broadcastId;
 }
@@ -46,18 +56,20 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (!context)
         return tl::unexpected(context.error());
     bus::Transaction transaction;
-    transaction.request = protocol::Request::raw(*bytes);
+    const base::Protocol language = run.globals().protocol.value_or(languageOf(*bytes));
+    const protocol::Codec& codec = protocol::codecFor(language);
+    transaction.request = protocol::Request::raw(*bytes).in(language);
     transaction.stop = &run.stop();
     const auto outcome = context->bus.transact(transaction);
     if (!outcome)
         return tl::unexpected(outcome.error());
     const base::Bytes received = outcome->parts.empty() ? base::Bytes() : outcome->data();
-    const QString meaning = protocol::feetechCodec().explain(*bytes, true);
+    const QString meaning = codec.explain(*bytes, true);
     Table table(
         {translate("cli", "Direction"), translate("cli", "Meaning"), translate("cli", "Bytes")});
     table.add({translate("cli", "sent"), meaning, base::toHex(*bytes)});
     Json::Array frames;
-    for (const Piece& piece : pieces(received)) {
+    for (const Piece& piece : pieces(codec, received)) {
         frames.push_back(
             Json::object().add("bytes", base::toHex(piece.bytes)).add("meaning", piece.meaning));
         table.add({translate("cli", "received"), piece.meaning, base::toHex(piece.bytes)});
@@ -68,7 +80,7 @@ base::Result<Exit> run(Run& run, const Values& values)
                    .add("received", base::toHex(received))
                    .add("frames", std::move(frames)),
                table.text());
-    if (!received.empty() || !wantsAnswer(*bytes))
+    if (!received.empty() || !wantsAnswer(language, *bytes))
         return Exit::Done;
     run.console().remark(translate("cli", "Nothing came back."));
     return Exit::NoAnswer;

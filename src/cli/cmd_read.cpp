@@ -21,10 +21,7 @@ void show(Run& run, const device::Servo& servo, const Registers& registers, cons
 
 base::Result<Exit> runDump(Run& run, const Values& values)
 {
-    const auto id = parseId(values.word("ID"));
-    if (!id)
-        return tl::unexpected(id.error());
-    auto servo = run.servo(*id);
+    auto servo = run.servo(values);
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
@@ -41,15 +38,12 @@ base::Result<Exit> runDump(Run& run, const Values& values)
 
 base::Result<Exit> runRead(Run& run, const Values& values)
 {
-    const auto id = parseId(values.word("ID"));
-    if (!id)
-        return tl::unexpected(id.error());
-    auto servo = run.servo(*id);
+    auto servo = run.servo(values);
     if (!servo)
         return tl::unexpected(servo.error());
     Registers wanted;
     for (const QString& key : values.words("KEY")) {
-        const auto reg = findRegister(*servo->profile, key, *id);
+        const auto reg = findRegister(*servo->profile, key, servo->id);
         if (!reg)
             return tl::unexpected(reg.error());
         wanted.push_back(*reg);

@@ -10,6 +10,8 @@
 
 namespace cli {
 namespace {
+constexpr int shownUuid = 8; ///< enough to tell a handful of changes apart
+
 QString kindName(base::IntentKind kind)
 {
     switch (kind) {
@@ -99,13 +101,14 @@ QString lockShown(const std::optional<bool>& open)
 
 Table recoveredTable(const std::vector<jobs::Recovered>& all)
 {
-    Table table({translate("cli", "When"), translate("cli", "ID"), translate("cli", "What"),
-                 translate("cli", "Changes"), translate("cli", "Found"), translate("cli", "Lock"),
-                 translate("cli", "Settled")});
-    table.right({1});
+    Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
+                 translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Found"),
+                 translate("cli", "Lock"), translate("cli", "Settled")});
+    table.right({2});
     for (const jobs::Recovered& one : all) {
         const base::Intent& intent = one.before.intent;
-        table.add({intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
+        table.add({intent.uuid.left(shownUuid),
+                   intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
                    QString::number(intent.servo.id), kindName(intent.kind), changesOf(intent),
                    translate("cli", findingWord(one.before.finding).shown),
                    lockShown(one.before.lockOpen),
@@ -127,7 +130,8 @@ void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction
     }
     if (!all.empty() && action == jobs::RecoverAction::Look)
         text += translate("cli", "Nothing was written. --finish completes what was begun, --undo "
-                                 "puts the old values back.") +
+                                 "puts the old values back, --forget gives up a change whose servo "
+                                 "will not come back.") +
                 QLatin1Char('\n');
     run.finish(Json::object().add("intents", std::move(intents)), text);
 }
@@ -145,6 +149,26 @@ Exit exitOf(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
     return exit;
 }
 
+/// Ends intents as abandoned; for servos that are gone for good. Needs no port.
+base::Result<Exit> forget(Run& run, const std::vector<base::Intent>& open, const QString& which)
+{
+    QStringList forgotten;
+    for (const base::Intent& intent : open) {
+        if (which != QLatin1String("all") && !intent.uuid.startsWith(which))
+            continue;
+        const auto ended =
+            run.session().journal().end(intent.uuid, {QStringLiteral("abandoned"), {}});
+        if (!ended)
+            return tl::unexpected(ended.error());
+        forgotten << intent.uuid;
+    }
+    if (forgotten.isEmpty() && which != QLatin1String("all"))
+        return badArgument(translate("cli", "there is no open change \"%1\"").arg(which));
+    run.finish(Json::object().add("forgotten", forgotten),
+               translate("cli", "Changes given up: %1").arg(forgotten.size()) + QLatin1Char('\n'));
+    return Exit::Done;
+}
+
 base::Result<Exit> run(Run& run, const Values& values)
 {
     if (values.has("--finish") && values.has("--undo"))
@@ -155,6 +179,8 @@ base::Result<Exit> run(Run& run, const Values& values)
     const auto open = run.session().journal().open();
     if (!open)
         return tl::unexpected(open.error());
+    if (const auto which = values.option("--forget"))
+        return forget(run, *open, *which);
     if (open->empty()) {
         show(run, {}, action);
         return Exit::Done;
@@ -177,6 +203,10 @@ Command recoverCommand()
             {},
             {{"--finish", QT_TRANSLATE_NOOP("cli", "complete them")},
              {"--undo", QT_TRANSLATE_NOOP("cli", "put the old values back")},
+             {"--forget",
+              QT_TRANSLATE_NOOP("cli", "give up a change whose servo will not come back (the first "
+                                       "letters of its name will do)"),
+              "CHANGE|all"},
              {"--any-port",
               QT_TRANSLATE_NOOP("cli", "also changes begun on another port than this one")}},
             run};

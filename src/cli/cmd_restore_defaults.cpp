@@ -39,10 +39,7 @@ QString restoreText(const jobs::RestoreReport& report, const QString& snapshot)
 
 base::Result<Exit> run(Run& run, const Values& values)
 {
-    const auto id = parseId(values.word("ID"));
-    if (!id)
-        return tl::unexpected(id.error());
-    auto servo = run.servoWithSettings(*id);
+    auto servo = run.servoWithSettings(values);
     if (!servo)
         return tl::unexpected(servo.error());
     const auto snapshot = saveSafetySnapshot(run, *servo);

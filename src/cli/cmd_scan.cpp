@@ -52,9 +52,10 @@ Json jsonReport(const jobs::ScanReport& report)
 Table foundTable(const jobs::ScanReport& report)
 {
     Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Number"),
-                 translate("cli", "Firmware"), translate("cli", "Map"), translate("cli", "Baud"),
-                 translate("cli", "Alarms"), translate("cli", "Remark")});
-    table.right({0, 5});
+                 translate("cli", "Firmware"), translate("cli", "Protocol"),
+                 translate("cli", "Map"), translate("cli", "Baud"), translate("cli", "Alarms"),
+                 translate("cli", "Remark")});
+    table.right({0, 6});
     for (const jobs::Found& found : report.found) {
         const catalog::Profile* profile = found.servo.profile.get();
         const bool known = profile != nullptr;
@@ -62,6 +63,7 @@ Table foundTable(const jobs::ScanReport& report)
                    known ? profile->modelName : QStringLiteral("?"),
                    known ? profile->identity.modelId() : QStringLiteral("?"),
                    known ? profile->identity.firmware() : QStringLiteral("?"),
+                   base::protocolName(found.servo.protocol),
                    known ? profile->mapKey : QStringLiteral("?"), QString::number(found.servo.baud),
                    text::statusWords(found.servo.status, profile, text::inChinese()),
                    found.twinsSuspected ? translate("cli", "two servos with this ID suspected")
@@ -108,6 +110,8 @@ base::Result<jobs::ScanSpec> specOf(const Run& run, const Values& values)
         spec.bauds = transport::knownRates();
     }
     spec.slowPass = values.has("--slow");
+    if (run.globals().protocol)
+        spec.protocols = {*run.globals().protocol};
     return spec;
 }
 

@@ -11,10 +11,7 @@ namespace cli {
 namespace {
 base::Result<Exit> runSave(Run& run, const Values& values)
 {
-    const auto id = parseId(values.word("ID"));
-    if (!id)
-        return tl::unexpected(id.error());
-    auto servo = run.servo(*id);
+    auto servo = run.servo(values);
     if (!servo)
         return tl::unexpected(servo.error());
     const QString file = values.word("FILE");
@@ -23,9 +20,9 @@ base::Result<Exit> runSave(Run& run, const Values& values)
         return tl::unexpected(snapshot.error());
     const auto count = static_cast<int>(snapshot->registers.size());
     run.finish(
-        Json::object().add("id", *id).add("file", file).add("registers", count),
+        Json::object().add("id", servo->id).add("file", file).add("registers", count),
         translate("cli", "Servo %1, %2: registers saved to %3: %4")
-                .arg(QString::number(*id), servoTitle(*servo), file, QString::number(count)) +
+                .arg(QString::number(servo->id), servoTitle(*servo), file, QString::number(count)) +
             QLatin1Char('\n'));
     return Exit::Done;
 }

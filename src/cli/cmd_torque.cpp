@@ -6,6 +6,8 @@
 #include "cli/translate.h"
 #include "device/motion.h"
 
+#include <functional>
+
 namespace cli {
 namespace {
 struct State {
@@ -29,30 +31,37 @@ base::Result<State> parseState(const QString& word)
     return badArgument(translate("cli", "the last word must be on, off or damp"));
 }
 
-base::Result<void> switchOne(Run& run, int id, device::Torque torque)
+/// What is done to each of several servos, and how it is told.
+struct Task {
+    const char* name; ///< operation, and the member of the JSON document
+    Json result;
+    QString shown;
+    std::function<base::Result<void>(const device::Context&, device::Servo&)> act;
+};
+
+base::Result<void> doOne(Run& run, int id, const Task& task)
 {
     auto servo = run.servo(id);
     if (!servo)
         return tl::unexpected(servo.error());
-    return device::setTorque(*run.context(), *servo, torque);
+    return task.act(*run.context(), *servo);
 }
 
 /// All servos get their turn, whatever becomes of the others: off must reach as many as it can.
-base::Result<Exit> switchAll(Run& run, const std::vector<int>& ids, const State& state)
+base::Result<Exit> doAll(Run& run, const std::vector<int>& ids, const Task& task)
 {
     Json::Array servos;
     QString text;
     Exit exit = Exit::Done;
     for (const int id : ids) {
         if (run.stop().requested())
-            return base::fail(base::ErrorCode::Stopped, QStringLiteral("torque"), {}, id);
-        const auto done = switchOne(run, id, state.torque);
+            return base::fail(base::ErrorCode::Stopped, QLatin1String(task.name), {}, id);
+        const auto done = doOne(run, id, task);
         Json json = Json::object();
         json.add("id", id);
         if (done) {
-            json.add("torque", QString::fromLatin1(state.word));
-            text += translate("cli", "Servo %1: %2").arg(id).arg(translate("cli", state.shown)) +
-                    QLatin1Char('\n');
+            json.add(task.name, task.result);
+            text += translate("cli", "Servo %1: %2").arg(id).arg(task.shown) + QLatin1Char('\n');
         } else if (ids.size() == 1) {
             return tl::unexpected(done.error());
         } else {
@@ -77,15 +86,27 @@ base::Result<Exit> runTorque(Run& run, const Values& values)
         return tl::unexpected(ids.error());
     if (const auto connection = run.connect(); !connection)
         return tl::unexpected(connection.error());
-    return switchAll(run, *ids, *state);
+    const Task task{"torque", QString::fromLatin1(state->word), translate("cli", state->shown),
+                    [torque = state->torque](const device::Context& context, device::Servo& servo) {
+                        return device::setTorque(context, servo, torque);
+                    }};
+    return doAll(run, *ids, task);
+}
+
+base::Result<Exit> runStop(Run& run, const Values& values)
+{
+    const auto ids = parseIds(values.words("ID"));
+    if (!ids)
+        return tl::unexpected(ids.error());
+    if (const auto connection = run.connect(); !connection)
+        return tl::unexpected(connection.error());
+    const Task task{"stopped", true, translate("cli", "stopped"), device::halt};
+    return doAll(run, *ids, task);
 }
 
 base::Result<Exit> runMode(Run& run, const Values& values)
 {
-    const auto id = parseId(values.word("ID"));
-    if (!id)
-        return tl::unexpected(id.error());
-    auto servo = run.servoWithSettings(*id);
+    auto servo = run.servoWithSettings(values);
     if (!servo)
         return tl::unexpected(servo.error());
     const QString wanted = values.word("MODE");
@@ -96,7 +117,7 @@ base::Result<Exit> runMode(Run& run, const Values& values)
         return base::fail(base::ErrorCode::NotSupported, QStringLiteral("mode"),
                           translate("cli", "no mode \"%1\"; it has %2")
                               .arg(wanted, known.join(QStringLiteral(", "))),
-                          *id);
+                          servo->id);
     }
     const auto report = device::switchMode(*run.context(), *servo, wanted);
     if (!report)
@@ -116,15 +137,24 @@ Command torqueCommand()
             runTorque};
 }
 
+Command stopCommand()
+{
+    return {"stop",
+            QT_TRANSLATE_NOOP("cli", "end the motion; torque stays as it is"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "servos: 1 2 3, 1-6, 1,3"), 1, many}},
+            {},
+            runStop};
+}
+
 Command modeCommand()
 {
-    return {
-        "mode",
-        QT_TRANSLATE_NOOP("cli", "switch the operating mode; torque stays off afterwards"),
-        {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
-         {"MODE", QT_TRANSLATE_NOOP("cli", "position, multiturn, speed, pwm, step or motor, as the "
-                                           "family has them")}},
-        {},
-        runMode};
+    return {"mode",
+            QT_TRANSLATE_NOOP("cli", "switch the operating mode; torque stays off afterwards"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
+             {"MODE",
+              QT_TRANSLATE_NOOP("cli", "position, multiturn, speed, pwm, step, current or motor, "
+                                       "as the family has them")}},
+            {},
+            runMode};
 }
 } // namespace cli

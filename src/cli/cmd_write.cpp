@@ -10,14 +10,11 @@ namespace cli {
 namespace {
 base::Result<Exit> run(Run& run, const Values& values)
 {
-    const auto id = parseId(values.word("ID"));
-    if (!id)
-        return tl::unexpected(id.error());
     for (const QString& word : values.words("KEY=VALUE")) {
         if (const auto assignment = parseAssignment(word); !assignment)
             return tl::unexpected(assignment.error());
     }
-    auto servo = run.servoWithSettings(*id);
+    auto servo = run.servoWithSettings(values);
     if (!servo)
         return tl::unexpected(servo.error());
     const auto items = parseWriteItems(*servo, values.words("KEY=VALUE"));

@@ -10,10 +10,11 @@ const std::vector<Command>& commands()
                                           setIdCommand(),        setBaudCommand(),
                                           centerCommand(),       restoreDefaultsCommand(),
                                           rebootCommand(),       torqueCommand(),
-                                          modeCommand(),         moveCommand(),
-                                          watchCommand(),        rawCommand(),
-                                          recoverCommand(),      snapshotSaveCommand(),
-                                          snapshotShowCommand(), tourCommand()};
+                                          stopCommand(),         modeCommand(),
+                                          moveCommand(),         watchCommand(),
+                                          rawCommand(),          recoverCommand(),
+                                          snapshotSaveCommand(), snapshotShowCommand(),
+                                          tourCommand()};
     return all;
 }
 } // namespace cli

@@ -17,6 +17,7 @@ Command centerCommand();
 Command restoreDefaultsCommand();
 Command rebootCommand();
 Command torqueCommand();
+Command stopCommand();
 Command modeCommand();
 Command moveCommand();
 Command watchCommand();

@@ -13,6 +13,7 @@ namespace cli {
 namespace {
 constexpr int maxPatienceMs = 60'000;
 constexpr int maxRetries = 20;
+constexpr int maxSilenceUs = 100'000;
 
 /// What CLI11 fills for one command.
 struct Slots {
@@ -103,6 +104,18 @@ base::Result<Globals> globalsOf(const Values& values)
             return tl::unexpected(rates.error());
         if (!globals.searchBaud)
             globals.baud = rates->front();
+    }
+    if (const auto word = values.option("--protocol")) {
+        const auto protocol = parseProtocol(*word);
+        if (!protocol)
+            return tl::unexpected(protocol.error());
+        globals.protocol = *protocol;
+    }
+    if (const auto silence = values.option("--silence")) {
+        const auto us = parseWhole(*silence, 0, maxSilenceUs);
+        if (!us)
+            return tl::unexpected(us.error());
+        globals.silence = std::chrono::microseconds(*us);
     }
     if (const auto timeout = values.option("--timeout")) {
         const auto ms = parseWhole(*timeout, 1, maxPatienceMs);
@@ -219,15 +232,26 @@ const std::vector<Option>& globalOptions()
     static const std::vector<Option> options{
         {"--port",
          QT_TRANSLATE_NOOP("cli", "device path, tcp://HOST:PORT, or a simulated bus: sim:demo, "
-                                  "sim:trouble, sim:sts3215@1,scs15@2 (starts anew with each run)"),
+                                  "sim:trouble, sim:modbus, sim:lx, sim:sts3215@1,lx16a@2 (starts "
+                                  "anew with each run)"),
          "P"},
-        {"--baud", QT_TRANSLATE_NOOP("cli", "baud rate, or auto to try all (usual: 1000000)"),
+        {"--baud",
+         QT_TRANSLATE_NOOP("cli", "baud rate, or auto to try all (usual: 1000000; 115200 for LX "
+                                  "and Modbus)"),
          "N|auto"},
+        {"--protocol",
+         QT_TRANSLATE_NOOP("cli", "what the servos speak (usual: auto, all that can exist at the "
+                                  "rate)"),
+         "auto|feetech|modbus|lx"},
         {"--timeout",
          QT_TRANSLATE_NOOP("cli", "patience with a silent servo beyond the wire time (usual: 25, "
                                   "growing)"),
          "MS"},
         {"--retries", QT_TRANSLATE_NOOP("cli", "how often a disturbed request is repeated"), "N"},
+        {"--silence",
+         QT_TRANSLATE_NOOP("cli", "silence between Modbus frames (usual: 1750 above 19200 baud, as "
+                                  "the standard says)"),
+         "US"},
         {"--json", QT_TRANSLATE_NOOP("cli", "print one JSON document")},
         {"--lang", QT_TRANSLATE_NOOP("cli", "language of the words"), "en|zh_CN"},
     };

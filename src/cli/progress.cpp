@@ -33,8 +33,12 @@ void ProgressLine::update(const jobs::Progress& progress)
     QString state = translate("cli", "%1 %, about %2 s left")
                         .arg(std::lround(progress.fraction * 100))
                         .arg(remaining.count() + 1);
-    if (progress.baud > 0)
-        state += translate("cli", ", %1 baud, found: %2").arg(progress.baud).arg(progress.found);
+    if (progress.baud > 0) {
+        state += translate("cli", ", %1 at %2 baud, found: %3")
+                     .arg(base::protocolName(progress.protocol))
+                     .arg(progress.baud)
+                     .arg(progress.found);
+    }
     show(state);
 }
 

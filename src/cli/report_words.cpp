@@ -62,6 +62,8 @@ QString numberOrDash(const std::optional<std::int64_t>& number)
 QString servoTitle(const device::Servo& servo)
 {
     const catalog::Profile& profile = *servo.profile;
+    if (profile.identity.firmwareMajor < 0) // it says nothing of itself
+        return profile.modelName;
     return translate("cli", "%1 (%2), firmware %3")
         .arg(profile.modelName, profile.identity.modelId(), profile.identity.firmware());
 }

@@ -63,7 +63,9 @@ base::Result<session::Connection*> Run::connect()
         return tl::unexpected(port.error());
     session::PortRequest request;
     request.name = *port;
-    request.baud = m_globals.baud.value_or(request.baud);
+    request.baud = m_globals.baud;
+    request.protocol = m_globals.protocol;
+    request.silence = m_globals.silence;
     request.patience = m_globals.patience;
     request.retries = m_globals.retries;
     auto connection = session().connect(request);
@@ -94,13 +96,14 @@ base::Result<device::Servo> Run::findRate(const device::Context& context, int id
             continue;
         if (!set)
             return tl::unexpected(set.error());
-        auto servo = device::identify(context, id);
+        auto servo = device::identifyAmong(context, id, m_connection->protocols());
         if (servo) {
             m_rateFound = true;
             m_console.remark(translate("cli", "Servo %1 answers at %2 baud.").arg(id).arg(rate));
             return servo;
         }
-        if (servo.error().code == ErrorCode::LinkLost)
+        if (servo.error().code == ErrorCode::LinkLost ||
+            servo.error().code == ErrorCode::SeveralProtocols)
             return servo;
     }
     return base::fail(ErrorCode::NoAnswer, QStringLiteral("identify"),
@@ -113,7 +116,8 @@ base::Result<device::Servo> Run::servo(int id)
     if (!ready)
         return tl::unexpected(ready.error());
     const bool search = m_globals.searchBaud && !m_rateFound && ready->bus.hasBaud();
-    auto found = search ? findRate(*ready, id) : device::identify(*ready, id);
+    auto found = search ? findRate(*ready, id)
+                        : device::identifyAmong(*ready, id, m_connection->protocols());
     if (found)
         m_connection->know(*found);
     return found;
@@ -128,6 +132,16 @@ base::Result<device::Servo> Run::servoWithSettings(int id)
     if (const auto read = device::readSettings(*ready, *found); !read)
         return tl::unexpected(read.error());
     return found;
+}
+
+base::Result<device::Servo> Run::servo(const Values& values)
+{
+    return parseId(values.word("ID")).and_then([this](int id) { return servo(id); });
+}
+
+base::Result<device::Servo> Run::servoWithSettings(const Values& values)
+{
+    return parseId(values.word("ID")).and_then([this](int id) { return servoWithSettings(id); });
 }
 
 QString Run::takeNotices()

@@ -11,9 +11,11 @@
 namespace cli {
 struct Globals {
     QString port;
-    std::optional<int> baud; ///< none: the usual rate
-    bool searchBaud = false; ///< --baud auto
+    std::optional<int> baud;                ///< none: the usual rate
+    bool searchBaud = false;                ///< --baud auto
+    std::optional<base::Protocol> protocol; ///< none: auto
     std::optional<base::Duration> patience;
+    std::optional<base::Duration> silence; ///< between Modbus frames
     std::optional<int> retries;
 };
 
@@ -33,6 +35,9 @@ public:
     base::Result<device::Servo> servo(int id);
     /// The same with its settings read, so that values have their right units.
     base::Result<device::Servo> servoWithSettings(int id);
+    /// The one that the positional "ID" names.
+    base::Result<device::Servo> servo(const Values& values);
+    base::Result<device::Servo> servoWithSettings(const Values& values);
 
     /// Shows the result: the document with the notices in JSON mode, else the text and the notices.
     void finish(Json document, const QString& text);

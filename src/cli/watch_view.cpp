@@ -89,7 +89,7 @@ void WatchView::add(const jobs::WatchRow& row)
     if (!m_start)
         m_start = row.at;
     if (m_inPlace) {
-        m_latest[row.id] = row;
+        remember(row);
         if (Clock::now() >= m_next)
             redraw();
         return;
@@ -98,6 +98,17 @@ void WatchView::add(const jobs::WatchRow& row)
         m_console.print(header() + QLatin1Char('\n'));
     m_headed = true;
     m_console.print(line(row) + QLatin1Char('\n'));
+}
+
+/// What is read only every so often keeps its latest reading on the screen.
+void WatchView::remember(const jobs::WatchRow& row)
+{
+    jobs::WatchRow& shown = m_latest[row.id];
+    const auto earlier = std::exchange(shown, row).values;
+    for (std::size_t i = 0; row.answered && i < std::min(earlier.size(), row.values.size()); ++i) {
+        if (!shown.values[i])
+            shown.values[i] = earlier[i];
+    }
 }
 
 void WatchView::redraw()

@@ -23,6 +23,7 @@ private:
 
     QString header() const;
     QString line(const jobs::WatchRow& row) const;
+    void remember(const jobs::WatchRow& row);
     void redraw();
 
     Console& m_console;

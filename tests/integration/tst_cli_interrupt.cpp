@@ -63,6 +63,10 @@ private Q_SLOTS:
     void secondSignalEndsAHungProgram();
     void killedWriteIsRecovered_data();
     void killedWriteIsRecovered();
+    void openChangeCanBeGivenUp();
+
+private:
+    void killDuringWrite(CliProgram& cli);
 };
 
 void TestCliInterrupt::watchEndsWithItsSummary_data()
@@ -169,6 +173,33 @@ void TestCliInterrupt::killedWriteIsRecovered_data()
     QTest::newRow("undo") << QStringLiteral("--undo") << 70 << 80;
 }
 
+void TestCliInterrupt::killDuringWrite(CliProgram& cli)
+{
+    cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70"));
+    QTRY_VERIFY_WITH_TIMEOUT(journalHas(cli, "begin"), 60'000);
+    cli.signal(SIGKILL);
+    QCOMPARE(cli.finish().exit, -1);
+}
+
+/// The servo is gone for good, and so is the port.
+void TestCliInterrupt::openChangeCanBeGivenUp()
+{
+    CliProgram cli;
+    {
+        SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
+        cli.setPort(sim.port());
+        killDuringWrite(cli);
+        if (QTest::currentTestFailed())
+            return;
+    }
+    QCOMPARE(cli.json("recover").exit, 3);
+    QCOMPARE(cli.json("recover --forget nobody").exit, 2);
+    const Ran ran = cli.json("recover --forget all");
+    QCOMPARE(ran.exit, 0);
+    QCOMPARE(ran.json()[QLatin1String("forgotten")].toArray().size(), 1);
+    QCOMPARE(cli.json("recover").json()[QLatin1String("intents")].toArray().size(), 0);
+}
+
 void TestCliInterrupt::killedWriteIsRecovered()
 {
     QFETCH(QString, how);
@@ -177,10 +208,9 @@ void TestCliInterrupt::killedWriteIsRecovered()
     CliProgram cli;
     SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
     cli.setPort(sim.port());
-    cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70"));
-    QTRY_VERIFY_WITH_TIMEOUT(journalHas(cli, "begin"), 60'000);
-    cli.signal(SIGKILL);
-    QCOMPARE(cli.finish().exit, -1);
+    killDuringWrite(cli);
+    if (QTest::currentTestFailed())
+        return;
 
     const Ran look = cli.json("recover");
     QCOMPARE(look.exit, 0);

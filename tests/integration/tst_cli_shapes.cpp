@@ -87,7 +87,11 @@ void TestCliShapes::scanListsEveryServo()
     const Ran ran = cli.json("scan --ids 0-10");
     QCOMPARE(ran.exit, 0);
     const QJsonObject json = ran.json();
-    QCOMPARE(keysOf(json), names("port elapsed_ms found"));
+    QCOMPARE(keysOf(json), names("port elapsed_ms found notes"));
+    // SCS beside STS on one line: said once.
+    const QJsonArray notes = json[QLatin1String("notes")].toArray();
+    QCOMPARE(notes.size(), 1);
+    QCOMPARE(notes[0][QLatin1String("code")].toString(), QStringLiteral("families-mixed"));
     QCOMPARE(named(json, "port"), QStringLiteral("sim:demo"));
     QVERIFY(json[QLatin1String("elapsed_ms")].isDouble());
     const QJsonArray found = json[QLatin1String("found")].toArray();
@@ -420,11 +424,11 @@ void TestCliShapes::helpInBothLanguages_data()
 {
     QTest::addColumn<QString>("command");
     QTest::newRow("all") << QString();
-    for (const char* command :
-         {"ports",  "scan",    "info",          "dump",          "read",
-          "write",  "set-id",  "set-baud",      "center",        "restore-defaults",
-          "reboot", "torque",  "mode",          "move",          "watch",
-          "raw",    "recover", "snapshot save", "snapshot show", "tour"})
+    for (const char* command : {"ports",  "scan",   "info",     "dump",          "read",
+                                "write",  "set-id", "set-baud", "center",        "restore-defaults",
+                                "reboot", "torque", "stop",     "mode",          "move",
+                                "watch",  "raw",    "recover",  "snapshot save", "snapshot show",
+                                "tour"})
         QTest::newRow(command) << QString::fromLatin1(command);
 }
 

@@ -48,7 +48,7 @@ void CliProgram::start(const QStringList& arguments)
     m_out.clear();
     m_err.clear();
     m_process.setProcessEnvironment(m_environment);
-    QStringList all = arguments;
+    QStringList all = m_globals + arguments;
     if (!m_port.isEmpty())
         all << QStringLiteral("--port") << m_port;
     m_process.start(program("servodesk-cli"), all);

@@ -26,6 +26,8 @@ public:
     CliProgram();
 
     void setPort(const QString& port) { m_port = port; }
+    /// Options for every command, ahead of it.
+    void setGlobals(const QStringList& options) { m_globals = options; }
     void setEnvironment(const QString& name, const QString& value);
     QString dataFolder() const { return m_data.path(); }
 
@@ -46,6 +48,7 @@ private:
     void collect();
 
     QTemporaryDir m_data;
+    QStringList m_globals;
     QString m_port = QStringLiteral("sim:demo");
     QProcessEnvironment m_environment;
     QProcess m_process;
