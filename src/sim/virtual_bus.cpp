@@ -85,8 +85,9 @@ std::optional<base::Duration> VirtualBus::nextHostRun(base::Duration deadline)
     State& s = *m_state;
     const Nanos limit = toNanos(deadline);
     s.advance(std::min(limit, std::max(s.now, s.hostSpeaksUntil)));
+    // Until then more bytes may come that belong to the same frame.
     if (const auto due = s.silenceDue(); due && *due <= limit && !s.replyUnderWay())
-        s.advance(*due);
+        return toDuration(*due);
     Nanos end = 0;
     if (!s.toHost.empty()) {
         end = s.toHost.front().runEnd;
