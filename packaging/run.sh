@@ -7,12 +7,18 @@ set -euo pipefail
 # shellcheck source=packaging/common.sh
 . "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh"
 
-step 1/3 "Packages"
-install_packages build
-step 2/3 "Building into $BUILD_DIR"
 # A folder that test.sh made keeps its tests: switching them off would throw their objects away.
+lists=(build)
 options=()
-[ -f "$BUILD_DIR/CMakeCache.txt" ] || options+=(-DSERVODESK_TESTS=OFF)
+if [ ! -f "$BUILD_DIR/CMakeCache.txt" ]; then
+    options+=(-DSERVODESK_TESTS=OFF)
+elif [ "$(cache_value SERVODESK_TESTS)" = ON ]; then
+    lists+=(test)
+fi
+
+step 1/3 "Packages"
+install_packages "${lists[@]}"
+step 2/3 "Building into $BUILD_DIR"
 configure_release "${options[@]}"
 cmake --build "$BUILD_DIR" --target servodesk-cli servodesk-sim
 step 3/3 "The tour"

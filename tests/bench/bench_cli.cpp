@@ -46,12 +46,12 @@ double cpuSeconds(const rusage& usage)
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-void scan(const char* what, const char* simulator, double aim)
+void scan(const char* what, const char* simulator, const char* command, double aim)
 {
     const SimProgram sim(words(simulator));
     CliProgram cli;
     cli.setPort(sim.port());
-    const QJsonObject json = cli.json("scan").json();
+    const QJsonObject json = cli.json(command).json();
     if (json[QLatin1String("found")].toArray().size() != 6) {
         std::printf("%s: not all six servos were found\n", what);
         allMet = false;
@@ -99,9 +99,12 @@ void fullRead()
 int main(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
-    scan("Scan of 254 IDs, pty, six servos", "--preset demo --wire-time", 1.5);
+    scan("Scan of 254 IDs, pty, six servos", "--preset demo --wire-time", "scan", 1.5);
     scan("Scan of 254 IDs, adapter with 16 ms latency", "--preset demo --wire-time --latency-ms 16",
-         2.0);
+         "scan", 2.0);
+    scan("Scan of 254 LX IDs, pty, six servos",
+         "--servos lx16a@1,lx16a@2,lx16a@3,lx16a@100,lx224hv@200,lx224hv@253 --wire-time",
+         "--protocol lx scan --retries 0", 8.0);
     fullRead();
     watch();
     CliProgram cli;
