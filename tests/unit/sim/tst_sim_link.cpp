@@ -46,6 +46,23 @@ private Q_SLOTS:
         QVERIFY(link->hasBaud());
     }
 
+    // The servo answers after a silence: the clock stops there on its way to the reply.
+    void waitingJumpsOverAModbusSilence()
+    {
+        base::ManualClock clock;
+        const auto bus = shared("smsmb@1");
+        bus->with([](auto& wire) { wire.servo(1)->poke(QStringLiteral("return_delay"), 0); });
+        const auto link = sim::makeSimLink(bus, QStringLiteral("sim:test"), clock, 115'200);
+        QVERIFY(link->setBaud(115'200));
+        QVERIFY(link->write(Bytes{0x01, 0x11, 0xC0, 0x2C}));
+        QVERIFY(link->waitReadable(20ms).value());
+        Bytes reply;
+        QCOMPARE(link->read(reply).value(), std::size_t{8});
+        QCOMPARE(reply, (Bytes{0x01, 0x11, 0x03, 0x01, 0x00, 0x00, 0xAC, 0x4D}));
+        const double expected = (4 + 3.5 + 8) * 1e7 / 115'200;
+        QVERIFY(std::abs(double(clock.now().count()) - expected) <= 3);
+    }
+
     void waitingForNothingEndsAtTheDeadline()
     {
         base::ManualClock clock;
