@@ -74,11 +74,19 @@ void BusCore::storeSamples(const PollRead& read, Attempt attempt, base::ErrorCod
     for (Arrival& arrival : attempt.arrivals) {
         protocol::Part& part = arrival.part;
         const bool answered = part.exception == 0;
-        m_samples.add(read.plan,
-                      {part.id, read.block.address, std::move(part.data), part.status, arrival.at,
-                       answered, answered ? error : base::ErrorCode::Refused});
+        m_samples.add(read.plan, {part.id, read.block.address, std::move(part.data), part.status,
+                                  arrival.at, answered, answered ? error : base::ErrorCode::Refused,
+                                  read.protocol, read.endsRound});
     }
     for (const int id : attempt.missing)
-        m_samples.add(read.plan, {id, read.block.address, {}, 0, attempt.endedAt, false, error});
+        m_samples.add(read.plan, {id,
+                                  read.block.address,
+                                  {},
+                                  0,
+                                  attempt.endedAt,
+                                  false,
+                                  error,
+                                  read.protocol,
+                                  read.endsRound});
 }
 } // namespace bus

@@ -48,5 +48,7 @@ struct Sample {
     base::Duration at{}; ///< when the last byte of the reply had arrived, bus clock
     bool answered = false;
     base::ErrorCode error = base::ErrorCode::NoAnswer; ///< meaningful when not answered
+    base::Protocol protocol = base::Protocol::Feetech; ///< IDs are those of one language
+    bool endsRound = false; ///< no other block of this servo is due in this round
 };
 } // namespace bus

@@ -81,13 +81,17 @@ void PollRunner::beginRound(Plan& plan, Duration now, const FreeFrom& freeFrom)
             else
                 (group.reads.sync && !group.servos[i].single ? together : singly).push_back(id);
         }
-        for (const PollSpan& block : group.reads.blocks) {
-            if (plan.rounds % std::uint64_t(std::max(block.every, 1)) != 0)
-                continue;
+        std::vector<PollSpan> due;
+        std::copy_if(group.reads.blocks.begin(), group.reads.blocks.end(), std::back_inserter(due),
+                     [&](const PollSpan& block) {
+                         return plan.rounds % std::uint64_t(std::max(block.every, 1)) == 0;
+                     });
+        for (const PollSpan& block : due) {
+            const bool last = block == due.back();
             if (!together.empty())
-                plan.round.push_back({plan.id, g, group.reads.protocol, together, block});
+                plan.round.push_back({plan.id, g, group.reads.protocol, together, block, last});
             for (const int id : singly)
-                plan.round.push_back({plan.id, g, group.reads.protocol, {id}, block});
+                plan.round.push_back({plan.id, g, group.reads.protocol, {id}, block, last});
         }
     }
     if (plan.inRound())

@@ -16,6 +16,7 @@ struct PollRead {
     base::Protocol protocol = base::Protocol::Feetech;
     std::vector<int> ids; ///< more than one: a sync read
     PollSpan block;
+    bool endsRound = false; ///< the last block that is due for these servos
 };
 
 class PollRunner {

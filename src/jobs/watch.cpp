@@ -58,6 +58,8 @@ private:
             if (const auto handed = hand(m_decoder.add(sample)); !handed)
                 return handed;
         }
+        for (device::Notice& alarm : m_decoder.takeAlarms())
+            m_context.notices.push_back(std::move(alarm));
         // A lost link yields no samples; it shows when one listens.
         if (samples.empty()) {
             const auto heard = m_context.bus.listen({});

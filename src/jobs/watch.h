@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Regular reading of several servos through the bus' poll plan, decoded into registers. Writes
-// nothing. The caller gets rows in time order; sampling does not wait for it.
+// nothing. The caller gets rows in time order; sampling does not wait for it. Where every register
+// costs a read of its own (LX), temperature and voltage are read about once a second beside faster
+// ones. Servos that report no faults are judged by their limits: DerivedTemperature and
+// DerivedVoltage are noted once each.
 // Errors: BadArgument (no servo, servo not identified), UnknownRegister (a key no servo has, a
 // servo without any of the keys), NotSupported (it has them, but measures none), LinkLost, and
 // whatever onRow returns.
@@ -30,8 +33,9 @@ struct WatchColumn {
 /// block are read in several and joined in one row.
 struct WatchRow {
     base::Duration at{}; ///< bus clock, when the last block of the row had arrived
+    base::Protocol protocol = base::Protocol::Feetech;
     int id = 0;
-    std::uint8_t status = 0;
+    std::uint8_t status = 0;                   ///< as device::Servo::status
     bool answered = false;                     ///< at least one block was read
     std::vector<std::optional<double>> values; ///< physical
 };

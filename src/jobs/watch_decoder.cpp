@@ -2,6 +2,7 @@
 #include "jobs/watch_decoder.h"
 
 #include "bus/poll_planner.h"
+#include "device/alarms.h"
 #include "device/reader.h"
 
 #include <algorithm>
@@ -12,6 +13,17 @@ using base::ErrorCode;
 
 /// A row whose other blocks stay out for so long (the servo is held by a job) is given up.
 constexpr base::Duration longestRound = std::chrono::seconds(1);
+
+// What changes slowly and costs a read of its own is read about so often.
+constexpr base::Duration slowPeriod = std::chrono::seconds(1);
+constexpr int slowRounds = 100; ///< where rounds follow each other without a pause
+
+/// Where each register is read by itself, slow ones would take time from fast ones.
+bool isSlow(const catalog::Profile& profile, const catalog::Register* reg)
+{
+    return profile.readGap < 0 && (reg->role == catalog::Role::PresentTemperature ||
+                                   reg->role == catalog::Role::PresentVoltage);
+}
 
 QStringList feedbackKeys(const std::vector<device::Servo>& servos)
 {
@@ -99,18 +111,19 @@ base::Result<WatchDecoder> WatchDecoder::make(const WatchSpec& spec)
     const QStringList keys = keysOf(spec);
     const auto groups = families(spec.servos);
     for (const device::Servo& servo : spec.servos) {
-        if (const auto added = decoder.addServo(servo, keys); !added)
+        const int group = groups.at({servo.profile->mapKey, servo.profile->byteOrder});
+        if (const auto added = decoder.addServo(servo, keys, group); !added)
             return tl::unexpected(added.error());
-        decoder.m_sources[servo.id].group =
-            groups.at({servo.profile->mapKey, servo.profile->byteOrder});
     }
     return decoder;
 }
 
-base::Result<void> WatchDecoder::addServo(const device::Servo& servo, const QStringList& keys)
+base::Result<void> WatchDecoder::addServo(const device::Servo& servo, const QStringList& keys,
+                                          int group)
 {
     Source source;
-    source.profile = servo.profile;
+    source.servo = servo;
+    source.group = group;
     std::vector<const catalog::Register*> registers;
     bool known = false;
     for (const QString& key : keys) {
@@ -127,40 +140,68 @@ base::Result<void> WatchDecoder::addServo(const device::Servo& servo, const QStr
     if (registers.empty())
         return base::fail(known ? ErrorCode::NotSupported : ErrorCode::UnknownRegister,
                           QStringLiteral("watch"), keys.join(QLatin1Char(',')), servo.id);
-    source.spans = bus::mergeSpans(device::planSpans(*servo.profile, registers),
-                                   servo.profile->readGap, servo.profile->maxRead);
-    source.row = emptyRow(servo.id);
-    m_sources[servo.id] = std::move(source);
+    // An alarm shows in every row, whatever is watched.
+    const catalog::Register* status = servo.profile->byRole(catalog::Role::Status);
+    if (status != nullptr && !servo.repliesCarryStatus())
+        registers.push_back(status);
+    source.spans = spansFor(servo, registers);
+    source.row = emptyRow(servo);
+    m_sources[{servo.protocol, servo.id}] = std::move(source);
     return {};
+}
+
+std::vector<bus::PollSpan>
+WatchDecoder::spansFor(const device::Servo& servo,
+                       const std::vector<const catalog::Register*>& registers)
+{
+    const catalog::Profile& profile = *servo.profile;
+    auto fast = registers;
+    auto slow = registers;
+    std::erase_if(fast, [&](const auto* reg) { return isSlow(profile, reg); });
+    std::erase_if(slow, [&](const auto* reg) { return !isSlow(profile, reg); });
+    if (fast.empty())
+        fast.swap(slow);
+    std::vector<bus::PollSpan> spans = device::planSpans(profile, fast);
+    for (bus::PollSpan span : device::planSpans(profile, slow)) {
+        const bool paced = m_period > base::Duration{};
+        span.every = paced ? int(std::clamp<base::Duration::rep>(slowPeriod / m_period, 1, 1000))
+                           : slowRounds;
+        spans.push_back(span);
+    }
+    return bus::mergeSpans(std::move(spans), profile.readGap, profile.maxRead);
 }
 
 bus::PollPlan WatchDecoder::plan() const
 {
     bus::PollPlan plan;
     plan.period = m_period;
-    for (const auto& [id, source] : m_sources) {
-        const catalog::Profile& profile = *source.profile;
-        plan.servos.push_back({id, source.spans, profile.syncRead, source.group, profile.protocol,
-                               profile.readGap, profile.maxRead});
+    for (const auto& [who, source] : m_sources) {
+        const catalog::Profile& profile = *source.servo.profile;
+        plan.servos.push_back({source.servo.id, source.spans, profile.syncRead, source.group,
+                               source.servo.protocol, profile.readGap, profile.maxRead});
     }
     return plan;
 }
 
-// The blocks of a round come by address. One that is not answered ends the round for its servo: the
-// bus then leaves it alone for a while, so what comes next belongs to another round.
+// The blocks of a round come in the order of the spans. One that is not answered ends the round for
+// its servo: the bus then leaves it alone for a while, so what comes next belongs to another round.
 std::vector<WatchRow> WatchDecoder::add(const bus::Sample& sample)
 {
-    const auto found = m_sources.find(sample.id);
+    const auto found = m_sources.find({sample.protocol, sample.id});
     if (found == m_sources.end())
         return {};
     Source& source = found->second;
-    if (source.pendingFrom && sample.address <= *source.pendingFrom)
+    const auto span =
+        std::find_if(source.spans.begin(), source.spans.end(),
+                     [&](const bus::PollSpan& s) { return s.address == sample.address; });
+    const auto block = std::size_t(span - source.spans.begin());
+    if (source.pendingBlock && block <= *source.pendingBlock)
         close(source);
-    source.pendingFrom = sample.address;
+    source.pendingBlock = block;
     source.row.at = sample.at;
     if (sample.answered)
-        decode(source, sample, source.row);
-    if (!sample.answered || sample.address >= source.spans.back().address)
+        decode(source, sample);
+    if (!sample.answered || sample.endsRound)
         close(source);
     return release(sample.at - longestRound);
 }
@@ -172,8 +213,8 @@ std::vector<WatchRow> WatchDecoder::flush()
 
 void WatchDecoder::close(Source& source)
 {
-    WatchRow row = std::exchange(source.row, emptyRow(source.row.id));
-    source.pendingFrom.reset();
+    WatchRow row = std::exchange(source.row, emptyRow(source.servo));
+    source.pendingBlock.reset();
     const auto place =
         std::upper_bound(m_ready.begin(), m_ready.end(), row,
                          [](const WatchRow& a, const WatchRow& b) { return a.at < b.at; });
@@ -184,10 +225,10 @@ void WatchDecoder::close(Source& source)
 std::vector<WatchRow> WatchDecoder::release(base::Duration staleBefore)
 {
     base::Duration until = base::Duration::max();
-    for (auto& [id, source] : m_sources) {
-        if (source.pendingFrom && source.row.at < staleBefore)
+    for (auto& [who, source] : m_sources) {
+        if (source.pendingBlock && source.row.at < staleBefore)
             close(source);
-        if (source.pendingFrom)
+        if (source.pendingBlock)
             until = std::min(until, source.row.at);
     }
     const auto end = std::find_if(m_ready.begin(), m_ready.end(),
@@ -198,18 +239,22 @@ std::vector<WatchRow> WatchDecoder::release(base::Duration staleBefore)
     return rows;
 }
 
-WatchRow WatchDecoder::emptyRow(int id) const
+WatchRow WatchDecoder::emptyRow(const device::Servo& servo) const
 {
     WatchRow row;
-    row.id = id;
+    row.protocol = servo.protocol;
+    row.id = servo.id;
     row.values.resize(m_columns.size());
     return row;
 }
 
-void WatchDecoder::decode(const Source& source, const bus::Sample& sample, WatchRow& row)
+void WatchDecoder::decode(Source& source, const bus::Sample& sample)
 {
+    WatchRow& row = source.row;
     row.answered = true;
-    row.status = sample.status;
+    if (!source.servo.repliesCarryStatus())
+        judge(source, sample);
+    row.status = source.servo.repliesCarryStatus() ? sample.status : source.servo.status;
     for (const Field& field : source.fields) {
         const int offset = field.reg->offset - sample.address;
         if (offset < 0 || offset + field.reg->size > int(sample.data.size()))
@@ -217,8 +262,19 @@ void WatchDecoder::decode(const Source& source, const bus::Sample& sample, Watch
         const auto wire =
             base::ByteView(sample.data).subspan(std::size_t(offset), std::size_t(field.reg->size));
         const std::int64_t raw =
-            catalog::decodeRaw(wire, *field.reg, field.meaning, source.profile->byteOrder);
+            catalog::decodeRaw(wire, *field.reg, field.meaning, source.servo.profile->byteOrder);
         row.values[field.column] = catalog::toPhysical(raw, field.meaning);
+    }
+}
+
+/// Faults of a servo whose replies carry none: from its status register, or worked out.
+void WatchDecoder::judge(Source& source, const bus::Sample& sample)
+{
+    source.servo.image.store(sample.address, sample.data, sample.at);
+    device::takeStatus(source.servo, sample.address, int(sample.data.size()));
+    for (device::Notice& alarm : device::derivedAlarms(source.servo)) {
+        if (source.told.insert(alarm.code).second)
+            m_alarms.push_back(std::move(alarm));
     }
 }
 } // namespace jobs

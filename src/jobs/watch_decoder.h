@@ -3,9 +3,11 @@
 // are resolved once, from the settings read before the watch. Used by watch() only; its thread.
 #pragma once
 
+#include "device/notice.h"
 #include "jobs/watch.h"
 
 #include <map>
+#include <set>
 
 namespace jobs {
 class WatchDecoder {
@@ -20,6 +22,9 @@ public:
     /// Rows that were still waiting for a block.
     std::vector<WatchRow> flush();
 
+    /// Derived alarms that came up since the last call, each once a servo.
+    device::Notices takeAlarms() { return std::exchange(m_alarms, {}); }
+
 private:
     struct Field {
         const catalog::Register* reg = nullptr;
@@ -27,23 +32,28 @@ private:
         std::size_t column = 0;
     };
     struct Source {
-        catalog::ProfilePtr profile; ///< keeps the registers of the fields alive
+        device::Servo servo; ///< settings; where replies carry no status, the readings too
         std::vector<Field> fields;
         std::vector<bus::PollSpan> spans; ///< as the bus will read them
         int group = 0;
-        std::optional<int> pendingFrom; ///< address of the latest block of the pending row
+        std::optional<std::size_t> pendingBlock; ///< the latest block of the pending row
         WatchRow row;
+        std::set<device::NoticeCode> told;
     };
 
-    base::Result<void> addServo(const device::Servo& servo, const QStringList& keys);
-    WatchRow emptyRow(int id) const;
+    base::Result<void> addServo(const device::Servo& servo, const QStringList& keys, int group);
+    std::vector<bus::PollSpan> spansFor(const device::Servo& servo,
+                                        const std::vector<const catalog::Register*>& registers);
+    WatchRow emptyRow(const device::Servo& servo) const;
     void close(Source& source);
     std::vector<WatchRow> release(base::Duration staleBefore);
-    static void decode(const Source& source, const bus::Sample& sample, WatchRow& row);
+    void decode(Source& source, const bus::Sample& sample);
+    void judge(Source& source, const bus::Sample& sample);
 
     std::vector<WatchColumn> m_columns;
-    std::map<int, Source> m_sources; ///< by ID
-    std::vector<WatchRow> m_ready;   ///< finished, by time
+    std::map<std::pair<base::Protocol, int>, Source> m_sources; ///< by language and ID
+    std::vector<WatchRow> m_ready;                              ///< finished, by time
+    device::Notices m_alarms;
     base::Duration m_period{};
 };
 } // namespace jobs

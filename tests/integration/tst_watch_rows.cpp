@@ -105,6 +105,7 @@ void TestWatchRows::neverJoinsBlocksOfTwoRounds()
         sample.address = address;
         sample.at = milliseconds(ms);
         sample.answered = value.has_value();
+        sample.endsRound = address == 63;
         if (value)
             sample.data = {*value};
         return decoder->add(sample);
