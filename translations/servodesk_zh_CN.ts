@@ -336,10 +336,6 @@
         <translation>没有未完成的修改。</translation>
     </message>
     <message>
-        <source>Nothing was written. --finish completes what was begun, --undo puts the old values back.</source>
-        <translation>未写入任何内容。--finish 完成已开始的修改，--undo 恢复旧值。</translation>
-    </message>
-    <message>
         <source>give --finish or --undo, not both</source>
         <translation>--finish 和 --undo 只能选一个</translation>
     </message>
@@ -544,10 +540,6 @@
         <translation>切换运行模式；切换后扭矩保持关闭</translation>
     </message>
     <message>
-        <source>position, multiturn, speed, pwm, step or motor, as the family has them</source>
-        <translation>position（位置）、multiturn（多圈）、speed（恒速）、pwm、step（步进）或 motor（电机），视系列而定</translation>
-    </message>
-    <message>
         <source>the tour writes and moves, so it only runs on a simulated bus: --port sim:demo</source>
         <translation>演示会写入参数并转动舵机，只能在仿真总线上运行：--port sim:demo</translation>
     </message>
@@ -650,10 +642,6 @@
         <translation>选项缺少数值，或重复给出（%1）</translation>
     </message>
     <message>
-        <source>baud rate, or auto to try all (usual: 1000000)</source>
-        <translation>波特率，或 auto 逐个尝试（默认 1000000）</translation>
-    </message>
-    <message>
         <source>patience with a silent servo beyond the wire time (usual: 25, growing)</source>
         <translation>除传输时间外的应答超时，毫秒（默认 25，可自动加长）</translation>
     </message>
@@ -680,10 +668,6 @@
     <message>
         <source>%1 %, about %2 s left</source>
         <translation>%1 %，约剩 %2 秒</translation>
-    </message>
-    <message>
-        <source>, %1 baud, found: %2</source>
-        <translation>，波特率 %1，已找到 %2 个</translation>
     </message>
     <message>
         <source>a raw number from %1 to %2</source>
@@ -886,12 +870,68 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>无应答</translation>
     </message>
     <message>
-        <source>device path, tcp://HOST:PORT, or a simulated bus: sim:demo, sim:trouble, sim:sts3215@1,scs15@2 (starts anew with each run)</source>
-        <translation>设备路径、tcp://主机:端口，或仿真总线：sim:demo、sim:trouble、sim:sts3215@1,scs15@2（每次运行从头开始）</translation>
-    </message>
-    <message>
         <source>The EPROM lock is open; to close it: servodesk-cli write %1 lock=1</source>
         <translation>EPROM 没有上锁；上锁命令：servodesk-cli write %1 lock=1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no protocol (auto, feetech, modbus, lx)</source>
+        <translation>“%1” 不是协议（auto、feetech、modbus、lx）</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>修改编号</translation>
+    </message>
+    <message>
+        <source>Nothing was written. --finish completes what was begun, --undo puts the old values back, --forget gives up a change whose servo will not come back.</source>
+        <translation>未写入任何内容。--finish 完成已开始的修改，--undo 恢复旧值，--forget 放弃已不再使用的舵机的修改。</translation>
+    </message>
+    <message>
+        <source>there is no open change &quot;%1&quot;</source>
+        <translation>没有未完成的修改 “%1”</translation>
+    </message>
+    <message>
+        <source>Changes given up: %1</source>
+        <translation>已放弃的修改：%1 个</translation>
+    </message>
+    <message>
+        <source>give up a change whose servo will not come back (the first letters of its name will do)</source>
+        <translation>放弃已不再使用的舵机的修改（写出编号开头几位即可）</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>end the motion; torque stays as it is</source>
+        <translation>停止运动；扭矩开关不变</translation>
+    </message>
+    <message>
+        <source>position, multiturn, speed, pwm, step, current or motor, as the family has them</source>
+        <translation>position（位置）、multiturn（多圈）、speed（恒速）、pwm、step（步进）、current（恒流）或 motor（电机），视系列而定</translation>
+    </message>
+    <message>
+        <source>device path, tcp://HOST:PORT, or a simulated bus: sim:demo, sim:trouble, sim:modbus, sim:lx, sim:sts3215@1,lx16a@2 (starts anew with each run)</source>
+        <translation>设备路径、tcp://主机:端口，或仿真总线：sim:demo、sim:trouble、sim:modbus、sim:lx、sim:sts3215@1,lx16a@2（每次运行重新开始）</translation>
+    </message>
+    <message>
+        <source>baud rate, or auto to try all (usual: 1000000; 115200 for LX and Modbus)</source>
+        <translation>波特率，auto 为逐个尝试（默认 1000000；LX 和 Modbus 为 115200）</translation>
+    </message>
+    <message>
+        <source>what the servos speak (usual: auto, all that can exist at the rate)</source>
+        <translation>舵机使用的协议（默认 auto：该波特率下可能存在的全部协议）</translation>
+    </message>
+    <message>
+        <source>silence between Modbus frames (usual: 1750 above 19200 baud, as the standard says)</source>
+        <translation>Modbus 帧间静默时间，微秒（默认按标准：19200 以上为 1750）</translation>
+    </message>
+    <message>
+        <source>, %1 at %2 baud, found: %3</source>
+        <translation>，%1，波特率 %2，已找到 %3 个</translation>
     </message>
 </context>
 <context>
@@ -1587,6 +1627,206 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>something answered there, but not readably</source>
         <translation>该处有应答，但无法识别</translation>
+    </message>
+    <message>
+        <source>exception 1: it knows no such function</source>
+        <translation>异常 1：不支持该功能码</translation>
+    </message>
+    <message>
+        <source>exception 2: it has no such register</source>
+        <translation>异常 2：没有该寄存器</translation>
+    </message>
+    <message>
+        <source>exception 3: it does not take this value or length</source>
+        <translation>异常 3：不接受该数值或长度</translation>
+    </message>
+    <message>
+        <source>its protocol has no such instruction</source>
+        <translation>该协议没有此指令</translation>
+    </message>
+    <message>
+        <source>Modbus stations are 1 to 247</source>
+        <translation>Modbus 站号为 1 到 247</translation>
+    </message>
+    <message>
+        <source>IDs are 0 to 253, rates above 0</source>
+        <translation>ID 为 0 到 253，波特率大于 0</translation>
+    </message>
+    <message>
+        <source>it has no command for this</source>
+        <translation>该系列没有此指令</translation>
+    </message>
+    <message>
+        <source>Write the register %1 instead.</source>
+        <translation>请改写寄存器 %1。</translation>
+    </message>
+    <message>
+        <source>this ID answers in more than one protocol</source>
+        <translation>此 ID 在多种协议下都有应答</translation>
+    </message>
+    <message>
+        <source>Servos of different makes share the line and the ID.</source>
+        <translation>不同厂家的舵机接在同一总线上，并且 ID 相同。</translation>
+    </message>
+    <message>
+        <source>Say which is meant with --protocol, or give one of them another ID.</source>
+        <translation>用 --protocol 指明协议，或给其中一个改 ID。</translation>
+    </message>
+    <message>
+        <source>Reading proved that nothing had happened, so it was sent again.</source>
+        <translation>回读确认没有生效，已重新发送。</translation>
+    </message>
+    <message>
+        <source>Whether %3 survives power-off is not documented.</source>
+        <translation>资料未说明 %3 断电后是否保存。</translation>
+    </message>
+    <message>
+        <source>%3 was saved, as the data sheet has it; only switching the servo off and on could prove it.</source>
+        <translation>%3 已按资料所述的指令保存；只有断电再上电才能验证。</translation>
+    </message>
+    <message>
+        <source>%3 is 0, which allows no current: the servo has no torque.</source>
+        <translation>%3 为 0，不允许任何电流：舵机没有扭矩。</translation>
+    </message>
+    <message>
+        <source>The current limit %1 (%3) is back.</source>
+        <translation>电流限制已恢复为 %1（%3）。</translation>
+    </message>
+    <message>
+        <source>The temperature is above its limit (derived from its limits, not reported by the servo).</source>
+        <translation>温度超过上限（由上限推算，并非舵机报告）。</translation>
+    </message>
+    <message>
+        <source>The voltage is outside its limits (derived from its limits, not reported by the servo).</source>
+        <translation>电压超出限值（由限值推算，并非舵机报告）。</translation>
+    </message>
+    <message>
+        <source>SCS servos share this line with STS, SMS or HLS servos; the vendor advises against it.</source>
+        <translation>SCS 舵机与 STS、SMS 或 HLS 舵机接在同一总线上；厂家不建议混用。</translation>
+    </message>
+    <message>
+        <source>its baud rate cannot be changed</source>
+        <translation>其波特率不能修改</translation>
+    </message>
+    <message>
+        <source>This family runs at one rate and has no command for another.</source>
+        <translation>该系列只有一种波特率，没有修改指令。</translation>
+    </message>
+    <message>
+        <source>Set the other servos and the port to its rate.</source>
+        <translation>把其他舵机和端口设为它的波特率。</translation>
+    </message>
+    <message>
+        <source>it has no restart command</source>
+        <translation>没有重启指令</translation>
+    </message>
+    <message>
+        <source>This family knows none.</source>
+        <translation>该系列没有这种指令。</translation>
+    </message>
+    <message>
+        <source>Switch its supply off and on.</source>
+        <translation>请断电后重新上电。</translation>
+    </message>
+    <message>
+        <source>it cannot restore its defaults itself</source>
+        <translation>不能自行恢复默认参数</translation>
+    </message>
+    <message>
+        <source>This family has no command for it.</source>
+        <translation>该系列没有这种指令。</translation>
+    </message>
+    <message>
+        <source>Write the values back one by one.</source>
+        <translation>请逐个写回数值。</translation>
+    </message>
+    <message>
+        <source>it cannot share a packet with others</source>
+        <translation>不能与其他舵机共用一个数据包</translation>
+    </message>
+    <message>
+        <source>This family has no packet for several servos.</source>
+        <translation>该系列没有同步写数据包。</translation>
+    </message>
+    <message>
+        <source>Give the goals one by one.</source>
+        <translation>请逐个给出目标。</translation>
+    </message>
+    <message>
+        <source>it cannot hold a goal for later</source>
+        <translation>不能暂存目标等待执行</translation>
+    </message>
+    <message>
+        <source>This family has no write that waits for a start.</source>
+        <translation>该系列没有异步写。</translation>
+    </message>
+    <message>
+        <source>the mode and its command cannot be written together</source>
+        <translation>模式与该模式的指令值不能同时写入</translation>
+    </message>
+    <message>
+        <source>A change of mode begins with its command at zero, so that nothing turns by surprise.</source>
+        <translation>切换模式时先把指令值清零，以免意外转动。</translation>
+    </message>
+    <message>
+        <source>Change the mode first, then give the command.</source>
+        <translation>请先切换模式，再给指令值。</translation>
+    </message>
+    <message>
+        <source>Its speed follows from the travel time.</source>
+        <translation>速度由运行时间决定。</translation>
+    </message>
+    <message>
+        <source>Give a time instead.</source>
+        <translation>请改给运行时间。</translation>
+    </message>
+    <message>
+        <source>it does not answer to this read</source>
+        <translation>对此读取无应答</translation>
+    </message>
+    <message>
+        <source>Some models of this family lack the command; the line is in order.</source>
+        <translation>该系列部分型号没有此指令；线路正常。</translation>
+    </message>
+    <message>
+        <source>Do without this value.</source>
+        <translation>此数值可以忽略。</translation>
+    </message>
+    <message>
+        <source>the time goes together with a goal</source>
+        <translation>时间须与目标一起写入</translation>
+    </message>
+    <message>
+        <source>One command carries both, so writing the time alone would send the last goal once more.</source>
+        <translation>两者在同一条指令中，单独写时间会重新发送上一次的目标。</translation>
+    </message>
+    <message>
+        <source>Give goal and time together.</source>
+        <translation>请同时给出目标和时间。</translation>
+    </message>
+    <message>
+        <source>this setting is always kept</source>
+        <translation>此参数总是断电保存</translation>
+    </message>
+    <message>
+        <source>The servo stores it at once; it has no lock that could prevent that.</source>
+        <translation>舵机立即保存，没有锁标志可以阻止。</translation>
+    </message>
+    <message>
+        <source>Write it to stay, and write the old value back afterwards.</source>
+        <translation>请正常写入，之后再写回旧值。</translation>
+    </message>
+    <message>
+        <source>writing this turns the shaft at once</source>
+        <translation>写入后输出轴会立即转动</translation>
+    </message>
+    <message>
+        <source>The servo follows the new value as soon as it has it.</source>
+        <translation>舵机收到新值后立即执行。</translation>
+    </message>
+    <message>
+        <source>Keep clear of the mechanism, then repeat the write with your explicit consent.</source>
+        <translation>请避开机构，再明确确认后重新写入。</translation>
     </message>
 </context>
 </TS>

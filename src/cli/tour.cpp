@@ -46,7 +46,7 @@ void Tour::showWire()
         if (!sent && entry.kind != bus::TraceKind::Received)
             continue;
         const QString bytes = shortened(base::toHex(entry.bytes), hexCells);
-        const QString meaning = protocol::feetechCodec().explain(entry.bytes, sent);
+        const QString meaning = protocol::codecFor(entry.protocol).explain(entry.bytes, sent);
         say(QStringLiteral("  %1 %2  %3")
                 .arg(sent ? QStringLiteral("→") : QStringLiteral("←"), padded(bytes, hexCells),
                      shortened(meaning, meaningCells)));

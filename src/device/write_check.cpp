@@ -87,7 +87,8 @@ base::Result<RegisterValues> checkItems(const Servo& servo, const std::vector<Wr
         if (const auto own = checkManoeuvre(servo, *reg, item.raw); !own)
             return tl::unexpected(own.error());
         if (reg->dangerous && !options.dangerous)
-            return refuse(ErrorCode::NeedsConsent, servo, item.key);
+            return refuse(ErrorCode::NeedsConsent, servo, item.key,
+                          reg->motion ? QStringLiteral("turns") : QString());
         if (options.temporary && keepingOf(*reg) == Keeping::Always)
             return refuse(ErrorCode::NotSupported, servo, item.key, QStringLiteral("always-kept"));
         checked.push_back({reg, item.raw});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/detail_words.h"
 
+#include "text/refusal_words.h"
 #include "text/translate.h"
 
 #include <array>
@@ -27,6 +28,15 @@ constexpr std::array tokens{
     Token{"register", QT_TRANSLATE_NOOP("text", "its memory table has no such register")},
     Token{"bridge", QT_TRANSLATE_NOOP("text", "nobody could follow it through a TCP bridge")},
     Token{"garbled", QT_TRANSLATE_NOOP("text", "something answered there, but not readably")},
+    Token{"illegal-function", QT_TRANSLATE_NOOP("text", "exception 1: it knows no such function")},
+    Token{"illegal-address", QT_TRANSLATE_NOOP("text", "exception 2: it has no such register")},
+    Token{"illegal-value",
+          QT_TRANSLATE_NOOP("text", "exception 3: it does not take this value or length")},
+    Token{"no such instruction", QT_TRANSLATE_NOOP("text", "its protocol has no such instruction")},
+    Token{"Modbus stations are 1 to 247",
+          QT_TRANSLATE_NOOP("text", "Modbus stations are 1 to 247")},
+    Token{"IDs 0 to 253, rates above 0",
+          QT_TRANSLATE_NOOP("text", "IDs are 0 to 253, rates above 0")},
     Token{"no port named", QT_TRANSLATE_NOOP("text", "no port is named")},
 };
 
@@ -62,8 +72,18 @@ bool isMoveTime(const base::Error& error)
     return error.operation == QLatin1String("move") && error.registerKey == QLatin1String("time");
 }
 
+/// "write KEY": there is no command for it, but a register.
+QString insteadWrite(const base::Error& error)
+{
+    static const QString prefix = QStringLiteral("write ");
+    const bool so = error.code == ErrorCode::NotSupported && error.detail.startsWith(prefix);
+    return so ? error.detail.mid(prefix.size()) : QString();
+}
+
 QString notSupported(const base::Error& error)
 {
+    if (!insteadWrite(error).isEmpty())
+        return translate("text", "it has no command for this");
     if (manoeuvreRemedy(error) != nullptr)
         return translate("text", "this register is not simply written");
     if (isMoveTime(error))
@@ -105,6 +125,8 @@ QString detailWords(const QString& detail)
 
 QString specialCase(const base::Error& error)
 {
+    if (const RefusalWords* words = refusalWords(error))
+        return translate("text", words->what);
     switch (error.code) {
     case ErrorCode::NotSupported:
         return notSupported(error);
@@ -126,6 +148,8 @@ QString specialCase(const base::Error& error)
 
 QString specialCause(const base::Error& error)
 {
+    if (const RefusalWords* words = refusalWords(error))
+        return translate("text", words->cause);
     if (manoeuvreRemedy(error) != nullptr)
         return translate("text", "Changing it safely takes more than writing one register.");
     return {};
@@ -133,6 +157,10 @@ QString specialCause(const base::Error& error)
 
 QString specialRemedy(const base::Error& error)
 {
+    if (const RefusalWords* words = refusalWords(error))
+        return translate("text", words->remedy);
+    if (const QString key = insteadWrite(error); !key.isEmpty())
+        return translate("text", "Write the register %1 instead.").arg(key);
     if (const char* remedy = manoeuvreRemedy(error))
         return translate("text", remedy);
     if (error.code == ErrorCode::NotSupported && isMoveTime(error))

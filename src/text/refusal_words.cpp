@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/refusal_words.h"
+
+#include "text/translate.h"
+
+#include <array>
+
+namespace text {
+namespace {
+constexpr std::array notSupported{
+    RefusalWords{"fixed-rate", QT_TRANSLATE_NOOP("text", "its baud rate cannot be changed"),
+                 QT_TRANSLATE_NOOP("text", "This family runs at one rate and has no command for "
+                                           "another."),
+                 QT_TRANSLATE_NOOP("text", "Set the other servos and the port to its rate.")},
+    RefusalWords{"no-reboot", QT_TRANSLATE_NOOP("text", "it has no restart command"),
+                 QT_TRANSLATE_NOOP("text", "This family knows none."),
+                 QT_TRANSLATE_NOOP("text", "Switch its supply off and on.")},
+    RefusalWords{"no-restore", QT_TRANSLATE_NOOP("text", "it cannot restore its defaults itself"),
+                 QT_TRANSLATE_NOOP("text", "This family has no command for it."),
+                 QT_TRANSLATE_NOOP("text", "Write the values back one by one.")},
+    RefusalWords{"no-sync", QT_TRANSLATE_NOOP("text", "it cannot share a packet with others"),
+                 QT_TRANSLATE_NOOP("text", "This family has no packet for several servos."),
+                 QT_TRANSLATE_NOOP("text", "Give the goals one by one.")},
+    RefusalWords{"no-async", QT_TRANSLATE_NOOP("text", "it cannot hold a goal for later"),
+                 QT_TRANSLATE_NOOP("text", "This family has no write that waits for a start."),
+                 QT_TRANSLATE_NOOP("text", "Give the goals one by one.")},
+    RefusalWords{"mode-first",
+                 QT_TRANSLATE_NOOP("text", "the mode and its command cannot be written together"),
+                 QT_TRANSLATE_NOOP("text", "A change of mode begins with its command at zero, so "
+                                           "that nothing turns by surprise."),
+                 QT_TRANSLATE_NOOP("text", "Change the mode first, then give the command.")},
+    RefusalWords{"speed-by-time", QT_TRANSLATE_NOOP("text", "it has no speed setting"),
+                 QT_TRANSLATE_NOOP("text", "Its speed follows from the travel time."),
+                 QT_TRANSLATE_NOOP("text", "Give a time instead.")},
+    RefusalWords{"not-readable", QT_TRANSLATE_NOOP("text", "it does not answer to this read"),
+                 QT_TRANSLATE_NOOP("text", "Some models of this family lack the command; the line "
+                                           "is in order."),
+                 QT_TRANSLATE_NOOP("text", "Do without this value.")},
+    RefusalWords{"with-goal", QT_TRANSLATE_NOOP("text", "the time goes together with a goal"),
+                 QT_TRANSLATE_NOOP("text", "One command carries both, so writing the time alone "
+                                           "would send the last goal once more."),
+                 QT_TRANSLATE_NOOP("text", "Give goal and time together.")},
+    RefusalWords{"always-kept", QT_TRANSLATE_NOOP("text", "this setting is always kept"),
+                 QT_TRANSLATE_NOOP("text", "The servo stores it at once; it has no lock that could "
+                                           "prevent that."),
+                 QT_TRANSLATE_NOOP("text", "Write it to stay, and write the old value back "
+                                           "afterwards.")},
+};
+
+constexpr std::array consent{
+    RefusalWords{"turns", QT_TRANSLATE_NOOP("text", "writing this turns the shaft at once"),
+                 QT_TRANSLATE_NOOP("text", "The servo follows the new value as soon as it has it."),
+                 QT_TRANSLATE_NOOP("text",
+                                   "Keep clear of the mechanism, then repeat the write with "
+                                   "your explicit consent.")},
+};
+
+template <typename List>
+const RefusalWords* findIn(const List& list, const QString& detail)
+{
+    for (const RefusalWords& words : list) {
+        if (detail == QLatin1String(words.detail))
+            return &words;
+    }
+    return nullptr;
+}
+} // namespace
+
+const RefusalWords* refusalWords(const base::Error& error)
+{
+    if (error.code == base::ErrorCode::NotSupported)
+        return findIn(notSupported, error.detail);
+    if (error.code == base::ErrorCode::NeedsConsent)
+        return findIn(consent, error.detail);
+    return nullptr;
+}
+} // namespace text

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why a family cannot do a thing, by the detail that device and jobs give: sentence, cause and
+// remedy. The words are untranslated; pure look-up, any thread.
+#pragma once
+
+#include "base/error.h"
+
+namespace text {
+struct RefusalWords {
+    const char* detail;
+    const char* what;
+    const char* cause;
+    const char* remedy;
+};
+
+/// Null: nothing particular is known about this error.
+const RefusalWords* refusalWords(const base::Error& error);
+} // namespace text
