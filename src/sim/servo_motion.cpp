@@ -129,7 +129,6 @@ double VirtualServo::State::withinCurrentLimit(double wanted) const
 
 double VirtualServo::State::drive(double limit)
 {
-    const bool limited = traits.currentLimited;
     double wanted = 0;
     switch (settings.mode) {
     case DriveMode::Pwm:
@@ -147,7 +146,7 @@ double VirtualServo::State::drive(double limit)
     default:
         wanted = controller.holdPosition(settings, positionGoal(), topSpeed(), position, limit);
     }
-    return limited ? withinCurrentLimit(wanted) : wanted;
+    return traits.currentLimited ? withinCurrentLimit(wanted) : wanted;
 }
 
 void VirtualServo::State::control()

@@ -101,7 +101,6 @@ const ModeRule& ServoTraits::modeOf(int value, bool limitsZero) const
 ServoTraits traitsOf(const catalog::Profile& profile)
 {
     ServoTraits traits;
-    traits.protocol = profile.protocol;
     traits.sensor = sensorOf(profile);
     const double step = degreesPerStep(profile);
     traits.stepsPerRadian = 180.0 / (step * std::numbers::pi);

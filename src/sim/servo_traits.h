@@ -44,7 +44,6 @@ struct PhaseMasks {
 };
 
 struct ServoTraits {
-    base::Protocol protocol = base::Protocol::Feetech;
     Sensor sensor = Sensor::Endless;
     double stepsPerRadian = 0;
     int turnSteps = 4096;

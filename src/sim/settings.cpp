@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sim {
 namespace {
@@ -90,7 +91,7 @@ void readGoals(Settings& s, const Reader& read, const ServoType& type)
 {
     s.maxSpeed = maximumSpeed(type, read.traits);
     if (const catalog::Register* speed = read.profile.byRole(Role::GoalSpeed)) {
-        const double degrees = 180.0 / M_PI / read.traits.stepsPerRadian;
+        const double degrees = 180.0 / std::numbers::pi / read.traits.stepsPerRadian;
         const catalog::Meaning meaning = read.meaning(*speed);
         s.speedUnit = meaning.unit == QLatin1String("rpm")
                           ? std::max(1, int(std::lround(meaning.scale * 6.0 / degrees)))
