@@ -143,9 +143,9 @@ bool SimBench::onlyAsked() const
     return std::all_of(m_tap.written.begin(), m_tap.written.end(), onlyAsks);
 }
 
-device::Servo SimBench::servo(int id)
+device::Servo SimBench::servo(int id, base::Protocol protocol)
 {
-    auto found = device::identify(context(), id);
+    auto found = device::identify(context(), id, protocol);
     if (found && !device::readSettings(context(), *found))
         qFatal("servo %d does not tell its settings", id);
     if (!found)

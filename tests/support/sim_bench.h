@@ -81,7 +81,7 @@ public:
     bool onlyAsked() const;
 
     /// Reads who answers at `id`, with its settings; the test fails hard if nobody does.
-    device::Servo servo(int id);
+    device::Servo servo(int id, base::Protocol protocol = base::Protocol::Feetech);
 
 private:
     SimBench(std::unique_ptr<sim::VirtualBus> wire, int baud);
