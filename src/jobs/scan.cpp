@@ -4,6 +4,7 @@
 #include "device/reader.h"
 #include "jobs/scan_list.h"
 #include "jobs/scan_meter.h"
+#include "jobs/scan_plan.h"
 #include "jobs/scan_sweep.h"
 #include "jobs/scan_twins.h"
 
@@ -16,33 +17,6 @@ using base::ErrorCode;
 using base::Protocol;
 
 constexpr base::Duration settleTime = std::chrono::milliseconds(5);
-
-std::vector<int> ratesToSearch(const ScanSpec& spec, int presentBaud)
-{
-    std::vector<int> rates;
-    for (const int baud : spec.bauds) {
-        if (std::find(rates.begin(), rates.end(), baud) == rates.end())
-            rates.push_back(baud);
-    }
-    if (rates.empty())
-        rates.push_back(presentBaud);
-    return rates;
-}
-
-std::vector<Protocol> languagesAt(const device::Context& context, const ScanSpec& spec, int baud)
-{
-    return spec.protocols.empty() ? context.catalog.protocolsAt(baud) : spec.protocols;
-}
-
-base::Duration estimateAt(const device::Context& context, const ScanSpec& spec, int baud)
-{
-    base::Duration total{};
-    for (const Protocol protocol : languagesAt(context, spec, baud)) {
-        if (idsToAsk(spec, protocol).count() > 0)
-            total += questionEstimate(baud, protocol) + sweepEstimate(spec, baud, protocol);
-    }
-    return total;
-}
 
 /// What says something about this servo and leaves the scan to go on.
 bool concernsServo(ErrorCode code)
@@ -297,41 +271,13 @@ private:
     std::list<Search> m_slow; ///< put off
     ScanReport m_report;
 };
-
-base::Result<void> check(const device::Context& context, const ScanSpec& spec)
-{
-    const auto refuse = [](const QString& why) -> base::Result<void> {
-        return base::fail(ErrorCode::BadArgument, QStringLiteral("scan"), why);
-    };
-    const bool idsGood =
-        spec.firstId >= 0 && spec.firstId <= spec.lastId && spec.lastId <= protocol::maxId;
-    const bool ratesGood =
-        std::all_of(spec.bauds.begin(), spec.bauds.end(), [](int baud) { return baud > 0; });
-    if (!idsGood || !ratesGood)
-        return refuse(QStringLiteral("IDs 0 to 253, rates above 0"));
-    for (const int baud : ratesToSearch(spec, context.bus.baud())) {
-        for (const Protocol protocol : languagesAt(context, spec, baud)) {
-            if (idsToAsk(spec, protocol).count() > 0)
-                return {};
-        }
-    }
-    return refuse(QStringLiteral("Modbus stations are 1 to 247"));
-}
 } // namespace
-
-base::Duration scanEstimate(const device::Context& context, const ScanSpec& spec)
-{
-    base::Duration total{};
-    for (const int baud : ratesToSearch(spec, context.bus.baud()))
-        total += estimateAt(context, spec, baud);
-    return total;
-}
 
 base::Result<ScanReport> scan(const device::Context& context, const ScanSpec& spec,
                               const ProgressFn& progress,
                               const std::function<void(const Found&)>& onFound)
 {
-    if (const auto good = check(context, spec); !good)
+    if (const auto good = checkSpec(context, spec); !good)
         return tl::unexpected(good.error());
     // At a foreign rate nobody else may speak; at its own the bus keeps its feedback.
     const int baud = context.bus.baud();

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/scan_plan.h"
+
+#include "jobs/scan_sweep.h"
+
+#include <algorithm>
+
+namespace jobs {
+using base::ErrorCode;
+using base::Protocol;
+
+std::vector<int> ratesToSearch(const ScanSpec& spec, int presentBaud)
+{
+    std::vector<int> rates;
+    for (const int baud : spec.bauds) {
+        if (std::find(rates.begin(), rates.end(), baud) == rates.end())
+            rates.push_back(baud);
+    }
+    if (rates.empty())
+        rates.push_back(presentBaud);
+    return rates;
+}
+
+std::vector<Protocol> languagesAt(const device::Context& context, const ScanSpec& spec, int baud)
+{
+    return spec.protocols.empty() ? context.catalog.protocolsAt(baud) : spec.protocols;
+}
+
+base::Duration estimateAt(const device::Context& context, const ScanSpec& spec, int baud)
+{
+    base::Duration total{};
+    for (const Protocol protocol : languagesAt(context, spec, baud)) {
+        if (idsToAsk(spec, protocol).count() > 0)
+            total += questionEstimate(baud, protocol) + sweepEstimate(spec, baud, protocol);
+    }
+    return total;
+}
+
+base::Result<void> checkSpec(const device::Context& context, const ScanSpec& spec)
+{
+    const auto refuse = [](const QString& why) -> base::Result<void> {
+        return base::fail(ErrorCode::BadArgument, QStringLiteral("scan"), why);
+    };
+    const bool idsGood =
+        spec.firstId >= 0 && spec.firstId <= spec.lastId && spec.lastId <= protocol::maxId;
+    const bool ratesGood =
+        std::all_of(spec.bauds.begin(), spec.bauds.end(), [](int baud) { return baud > 0; });
+    if (!idsGood || !ratesGood)
+        return refuse(QStringLiteral("IDs 0 to 253, rates above 0"));
+    for (const int baud : ratesToSearch(spec, context.bus.baud())) {
+        for (const Protocol protocol : languagesAt(context, spec, baud)) {
+            if (idsToAsk(spec, protocol).count() > 0)
+                return {};
+        }
+    }
+    return refuse(QStringLiteral("Modbus stations are 1 to 247"));
+}
+
+base::Duration scanEstimate(const device::Context& context, const ScanSpec& spec)
+{
+    base::Duration total{};
+    for (const int baud : ratesToSearch(spec, context.bus.baud()))
+        total += estimateAt(context, spec, baud);
+    return total;
+}
+} // namespace jobs
