@@ -191,10 +191,15 @@ base::Result<void> writeVerified(const Context& context, Servo& servo, const cat
 
 base::Result<void> save(const Context& context, Servo& servo, const catalog::Register& reg)
 {
-    const auto saved =
-        writeBlock(context, servo, {reg.saveOffset, reg.offset, {}}, protocol::Repeat::Safe);
-    if (saved)
+    // Nobody answers and nothing shows it, so one lost frame must not be the end of it.
+    constexpr int sends = 2;
+    for (int sent = 0; sent < sends; ++sent) {
+        const auto saved =
+            writeBlock(context, servo, {reg.saveOffset, reg.offset, {}}, protocol::Repeat::Safe);
+        if (!saved)
+            return saved;
         context.bus.clock().sleepFor(epromWriteTime);
-    return saved;
+    }
+    return {};
 }
 } // namespace device

@@ -71,6 +71,7 @@ base::Result<void> writeVerified(const Context& context, Servo& servo,
 base::Result<void> writeVerified(const Context& context, Servo& servo, const catalog::Register& reg,
                                  std::int64_t raw);
 
-/// Makes the present value of a register with a save command stay. Nothing proves it.
+/// Makes the present value of a register with a save command stay. Nothing proves it, so it is said
+/// twice.
 base::Result<void> save(const Context& context, Servo& servo, const catalog::Register& reg);
 } // namespace device

@@ -88,6 +88,7 @@ private Q_SLOTS:
     void currentComesBack();
     void currentComesBackAfterAnInterruptedSwitch();
     void modbusModesSettle();
+    void lxModesAreQuietBothWays();
     void framesOfAMove_data();
     void framesOfAMove();
     void aMoveLoadsFirst();
@@ -278,6 +279,27 @@ void TestFamilyMotion::modbusModesSettle()
     QCOMPARE(bench.paper().raw(text("max_angle_limit")), std::int64_t(0));
     QVERIFY(device::switchMode(bench.context(), servo, text("position")));
     QCOMPARE(bench.paper().raw(text("max_angle_limit")), std::int64_t(4095));
+}
+
+void TestFamilyMotion::lxModesAreQuietBothWays()
+{
+    Bench bench(text("LX"));
+    bench.paper().poke(text("load"), 1);
+    device::Servo servo = bench.servo();
+    const auto motor = device::switchMode(bench.context(), servo, text("motor"));
+    QVERIFY(motor && motor->allGood());
+    QCOMPARE(said(bench), (QStringList{text("W248:00"), text("W232:01 00 00 00")}));
+    bench.paper().poke(text("motor_speed"), 500);
+    bench.paper().poke(text("load"), 1);
+    bench.bus.said.clear();
+    const auto position = device::switchMode(bench.context(), servo, text("position"));
+    QVERIFY(position && position->allGood());
+    QCOMPARE(said(bench), (QStringList{text("W248:00"), text("W232:00 00 00 00")}));
+    QCOMPARE(bench.openIntents(), std::size_t(0));
+    const auto none = device::switchMode(bench.context(), servo, text("step"));
+    QVERIFY(!none);
+    QCOMPARE(none.error().code, ErrorCode::NotSupported);
+    QCOMPARE(none.error().detail, text("position, motor"));
 }
 
 void TestFamilyMotion::framesOfAMove_data()

@@ -54,6 +54,7 @@ void verifySame(const Intent& found, const Intent& written)
     QVERIFY(found.servo.sameKind(written.servo));
     QCOMPARE(found.servo.port, written.servo.port);
     QCOMPARE(found.servo.baud, written.servo.baud);
+    QCOMPARE(found.servo.protocol, written.servo.protocol);
     QCOMPARE(found.items.size(), written.items.size());
     for (std::size_t i = 0; i < found.items.size(); ++i) {
         QCOMPARE(found.items[i].key, written.items[i].key);
@@ -105,6 +106,33 @@ private Q_SLOTS:
         QVERIFY(journal.entries().value().empty());
         QVERIFY(!journal.kept(someServo(), QStringLiteral("limits")).value());
         QVERIFY(!QFile::exists(m_path));
+    }
+
+    void everyLanguageSurvivesReopening()
+    {
+        for (const base::Protocol protocol : base::allProtocols) {
+            Intent intent = someIntent();
+            intent.servo.protocol = protocol;
+            intent.servo.modelMajor = -1; // an LX servo says nothing of itself
+            QVERIFY(JournalFile(m_path).begin(intent));
+            verifySame(JournalFile(m_path).open()->back(), intent);
+        }
+    }
+
+    /// Journals from before there was more than one language are read for ever.
+    void withoutALanguageItIsFeetech()
+    {
+        QVERIFY(JournalFile(m_path).begin(someIntent()));
+        const QByteArray line = contentOf(m_path);
+        const QByteArray named(",\"protocol\":\"feetech\"");
+        QVERIFY(line.contains(named));
+        overwrite(m_path, QByteArray(line).replace(named, ""));
+        const auto open = JournalFile(m_path).open();
+        QCOMPARE(open->size(), std::size_t(1));
+        QCOMPARE(open->front().servo.protocol, base::Protocol::Feetech);
+        // A language nobody knows makes the line unreadable rather than somebody else's.
+        overwrite(m_path, QByteArray(line).replace("feetech", "morse"));
+        QCOMPARE(JournalFile(m_path).open()->size(), std::size_t(0));
     }
 
     void intentsSurviveReopening_data()
