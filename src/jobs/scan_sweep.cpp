@@ -113,7 +113,8 @@ base::Result<void> RateSweep::confirmLate()
 {
     for (auto& [id, contact] : m_contacts) {
         // A late reply is proof of a servo; a clean one adds its present status and shows twins.
-        for (int i = 0; contact.late && i < confirmTries; ++i) {
+        const bool doubtful = contact.maybeEcho && contact.replies == 0;
+        for (int i = 0; (contact.late || doubtful) && i < (doubtful ? 1 : confirmTries); ++i) {
             const int repliesBefore = contact.replies;
             if (const auto asked = ask(id, longPatience); !asked)
                 return asked;
@@ -242,6 +243,10 @@ void RateSweep::collectStrays()
         if (asked == m_contacts.end() || !answersQuestion(m_protocol, stray))
             continue; // not the reply to a question of this sweep
         Contact& contact = asked->second;
+        if (readsLikeEcho(stray)) {
+            contact.maybeEcho = true;
+            continue;
+        }
         contact.status = stray.status;
         ++contact.replies;
         if (contact.replies == 1) {
@@ -249,6 +254,15 @@ void RateSweep::collectStrays()
             ++m_lateReplies;
         }
     }
+}
+
+/// The echo of a PING is the reply of a servo with a voltage alarm, byte for byte. The bus strips
+/// echoes that come in time.
+bool RateSweep::readsLikeEcho(const bus::Stray& stray) const
+{
+    constexpr std::uint8_t pingInstruction = 1;
+    return m_protocol == base::Protocol::Feetech && m_context.bus.echoes() &&
+           stray.status == pingInstruction;
 }
 
 void RateSweep::tell(base::Duration planned) const

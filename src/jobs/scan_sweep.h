@@ -15,6 +15,7 @@ struct Contact {
     int replies = 0; ///< valid ones, late ones included
     int garbled = 0; ///< asked, and bytes came that were no reply
     bool late = false;
+    bool maybeEcho = false; ///< what came late may have been the question itself
     std::uint8_t status = 0;
     base::Duration askedAt{};
 
@@ -65,6 +66,7 @@ private:
     base::Result<bus::Outcome> question(int id, base::Duration patience);
     base::Result<void> listen(base::Duration span);
     void collectStrays();
+    bool readsLikeEcho(const bus::Stray& stray) const;
     void tell(base::Duration planned) const;
 
     const device::Context& m_context;

@@ -35,6 +35,7 @@ private Q_SLOTS:
     void asksOnlyTheRange();
     void countsLateRepliesForTheIdTheyName();
     void oneLateReplyAdvisesNothing();
+    void lateEchoesAreNobody();
     void slowPassFindsWhoWasSilent();
     void searchesAllRatesAndReturnsToItsOwn();
     void listsAServoHeardAtANeighbouringRateOnce();
@@ -131,6 +132,24 @@ void TestScan::oneLateReplyAdvisesNothing()
     QCOMPARE(idsOf(*report), QList<int>({30}));
     QCOMPARE(report->lateReplies, 1);
     QVERIFY(!report->slowPassAdvised);
+}
+
+// The echo of a PING reads like the reply of a servo with a voltage alarm.
+void TestScan::lateEchoesAreNobody()
+{
+    BenchOptions options = slowAdapter();
+    options.wire.echo = true;
+    SimBench bench(QStringLiteral("sts3215@1,sts3215@5"), options);
+    bench.withWire([](sim::VirtualBus& wire) { wire.servo(5)->surroundings().supplyVolts = 9; });
+    bench.letTimePass(milliseconds(200));
+    QVERIFY(bench.bus().echoes());
+    jobs::ScanSpec spec;
+    spec.lastId = 20;
+    const auto report = jobs::scan(bench.context(), spec);
+    QVERIFY(report);
+    QCOMPARE(idsOf(*report), QList<int>({1, 5}));
+    QCOMPARE(int(find(*report, 1)->servo.status), 0);
+    QCOMPARE(int(find(*report, 5)->servo.status), 1);
 }
 
 void TestScan::slowPassFindsWhoWasSilent()
