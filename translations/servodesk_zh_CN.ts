@@ -1828,5 +1828,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Keep clear of the mechanism, then repeat the write with your explicit consent.</source>
         <translation>请避开机构，再明确确认后重新写入。</translation>
     </message>
+    <message>
+        <source>not reported</source>
+        <comment>alarms</comment>
+        <translation>不报告</translation>
+    </message>
 </context>
 </TS>

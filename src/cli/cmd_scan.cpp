@@ -23,7 +23,7 @@ Json jsonFound(const jobs::Found& found)
         .add("map", profile != nullptr ? Json(profile->mapKey) : Json())
         .add("firmware", profile != nullptr ? Json(profile->identity.firmware()) : Json())
         .add("baud", found.servo.baud)
-        .add("status", text::statusKeys(found.servo.status, profile));
+        .add("status", jsonAlarms(found.servo.status, profile));
     if (found.twinsSuspected)
         json.add("twins_suspected", true);
     return json;

@@ -37,8 +37,7 @@ public:
         Json json = Json::object();
         json.add("time_us", std::int64_t{(row.at - *m_start).count()}).add("id", row.id);
         if (row.answered)
-            json.add("status", text::statusKeys(row.status, profile))
-                .add("values", std::move(values));
+            json.add("status", jsonAlarms(row.status, profile)).add("values", std::move(values));
         else
             json.add("error", base::errorName(base::ErrorCode::NoAnswer));
         put((m_first ? "\n    " : ",\n    ") + json.compact());

@@ -98,6 +98,11 @@ Json jsonValue(const device::Servo& servo, const catalog::Register& reg)
     return meaning.scale == 1.0 ? Json(*raw) : Json(catalog::toPhysical(*raw, meaning));
 }
 
+Json jsonAlarms(std::uint8_t status, const catalog::Profile* profile)
+{
+    return text::reportsAlarms(profile) ? Json(text::statusKeys(status, profile)) : Json();
+}
+
 Json jsonRegister(const device::Servo& servo, const catalog::Register& reg)
 {
     return Json::object()

@@ -20,6 +20,8 @@ Json jsonValue(const device::Servo& servo, const catalog::Register& reg);
 QString shownUnit(const device::Servo& servo, const catalog::Register& reg);
 
 /// {"key","address","raw","value","unit","area","access"}
+/// Keys of the alarms; null where the family reports none.
+Json jsonAlarms(std::uint8_t status, const catalog::Profile* profile);
 Json jsonRegister(const device::Servo& servo, const catalog::Register& reg);
 Table registerTable(const device::Servo& servo,
                     const std::vector<const catalog::Register*>& registers);

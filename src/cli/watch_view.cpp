@@ -63,12 +63,11 @@ QString WatchView::line(const jobs::WatchRow& row) const
 {
     const double seconds = std::chrono::duration<double>(row.at - *m_start).count();
     const auto profile = m_profiles.find(row.id);
-    const QString state =
-        row.answered
-            ? text::statusWords(row.status,
-                                profile != m_profiles.end() ? profile->second.get() : nullptr,
-                                text::inChinese())
-            : translate("cli", "no answer");
+    const catalog::Profile* known = profile != m_profiles.end() ? profile->second.get() : nullptr;
+    const QString state = !row.answered ? translate("cli", "no answer")
+                          : !text::reportsAlarms(known)
+                              ? QStringLiteral("–")
+                              : text::statusWords(row.status, known, text::inChinese());
     QString text = padded(QString::number(seconds, 'f', 3), timeWidth, true) +
                    padded(QString::number(row.id), idWidth, true) + QStringLiteral("  ") +
                    padded(state, alarmsWidth);

@@ -229,6 +229,12 @@ QString accessWord(catalog::Access access)
                                                : translate("text", "read/write");
 }
 
+bool reportsAlarms(const catalog::Profile* profile)
+{
+    return profile == nullptr || profile->protocol == base::Protocol::Feetech ||
+           profile->byRole(catalog::Role::Status) != nullptr;
+}
+
 QStringList statusKeys(std::uint8_t status, const catalog::Profile* profile)
 {
     return setBits(status, profile, [](int bit, const catalog::NamedValue* known) {
@@ -238,6 +244,8 @@ QStringList statusKeys(std::uint8_t status, const catalog::Profile* profile)
 
 QString statusWords(std::uint8_t status, const catalog::Profile* profile, bool chinese)
 {
+    if (!reportsAlarms(profile))
+        return translate("text", "not reported", "alarms");
     const QStringList words =
         setBits(status, profile, [chinese](int bit, const catalog::NamedValue* known) {
             return known != nullptr ? known->name.in(chinese)

@@ -21,6 +21,9 @@ QString areaWord(catalog::Area area);
 QString accessWord(catalog::Access access);
 QString lineWord(catalog::Line line);
 
+/// False for families without error byte and status register (LX): their alarms are not "none".
+bool reportsAlarms(const catalog::Profile* profile);
+
 /// Keys of the set error bits ("overload"); "bit4" where the family names none.
 QStringList statusKeys(std::uint8_t status, const catalog::Profile* profile);
 /// The same in words, "none" if no bit is set.
