@@ -91,6 +91,8 @@ void TestFamilies::scan(CliProgram& cli, int id)
     QCOMPARE(found[QLatin1String("id")].toInt(-1), id);
     QCOMPARE(found[QLatin1String("protocol")].toString(), protocol);
     QCOMPARE(found[QLatin1String("map")].toString(), map);
+    // LX servos report no alarms at all, which is not the same as none.
+    QCOMPARE(found[QLatin1String("status")].isNull(), protocol == QLatin1String("lx"));
 }
 
 void TestFamilies::dump(CliProgram& cli, int id)
