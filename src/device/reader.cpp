@@ -51,9 +51,9 @@ std::vector<bus::PollSpan> planSpans(const catalog::Profile& profile,
 }
 
 namespace {
-base::Result<catalog::Identity> askFeetech(const Context& context, Servo& servo)
+base::Result<catalog::Identity> askFeetech(const Context& context, Servo& servo, int retries)
 {
-    if (const auto done = readBlock(context, servo, 0, feetechHead); !done)
+    if (const auto done = readBlock(context, servo, 0, feetechHead, retries); !done)
         return tl::unexpected(done.error());
     const base::Bytes head = *servo.image.bytes(0, feetechHead);
     catalog::Identity identity;
@@ -65,9 +65,9 @@ base::Result<catalog::Identity> askFeetech(const Context& context, Servo& servo)
     return identity;
 }
 
-base::Result<catalog::Identity> askModbus(const Context& context, Servo& servo)
+base::Result<catalog::Identity> askModbus(const Context& context, Servo& servo, int retries)
 {
-    if (const auto done = readBlock(context, servo, 0, modbusHead); !done)
+    if (const auto done = readBlock(context, servo, 0, modbusHead, retries); !done)
         return tl::unexpected(done.error());
     const base::Bytes head = *servo.image.bytes(0, modbusHead);
     catalog::Identity identity;
@@ -78,7 +78,7 @@ base::Result<catalog::Identity> askModbus(const Context& context, Servo& servo)
 }
 
 /// An LX servo tells its ID and nothing else.
-base::Result<catalog::Identity> askLx(const Context& context, Servo& servo)
+base::Result<catalog::Identity> askLx(const Context& context, Servo& servo, int retries)
 {
     catalog::Identity identity;
     identity.protocol = Protocol::Lx;
@@ -86,33 +86,34 @@ base::Result<catalog::Identity> askLx(const Context& context, Servo& servo)
     const catalog::Register* id = profile->byRole(Role::Id);
     if (id == nullptr)
         return base::fail(ErrorCode::UnknownModel, {}, {}, servo.id);
-    if (const auto done = readBlock(context, servo, id->offset, id->size); !done)
+    if (const auto done = readBlock(context, servo, id->offset, id->size, retries); !done)
         return tl::unexpected(done.error());
     return identity;
 }
 
-base::Result<catalog::Identity> ask(const Context& context, Servo& servo)
+base::Result<catalog::Identity> ask(const Context& context, Servo& servo, int retries)
 {
     switch (servo.protocol) {
     case Protocol::Modbus:
-        return askModbus(context, servo);
+        return askModbus(context, servo, retries);
     case Protocol::Lx:
-        return askLx(context, servo);
+        return askLx(context, servo, retries);
     case Protocol::Feetech:
         break;
     }
-    return askFeetech(context, servo);
+    return askFeetech(context, servo, retries);
 }
 } // namespace
 
-base::Result<Servo> identify(const Context& context, int id, Protocol protocol)
+namespace {
+base::Result<Servo> identifyTrying(const Context& context, int id, Protocol protocol, int retries)
 {
     Servo servo;
     servo.protocol = protocol;
     servo.id = id;
     servo.baud = context.bus.baud();
     servo.port = context.bus.portName();
-    auto identity = ask(context, servo);
+    auto identity = ask(context, servo, retries);
     if (!identity) {
         identity.error().operation = QStringLiteral("identify");
         return tl::unexpected(identity.error());
@@ -121,7 +122,8 @@ base::Result<Servo> identify(const Context& context, int id, Protocol protocol)
     return servo;
 }
 
-namespace {
+constexpr int usualRetries = -1;
+
 /// Says something about the servo; the others end the whole question.
 bool concernsServo(ErrorCode code)
 {
@@ -137,8 +139,25 @@ bool concernsServo(ErrorCode code)
 }
 } // namespace
 
-base::Result<Servo> identifyAmong(const Context& context, int id,
-                                  const std::vector<Protocol>& protocols)
+base::Result<Servo> identify(const Context& context, int id, Protocol protocol)
+{
+    return identifyTrying(context, id, protocol, usualRetries);
+}
+
+namespace {
+/// Once, and again only if something came that was no answer: where one language answers, the
+/// silence of the others must not cost every command their retries.
+base::Result<Servo> askBriefly(const Context& context, int id, Protocol protocol)
+{
+    auto servo = identifyTrying(context, id, protocol, 0);
+    const bool heard = !servo && (servo.error().code == ErrorCode::Garbled ||
+                                  servo.error().code == ErrorCode::WrongAnswer);
+    return heard ? identify(context, id, protocol) : servo;
+}
+
+/// `asking` puts the question in one language.
+template <typename Asking>
+base::Result<Servo> identifyBy(int id, const std::vector<Protocol>& protocols, Asking&& asking)
 {
     std::optional<Servo> found;
     QStringList languages;
@@ -148,7 +167,7 @@ base::Result<Servo> identifyAmong(const Context& context, int id,
         nobody.protocol = protocol;
         if (!canSay(nobody, protocol::Request::ping(id)))
             continue; // an ID that this language does not have
-        auto servo = identify(context, id, protocol);
+        auto servo = asking(protocol);
         if (servo) {
             languages << base::protocolName(protocol);
             found = std::move(*servo);
@@ -165,6 +184,20 @@ base::Result<Servo> identifyAmong(const Context& context, int id,
     if (found)
         return std::move(*found);
     return tl::unexpected(failure);
+}
+} // namespace
+
+base::Result<Servo> identifyAmong(const Context& context, int id,
+                                  const std::vector<Protocol>& protocols)
+{
+    if (protocols.size() > 1) {
+        auto found = identifyBy(
+            id, protocols, [&](Protocol protocol) { return askBriefly(context, id, protocol); });
+        if (found || !answerLost(found.error()))
+            return found;
+    }
+    return identifyBy(id, protocols,
+                      [&](Protocol protocol) { return identify(context, id, protocol); });
 }
 
 namespace {

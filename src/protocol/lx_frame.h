@@ -13,7 +13,7 @@ constexpr std::size_t minLength = 3;
 constexpr std::size_t maxParams = 8; ///< the sheet's commands have four at most
 constexpr std::size_t maxFrame = overhead + maxParams;
 constexpr std::size_t longestRaw = 258; ///< what one byte of LEN allows
-constexpr int placesPerCommand = 8; ///< addresses of a Request: 8 × command
+constexpr int placesPerCommand = 8;     ///< addresses of a Request: 8 × command
 
 enum Command : std::uint8_t {
     cmdMoveStart = 11,
