@@ -99,6 +99,8 @@ class TestEveryFamily : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
+    void silentLanguagesCostOneQuestion();
+    void lostAnswersAreAskedForAgain();
     void badLines_data() { addFamilies(); }
     void badLines();
     void writeCutAtEveryByte_data() { addFamilies(); }
@@ -117,6 +119,25 @@ private Q_SLOTS:
     void centreIsKept();
     void overheatedLxIsTold();
 };
+
+/// Every command begins with this, so it must not pay for what is not there.
+void TestEveryFamily::silentLanguagesCostOneQuestion()
+{
+    SimBench bench(text("lx16a@1"), at(115200));
+    bench.forgetFrames();
+    QVERIFY(device::identifyAmong(bench.context(), 1, all).has_value());
+    QCOMPARE(bench.frameCount(), all.size());
+}
+
+void TestEveryFamily::lostAnswersAreAskedForAgain()
+{
+    SimBench bench(text("smsmb@1"), at(115200));
+    bench.wireConfig().faults.drop = 0.5;
+    int known = 0;
+    for (int i = 0; i < 20; ++i)
+        known += device::identifyAmong(bench.context(), 1, all) ? 1 : 0;
+    QVERIFY2(known >= 16, qPrintable(QString::number(known))); // of four tries each one in 16 fails
+}
 
 /// Checksum errors, lost requests, lost and torn replies: whatever is called kept survives,
 /// whatever is called refused has not happened, and the lock is closed or the journal knows.
