@@ -69,6 +69,7 @@ void PollRunner::beginRound(Plan& plan, Duration now, const FreeFrom& freeFrom)
     plan.round.clear();
     plan.position = 0;
     Duration earliest = Duration::max();
+    bool anybody = false;
     for (std::size_t g = 0; g < plan.groups.size(); ++g) {
         const Group& group = plan.groups[g];
         std::vector<int> together;
@@ -81,6 +82,7 @@ void PollRunner::beginRound(Plan& plan, Duration now, const FreeFrom& freeFrom)
             else
                 (group.reads.sync && !group.servos[i].single ? together : singly).push_back(id);
         }
+        anybody = anybody || !together.empty() || !singly.empty();
         std::vector<PollSpan> due;
         std::copy_if(group.reads.blocks.begin(), group.reads.blocks.end(), std::back_inserter(due),
                      [&](const PollSpan& block) {
@@ -94,10 +96,13 @@ void PollRunner::beginRound(Plan& plan, Duration now, const FreeFrom& freeFrom)
                 plan.round.push_back({plan.id, g, group.reads.protocol, {id}, block, last});
         }
     }
-    if (plan.inRound())
+    // A round in which nothing is due counts too, or the next one would be the same again.
+    if (anybody)
         ++plan.rounds;
-    else
+    if (!anybody)
         plan.due = std::max({plan.due + plan.period, now + idlePause, earliest});
+    else if (!plan.inRound())
+        plan.due = std::max(plan.due + plan.period, now);
 }
 
 void PollRunner::finished(const PollRead& read, const std::vector<int>& missing, Duration now)

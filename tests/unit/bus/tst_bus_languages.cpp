@@ -276,6 +276,42 @@ private Q_SLOTS:
         QCOMPARE(samples.front().data, (Bytes{0xFD, 0xFF}));
     }
 
+    void slowRowsNeedNoFastOnes_data()
+    {
+        QTest::addColumn<Duration>("period");
+        QTest::addColumn<int>("fives");
+        QTest::addColumn<int>("tens");
+        QTest::newRow("at the period") << Duration(10ms) << 4 << 2;
+        QTest::newRow("at another") << Duration(5ms) << 8 << 4;
+    }
+
+    void slowRowsNeedNoFastOnes()
+    {
+        QFETCH(const Duration, period);
+        Drawer drawer;
+        drawer.openDrawer();
+        PollPlan plan;
+        plan.period = period;
+        plan.servos.push_back({1, {{216, 2, 5}, {208, 1, 10}}, false, 0, Protocol::Lx, -1, 128});
+        const PollId id = drawer.core->startPoll(plan);
+        pause(drawer, 195ms);
+        const auto samples = drawer.core->takeSamples(id);
+        QTEST(samplesAt(samples, 216), "fives");
+        QTEST(samplesAt(samples, 208), "tens");
+    }
+
+    void slowRowsAloneAreReadAsFastAsTheWireAllows()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        PollPlan plan;
+        plan.servos.push_back({1, {{216, 2, 5}}, false, 0, Protocol::Lx, -1, 128});
+        const PollId id = drawer.core->startPoll(plan);
+        pause(drawer, 100ms);
+        // 14 bytes at 115200 take 1.22 ms.
+        QVERIFY(samplesAt(drawer.core->takeSamples(id), 216) >= 80);
+    }
+
     /// LX blocks stand eight places apart whether they are read together or not.
     void blocksOfLxAreReadAsTheyAre()
     {
