@@ -40,15 +40,18 @@ void HoldTable::release(std::uint64_t token)
 
 HoldTable::Access HoldTable::accessTo(int id, std::uint64_t token, std::thread::id caller) const
 {
-    Access access = Access::Pass;
+    bool held = false;
+    bool allowed = false;
     for (const Entry& entry : m_entries) {
         if (!entry.covers(id))
             continue;
+        held = true;
         if (token != 0 && entry.token == token)
-            return Access::Pass;
-        access = entry.owner == caller ? Access::Refused : Access::Wait;
+            allowed = true;
+        else if (entry.owner != caller)
+            return Access::Wait;
     }
-    return access;
+    return held && !allowed ? Access::Refused : Access::Pass;
 }
 
 HoldTable::Access HoldTable::access(const protocol::Request& request, std::uint64_t token,

@@ -47,6 +47,7 @@ std::thread::id otherThread()
 
 Q_DECLARE_METATYPE(std::vector<bus::PollSpan>)
 Q_DECLARE_METATYPE(bus::PollPlan)
+Q_DECLARE_METATYPE(protocol::Request)
 
 class TestBusParts : public QObject {
     Q_OBJECT
@@ -273,6 +274,32 @@ private Q_SLOTS:
         table.release(mine);
         QVERIFY2(table.isHeld(1), "held twice, released once");
         QVERIFY(!table.isHeld(7));
+    }
+
+    void speakingToAllMeetsEveryHold_data()
+    {
+        QTest::addColumn<Request>("request");
+        QTest::newRow("broadcast") << Request::action();
+        QTest::newRow("raw") << Request::raw({0xFF});
+    }
+
+    void speakingToAllMeetsEveryHold()
+    {
+        QFETCH(const Request, request);
+        const auto self = std::this_thread::get_id();
+        const auto other = otherThread();
+        HoldTable table;
+        const auto before = table.take({4}, other);
+        const auto mine = table.take({1}, self);
+        QVERIFY(table.take({2}, self) != 0);
+        const auto after = table.take({5}, other);
+        QCOMPARE(table.access(request, mine, self), Access::Wait);
+        QCOMPARE(table.access(Request::read(1, 56, 2), mine, self), Access::Pass);
+        table.release(before);
+        QCOMPARE(table.access(request, mine, self), Access::Wait);
+        table.release(after);
+        QCOMPARE(table.access(request, mine, self), Access::Pass);
+        QCOMPARE(table.access(request, 0, self), Access::Refused);
     }
 
     void everyHoldLearnsOfAnEmergencyOnce()
