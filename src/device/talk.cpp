@@ -158,8 +158,8 @@ base::Result<void> writeVerified(const Context& context, Servo& servo, const Reg
         if (!patch)
             return tl::unexpected(patch.error());
         const auto sent = writeBlock(context, servo, *patch, protocol::Repeat::Safe);
-        if (!sent &&
-            (sent.error().code == ErrorCode::LinkLost || sent.error().code == ErrorCode::Refused))
+        // Whatever else ended it (an emergency stop) must not be undone by saying it again.
+        if (!sent && !answerLost(sent.error()))
             return sent;
         if (slow)
             context.bus.clock().sleepFor(epromWriteTime);

@@ -2,6 +2,7 @@
 #include "device/write_run.h"
 
 #include "device/persistence.h"
+#include "device/talk.h"
 
 #include <algorithm>
 
@@ -9,6 +10,15 @@ namespace device {
 using base::ErrorCode;
 using catalog::Role;
 using catalog::TorqueOff;
+
+namespace {
+/// Neither a lost answer nor the servo's own refusal: the link is gone, or the emergency lane took
+/// the wire, and what comes next would undo its stop.
+bool endsTheRun(const base::Error& error)
+{
+    return !answerLost(error) && error.code != ErrorCode::Refused;
+}
+} // namespace
 
 bool WriteRun::needsTorqueOff() const
 {
@@ -96,6 +106,30 @@ WriteReport WriteRun::go()
     return m_report;
 }
 
+/// However the run ended: whoever is in another mode now must stand still in it.
+void WriteRun::settle()
+{
+    if (!m_change)
+        return;
+    bool unclear = false;
+    for (std::size_t i = 0; i < m_items.size(); ++i) {
+        const Role role = m_items[i].reg->role;
+        const WriteOutcome outcome = m_report.writes[i].outcome;
+        unclear |=
+            (role == Role::OperatingMode || role == Role::MinAngle || role == Role::MaxAngle) &&
+            (outcome == WriteOutcome::Unknown || outcome == WriteOutcome::NoAnswer);
+    }
+    const catalog::Mode* now = m_servo.mode();
+    if (!unclear && now == m_change->from)
+        return;
+    const catalog::Mode* to = unclear || now == nullptr ? m_change->to : now;
+    const auto settled = m_ended ? base::Result<void>(tl::unexpected(*m_ended))
+                                 : settleMode(m_context, m_servo, {m_change->from, to});
+    m_unsettled = !settled;
+    if (!settled)
+        m_report.writes.back().error = settled.error();
+}
+
 /// False when the rest was refused.
 bool WriteRun::writeStretch(std::size_t first, std::size_t last)
 {
@@ -104,7 +138,10 @@ bool WriteRun::writeStretch(std::size_t first, std::size_t last)
         return writeRange(first, last);
     auto unlocked = UnlockedEprom::open(m_context, m_servo, *m_items[locked].reg);
     if (!unlocked) {
+        if (endsTheRun(unlocked.error()))
+            m_ended = unlocked.error();
         refuseRest(first, unlocked.error());
+        settle();
         takeLock(closeLock(m_context, m_servo));
         return false;
     }
@@ -118,6 +155,7 @@ bool WriteRun::writeStretch(std::size_t first, std::size_t last)
     if (lock == LockState::Closed || !whole)
         return whole;
     refuseRest(last, {ErrorCode::LockOpen, QStringLiteral("write"), {}, m_servo.id});
+    settle();
     return false;
 }
 
@@ -142,10 +180,18 @@ void WriteRun::denyKept(std::size_t first, std::size_t last)
     }
 }
 
-/// False when the user stopped it; the rest is refused then.
+/// False when the rest was refused.
 bool WriteRun::writeRange(std::size_t first, std::size_t last)
 {
-    const bool toTheEnd = last == m_items.size();
+    const bool whole = writeGroups(first, last);
+    if (!whole || last == m_items.size())
+        settle();
+    return whole;
+}
+
+/// False when the user stopped it, or the wire did; the rest is refused then.
+bool WriteRun::writeGroups(std::size_t first, std::size_t last)
+{
     while (first < last) {
         // Neighbours go in one frame: both angle limits change at once, never one alone.
         std::size_t end = first + 1;
@@ -157,13 +203,11 @@ bool WriteRun::writeRange(std::size_t first, std::size_t last)
             return false;
         }
         writeGroup(first, end);
+        if (m_ended) {
+            refuseRest(end, *m_ended);
+            return false;
+        }
         first = end;
-    }
-    if (m_change && toTheEnd) {
-        const auto settled = settleMode(m_context, m_servo, *m_change);
-        m_unsettled = !settled;
-        if (!settled)
-            m_report.writes.back().error = settled.error();
     }
     return true;
 }
@@ -196,12 +240,17 @@ void WriteRun::writeGroup(std::size_t first, std::size_t last)
         const auto sent = sendGroup(first, last);
         if (takesTime(*m_items[first].reg))
             m_context.bus.clock().sleepFor(epromWriteTime);
-        for (std::size_t i = first; i < last; ++i)
+        if (!sent && endsTheRun(sent.error()))
+            return endAt(first, last, sent.error());
+        for (std::size_t i = first; i < last && !m_ended; ++i)
             judge(i, sent);
+        if (m_ended)
+            return;
         // Reading proved that nothing happened, so sending again repeats nothing. A servo that
         // acknowledged and kept the old value has refused: asking twice changes nothing.
         const bool untouched = sent ? !m_servo.answersWrites() : answerLost(sent.error());
-        if (!untouched || !showsOld(first) || once)
+        const bool unclear = m_report.writes[first].outcome == WriteOutcome::Unknown;
+        if (!untouched || unclear || !showsOld(first) || once)
             break;
         if (attempt + 1 < tries)
             noteSentAgain(m_context, m_servo, m_items[first].reg->key);
@@ -210,20 +259,37 @@ void WriteRun::writeGroup(std::size_t first, std::size_t last)
         keep(i);
 }
 
+/// Perhaps after the frame went out, so reading must tell another day. Nothing more is said but
+/// what closes the lock.
+void WriteRun::endAt(std::size_t first, std::size_t last, const base::Error& why)
+{
+    m_ended = why;
+    for (std::size_t i = first; i < last; ++i) {
+        m_report.writes[i].outcome = WriteOutcome::Unknown;
+        m_report.writes[i].error = why;
+    }
+}
+
 void WriteRun::judge(std::size_t index, const base::Result<void>& sent)
 {
     const RegisterValue& item = m_items[index];
     WriteResult& result = m_report.writes[index];
     const auto back = readRegister(m_context, m_servo, *item.reg);
     if (!back) {
-        result.outcome = back.error().code == ErrorCode::LinkLost ? WriteOutcome::Unknown
-                                                                  : WriteOutcome::NoAnswer;
+        if (endsTheRun(back.error()))
+            return endAt(index, index + 1, back.error());
+        result.outcome = WriteOutcome::NoAnswer;
         result.error = back.error();
         return;
     }
     result.readBack = *back;
     result.error.reset();
     const bool refused = !sent && sent.error().code == ErrorCode::Refused;
+    if (item.reg->role == Role::FaultReset && !sent && !refused) {
+        result.outcome = WriteOutcome::Unknown;
+        result.error = sent.error();
+        return;
+    }
     // A fault reset clears itself, so only its acknowledgement tells.
     const bool shown = item.reg->role == Role::FaultReset ? sent.has_value() : *back == item.raw;
     if (shown && !refused) {

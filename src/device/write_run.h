@@ -43,9 +43,12 @@ private:
     base::Result<void> prepare();
     bool writeStretch(std::size_t first, std::size_t last);
     bool writeRange(std::size_t first, std::size_t last);
+    bool writeGroups(std::size_t first, std::size_t last);
     void writeGroup(std::size_t first, std::size_t last);
     base::Result<void> sendGroup(std::size_t first, std::size_t last);
+    void endAt(std::size_t first, std::size_t last, const base::Error& why);
     void judge(std::size_t index, const base::Result<void>& sent);
+    void settle();
     void takeLock(LockState lock);
     void keep(std::size_t index);
     void denyKept(std::size_t first, std::size_t last);
@@ -58,6 +61,7 @@ private:
     std::optional<ModeChange> m_change;
     bool m_open = false; ///< the lock is open for what is being written
     bool m_unsettled = false;
+    std::optional<base::Error> m_ended; ///< what forbids to say any more
     WriteReport m_report;
 };
 } // namespace device

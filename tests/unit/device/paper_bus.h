@@ -24,6 +24,7 @@ public:
     bool loseAcks = false;     ///< writes are carried out, their answers are lost
     int deafWrites = 0;        ///< so many writes never arrive
     int cutAfter = -1;         ///< so many requests still pass, then the link is gone
+    bool emergencyNow = false; ///< torque goes off everywhere and the request ends with Preempted
     std::function<void(const Request&)> onRequest;
     base::ManualClock time;
 
@@ -46,6 +47,12 @@ public:
         said.push_back(request);
         if (onRequest)
             onRequest(request);
+        if (std::exchange(emergencyNow, false)) {
+            said.pop_back();
+            for (Servo& servo : servos)
+                servo.poke(servo.profile->byRole(catalog::Role::TorqueSwitch)->key, 0);
+            return base::fail(base::ErrorCode::Preempted, {}, {}, request.id);
+        }
         return isQuestion(request) ? ask(request) : tell(request);
     }
 

@@ -81,6 +81,8 @@ private Q_SLOTS:
     void torqueOnHolds();
     void torqueOnOutsideTheScaleIsRefused();
     void torqueOnInMotorModeStandsStill();
+    void anEmergencyEndsTorqueOn_data();
+    void anEmergencyEndsTorqueOn();
     void noDampingWhereThereIsNone_data();
     void noDampingWhereThereIsNone();
     void noCurrentIsSaid();
@@ -173,6 +175,39 @@ void TestFamilyMotion::torqueOnInMotorModeStandsStill()
     QVERIFY(device::setTorque(bench.context(), servo, Torque::On));
     QCOMPARE(said(bench),
              (QStringList{text("W232:01 00 00 00"), text("W248:01"), text("W232:01 00 00 00")}));
+}
+
+void TestFamilyMotion::anEmergencyEndsTorqueOn_data()
+{
+    QTest::addColumn<QString>("family");
+    for (const char* family : {"STS", "HLS", "SMCL", "SMSMB", "LX"})
+        QTest::newRow(family) << family;
+}
+
+/// Whichever request the emergency stop meets, nothing afterwards switches torque on again.
+void TestFamilyMotion::anEmergencyEndsTorqueOn()
+{
+    QFETCH(QString, family);
+    for (int passed = 0;; ++passed) {
+        Bench bench(family);
+        bench.paper().goalEnergises = false;
+        bench.paper().poke(bench.paper().profile->byRole(Role::PresentPosition)->key, 500);
+        device::Servo servo = bench.servo();
+        int left = passed;
+        bool met = false;
+        bench.bus.onRequest = [&](const protocol::Request&) {
+            bench.bus.emergencyNow = !met && left-- == 0;
+            met |= bench.bus.emergencyNow;
+        };
+        const auto on = device::setTorque(bench.context(), servo, Torque::On);
+        if (!met)
+            break;
+        // Evidence about alarms is read after the work is done.
+        if (on)
+            continue;
+        QCOMPARE(base::errorName(on.error().code), base::errorName(ErrorCode::Preempted));
+        QCOMPARE(bench.paper().raw(Role::TorqueSwitch), std::int64_t(0));
+    }
 }
 
 void TestFamilyMotion::noDampingWhereThereIsNone_data()

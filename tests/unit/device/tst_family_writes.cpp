@@ -73,6 +73,9 @@ private Q_SLOTS:
     void aMoveThatCannotBeReadIsNotSimplyWritten();
     void switchingTheModeStopsTheMotor();
     void faultResetClearsItself();
+    void aLostFaultResetIsNotRefused();
+    void anEmergencyEndsTheWrite();
+    void aModeThatWasWrittenIsSettled();
     void twinsAreNotWritten();
 };
 
@@ -532,6 +535,86 @@ void TestFamilyWrites::faultResetClearsItself()
     const auto centre = device::write(bench.context(), servo, {{text("fault_reset"), 5}}, {});
     QVERIFY(!centre);
     QCOMPARE(centre.error().detail, text("center"));
+}
+
+void TestFamilyWrites::aLostFaultResetIsNotRefused()
+{
+    Bench bench(text("SMSMB"));
+    device::Servo servo = bench.servo();
+    bench.bus.loseAcks = true;
+    const auto report = device::write(bench.context(), servo, {{text("fault_reset"), 1}}, {});
+    QVERIFY(report);
+    QCOMPARE(device::outcomeName(report->writes[0].outcome), text("unknown"));
+    QCOMPARE(base::errorName(report->writes[0].error->code), base::errorName(ErrorCode::Uncertain));
+    QCOMPARE(bench.noted(NoticeCode::AnswerLostSentAgain), 0);
+}
+
+/// A change of mode, with an emergency stop at every request: the lock is closed again, and
+/// nothing but that is written afterwards.
+void TestFamilyWrites::anEmergencyEndsTheWrite()
+{
+    for (int passed = 0;; ++passed) {
+        Bench bench(text("STS"));
+        bench.paper().poke(text("goal_speed"), 500);
+        bench.paper().poke(text("torque_switch"), 1);
+        device::Servo servo = bench.servo();
+        int left = passed;
+        bool met = false;
+        QStringList after;
+        bench.bus.onRequest = [&](const protocol::Request& request) {
+            if (met && request.op == protocol::Op::Write)
+                after << QString::number(request.address);
+            bench.bus.emergencyNow = !met && left-- == 0;
+            met |= bench.bus.emergencyNow;
+        };
+        const auto report = device::write(
+            bench.context(), servo, {{text("max_temperature"), 61}, {text("operating_mode"), 1}},
+            {false, true});
+        if (!met) {
+            QVERIFY(report && report->allGood());
+            return;
+        }
+        QVERIFY(lockClosed(bench.paper()));
+        if (report && report->allGood())
+            continue;
+        after.removeAll(QString::number(bench.paper().reg(text("lock")).writeOffset));
+        QCOMPARE(after, QStringList());
+        const bool unsettled = bench.paper().raw(text("operating_mode")) == 1 &&
+                               bench.paper().raw(text("goal_speed")) != 0;
+        QVERIFY(!unsettled || bench.openIntents() == 1);
+    }
+}
+
+/// Stopped, or refused, after the mode had been written: the new mode's command is not left
+/// standing.
+void TestFamilyWrites::aModeThatWasWrittenIsSettled()
+{
+    for (const bool stopped : {true, false}) {
+        Bench bench(text("SMSMB"));
+        bench.paper().poke(text("goal_speed"), 500);
+        device::Servo servo = bench.servo();
+        const catalog::Register& mode = bench.paper().reg(text("operating_mode"));
+        const int factory = bench.paper().reg(text("lock")).writeOffset;
+        bench.bus.onRequest = [&](const protocol::Request& request) {
+            if (request.op != protocol::Op::Write)
+                return;
+            if (stopped && request.address == mode.writeOffset)
+                bench.stop.request();
+            // The key of the second area is not taken.
+            if (!stopped && request.address == factory && request.data.back() == 128)
+                bench.paper().exceptions[factory] = 3;
+            else
+                bench.paper().exceptions.clear();
+        };
+        const auto report = device::write(
+            bench.context(), servo, {{text("operating_mode"), 1}, {text("max_temperature"), 61}},
+            {false, true});
+        QVERIFY(report);
+        QVERIFY(!report->allGood());
+        QCOMPARE(bench.paper().raw(text("operating_mode")), std::int64_t(1));
+        QCOMPARE(bench.paper().raw(text("goal_speed")), std::int64_t(0));
+        QVERIFY(lockClosed(bench.paper()));
+    }
 }
 
 void TestFamilyWrites::twinsAreNotWritten()
