@@ -97,8 +97,11 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
         return tl::unexpected(quiet.error());
     const bool raw = request.op == protocol::Op::Raw;
     Wait wait;
-    keepSilence(protocol::codecFor(request.protocol));
-    m_codec = &protocol::codecFor(request.protocol);
+    const protocol::Codec& codec = protocol::codecFor(request.protocol);
+    // Nothing is sent yet, so stop may end this even if the request must not be repeated.
+    if (const auto silent = keepSilence(codec, interrupt); !silent)
+        return tl::unexpected(silent.error());
+    m_codec = &codec;
     m_trace.speak(request.protocol);
     wait.expected = m_codec->expect(request);
     const std::size_t replies = wait.expected.ids.size();

@@ -71,7 +71,7 @@ private:
     void takeBadCheck(Wait& wait, int id);
     void giveUp(Wait& wait, bool interrupted);
     base::Duration silenceOf(const protocol::Codec& codec) const;
-    void keepSilence(const protocol::Codec& next);
+    base::Result<void> keepSilence(const protocol::Codec& next, const Interrupt& interrupt);
     base::Result<bool> echoedOnce(base::ByteView probe, bool& heard, const Interrupt& interrupt);
 
     Line& m_line;

@@ -13,6 +13,9 @@ namespace {
 constexpr int probeTries = 3;
 constexpr int silentTries = 2; ///< the first transaction after opening may be lost
 
+/// A line that is never silent is spoken on all the same after this and the longest frames.
+constexpr Duration mostUnrest = 20ms;
+
 /// Room for the shortest reply after a stop frame, and for a servo that is slow to begin.
 constexpr std::size_t shortestReply = 6;
 constexpr Duration stopFrameMargin = 500us;
@@ -37,7 +40,7 @@ Result<void> Exchange::listenUntil(Duration instant, const Interrupt& interrupt)
 
 Result<void> Exchange::awaitSilence()
 {
-    const Duration limit = m_clock.now() + 20ms + m_line.wireTime(512);
+    const Duration limit = m_clock.now() + mostUnrest + m_line.wireTime(512);
     Duration span{};
     for (;;) {
         const auto came = m_line.receive(span);
@@ -102,13 +105,26 @@ Duration Exchange::silenceOf(const protocol::Codec& codec) const
 
 /// Some protocols know where a frame begins by the silence before it, and where it ends by the one
 /// after: a request that nobody answers needs it too when another language follows.
-void Exchange::keepSilence(const protocol::Codec& next)
+Result<void> Exchange::keepSilence(const protocol::Codec& next, const Interrupt& interrupt)
 {
-    const Duration before = std::max(m_line.lastByteAt(), m_line.freeAt()) + silenceOf(next);
-    const Duration after = m_line.freeAt() + silenceOf(*m_codec);
-    const Duration from = std::max(before, after);
-    if (m_clock.now() < from)
-        m_clock.sleepUntil(from);
+    const auto silentFrom = [&] {
+        const Duration before = std::max(m_line.lastByteAt(), m_line.freeAt()) + silenceOf(next);
+        return std::max(before, m_line.freeAt() + silenceOf(*m_codec));
+    };
+    Duration from = silentFrom();
+    const Duration limit = from + mostUnrest + m_line.wireTime(512);
+    while (m_clock.now() < from) {
+        const Duration last = m_line.lastByteAt();
+        if (const auto heard = listenUntil(from, interrupt); !heard)
+            return heard;
+        if (m_line.lastByteAt() == last)
+            break;
+        m_unsettled = true;
+        if (const auto quiet = awaitSilence(); !quiet)
+            return quiet;
+        from = std::min(silentFrom(), limit);
+    }
+    return {};
 }
 
 Result<bool> Exchange::probeEcho(const Interrupt& interrupt)

@@ -16,6 +16,7 @@ using namespace std::chrono_literals;
 Q_DECLARE_METATYPE(protocol::Request)
 Q_DECLARE_METATYPE(Duration)
 Q_DECLARE_METATYPE(base::Protocol)
+Q_DECLARE_METATYPE(base::ErrorCode)
 
 namespace {
 const Bytes modbusOffAll = modbusFrame({0, 6, 0, 129, 0, 0});
@@ -139,6 +140,115 @@ private Q_SLOTS:
         // The wire of the script rounds down, the line up.
         QVERIFY2(silent >= silence && silent <= silence + 2us,
                  QByteArray::number(qint64(silent.count())).constData());
+    }
+
+    void whatComesIntoTheSilenceIsNoAnswer_data()
+    {
+        QTest::addColumn<int>("baud");
+        QTest::addColumn<Duration>("after");
+        QTest::addColumn<int>("broken");
+        QTest::addColumn<Duration>("silence");
+        const auto row = [](const char* name, int baud, Duration after, int broken,
+                            Duration silence) {
+            QTest::newRow(name) << baud << after << broken << silence;
+        };
+        row("at once", 115'200, 100us, 0, 1750us);
+        row("in the middle", 115'200, 1000us, 0, 1750us);
+        row("at the end", 115'200, 1700us, 0, 1750us);
+        row("in two parts", 115'200, 1000us, 4, 1750us);
+        // Here the pause that ends an unexpected reply is longer: four bytes and half a
+        // millisecond.
+        row("9600", 9'600, 3000us, 0, 4667us);
+    }
+
+    void whatComesIntoTheSilenceIsNoAnswer()
+    {
+        QFETCH(const int, baud);
+        QFETCH(const Duration, after);
+        QFETCH(const int, broken);
+        QFETCH(const Duration, silence);
+        Drawer drawer;
+        drawer.script.baud = baud;
+        drawer.openDrawer();
+        QVERIFY(drawer.transact(modbusRead(256, 2)));
+        const Bytes stale = modbusFrame({1, 3, 4, 0xAA, 0xAA, 0xAA, 0xAA});
+        const auto cut = stale.begin() + broken;
+        const Duration end = drawer.script.clock.now() + after;
+        drawer.script.deliver(end, Bytes(cut, stale.end()));
+        if (broken > 0)
+            drawer.script.deliver(end - 300us, Bytes(stale.begin(), cut));
+        const auto outcome = drawer.transact(modbusRead(260, 2), 0);
+        QVERIFY(outcome);
+        QCOMPARE(outcome->data(), (Bytes{1, 4, 1, 5}));
+        const Duration silent = drawer.script.sent.at(1).at - end;
+        QVERIFY2(silent >= silence && silent <= silence + 2us,
+                 QByteArray::number(qint64(silent.count())).constData());
+        QCOMPARE(drawer.counters(1).foreign, std::uint64_t(1));
+        QCOMPARE(drawer.counters(1).noiseBytes, std::uint64_t(0));
+    }
+
+    void theSilenceAfterAnotherLanguageIsListenedToAsWell()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        QVERIFY(drawer.transact(modbusWrite(129, {0, 0}, 254)));
+        // Its second part comes 0.1 ms after the silence would have ended.
+        const Bytes running = frameOf(2, 0, {1, 2});
+        const Duration end = drawer.script.clock.now() + 1850us;
+        drawer.script.deliver(end - 300us, Bytes(running.begin(), running.begin() + 4));
+        drawer.script.deliver(end, Bytes(running.begin() + 4, running.end()));
+        QVERIFY(drawer.transact(Request::ping(1)));
+        QVERIFY2(drawer.script.sent.back().at >= end, "it spoke into a running reply");
+    }
+
+    void aLineThatIsNeverSilentIsSpokenOnAllTheSame()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        QVERIFY(drawer.transact(modbusRead(256, 2)));
+        const Duration start = drawer.script.clock.now();
+        for (Duration at = 1ms; at < 1s; at += 1ms)
+            drawer.script.deliver(start + at, {0});
+        static_cast<void>(drawer.transact(modbusRead(256, 2), 0));
+        QCOMPARE(drawer.script.sent.size(), std::size_t(2));
+        QVERIFY(drawer.script.sent.back().at - start < 200ms);
+    }
+
+    void theSilenceEndsEarly_data()
+    {
+        QTest::addColumn<bool>("emergency");
+        QTest::addColumn<ErrorCode>("code");
+        QTest::newRow("stop") << false << ErrorCode::Stopped;
+        QTest::newRow("emergency") << true << ErrorCode::Preempted;
+    }
+
+    void theSilenceEndsEarly()
+    {
+        QFETCH(const bool, emergency);
+        QFETCH(const ErrorCode, code);
+        Drawer drawer;
+        drawer.openDrawer();
+        drawer.core->setSilence(1s);
+        QVERIFY(drawer.transact(Request::ping(1)));
+        const Duration start = drawer.script.clock.now();
+        base::Stop stop;
+        drawer.script.onWait = [&, done = false]() mutable {
+            if (drawer.script.clock.now() < start + 100ms || std::exchange(done, true))
+                return;
+            if (emergency)
+                std::thread([&] { drawer.core->emergency(); }).join();
+            else
+                stop.request();
+        };
+        Transaction transaction;
+        transaction.request = modbusWrite(129, {0, 1});
+        transaction.request.repeat = Repeat::Never;
+        transaction.stop = &stop;
+        const auto outcome = drawer.core->transact(transaction);
+        QVERIFY(!outcome);
+        QCOMPARE(outcome.error().code, code);
+        QVERIFY(drawer.script.clock.now() - start <= 120ms);
+        QVERIFY2(drawer.script.sent.size() == 1, "it was not sent");
     }
 
     void otherLanguagesNeedNone_data()
