@@ -933,6 +933,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>, %1 at %2 baud, found: %3</source>
         <translation>，%1，波特率 %2，已找到 %3 个</translation>
     </message>
+    <message>
+        <source>Searched at %1 baud. At 1000000 baud there are Feetech servos only; LX, Modbus and most SMS servos are at 115200.</source>
+        <translation>已搜索的波特率：%1。1000000 下只有飞特舵机；LX、Modbus 和多数 SMS 舵机为 115200。</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -1528,10 +1532,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>现在以波特率 %1 应答。</translation>
     </message>
     <message>
-        <source>It is still on its way to the goal; torque off stops it.</source>
-        <translation>舵机仍在转向目标位置；关闭扭矩可使其停下。</translation>
-    </message>
-    <message>
         <source>It answers as ID %1 now.</source>
         <translation>现在以 ID %1 应答。</translation>
     </message>
@@ -1832,6 +1832,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>not reported</source>
         <comment>alarms</comment>
         <translation>不报告</translation>
+    </message>
+    <message>
+        <source>It is still on its way to the goal, until it is stopped or torque is off.</source>
+        <translation>仍在运动到目标途中，停止或关闭扭矩才会停下。</translation>
     </message>
 </context>
 </TS>

@@ -56,6 +56,7 @@ struct Notice {
     QString key{};
     std::int64_t a = 0;
     std::int64_t b = 0;
+    bool operator==(const Notice&) const = default;
 };
 
 using Notices = std::vector<Notice>;

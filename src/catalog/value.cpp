@@ -65,6 +65,17 @@ std::int64_t signedMagnitude(std::uint64_t magnitude, bool negative)
     return negative ? -value : value;
 }
 
+/// "0…1000", and what that is in the unit the user thinks in.
+QString rangeWords(RawRange range, const Register& reg, const Meaning& meaning)
+{
+    const QString raw = QStringLiteral("%1…%2").arg(range.min).arg(range.max);
+    if (meaning.unit.isEmpty() || meaning.scale == 1.0)
+        return raw;
+    return QStringLiteral("%1, %2 … %3")
+        .arg(raw, formatValue(range.min, reg, meaning, false),
+             formatValue(range.max, reg, meaning, false));
+}
+
 base::Result<void> refuse(base::ErrorCode code, const Register& reg, const QString& detail)
 {
     base::Error error{code, QStringLiteral("write"), detail};
@@ -200,8 +211,7 @@ base::Result<void> checkNewValue(std::int64_t raw, const Register& reg, const Me
         range.max = std::min(range.max, meaning.max.value_or(range.max));
     }
     if (raw < range.min || raw > range.max)
-        return refuse(base::ErrorCode::OutOfRange, reg,
-                      QStringLiteral("%1…%2").arg(range.min).arg(range.max));
+        return refuse(base::ErrorCode::OutOfRange, reg, rangeWords(range, reg, meaning));
     return {};
 }
 } // namespace catalog

@@ -75,9 +75,15 @@ Table foundTable(const jobs::ScanReport& report)
 QString remarks(const jobs::ScanReport& report)
 {
     QStringList lines;
-    if (report.found.empty())
-        lines << translate("cli",
-                           "No servo answered. Check supply and leads, and try --bauds all.");
+    if (report.found.empty()) {
+        QStringList rates;
+        for (const int rate : report.rates)
+            rates << QString::number(rate);
+        lines << translate("cli", "No servo answered. Check supply and leads, and try --bauds all.")
+              << translate("cli", "Searched at %1 baud. At 1000000 baud there are Feetech servos "
+                                  "only; LX, Modbus and most SMS servos are at 115200.")
+                     .arg(rates.join(QStringLiteral(", ")));
+    }
     if (report.garbledHeard)
         lines << translate("cli", "Something unreadable was heard where no servo could be proven: "
                                   "another baud rate, two servos with one ID, or noise.");

@@ -7,6 +7,8 @@
 #include "text/notice_words.h"
 #include "transport/port_opener.h"
 
+#include <algorithm>
+
 namespace cli {
 using base::ErrorCode;
 
@@ -144,8 +146,20 @@ base::Result<device::Servo> Run::servoWithSettings(const Values& values)
     return parseId(values.word("ID")).and_then([this](int id) { return servoWithSettings(id); });
 }
 
+/// Steps of one task may say the same thing.
+void Run::dropRepeatedNotices()
+{
+    device::Notices once;
+    for (const device::Notice& notice : m_notices) {
+        if (std::find(once.begin(), once.end(), notice) == once.end())
+            once.push_back(notice);
+    }
+    m_notices = std::move(once);
+}
+
 QString Run::takeNotices()
 {
+    dropRepeatedNotices();
     QString lines;
     for (const device::Notice& notice : m_notices) {
         const QString sentence = text::describe(notice);
@@ -160,6 +174,7 @@ QString Run::takeNotices()
 
 Json Run::takeNoticesAsJson()
 {
+    dropRepeatedNotices();
     Json::Array notes;
     for (const device::Notice& notice : m_notices) {
         Json note = Json::object();

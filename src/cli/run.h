@@ -50,6 +50,7 @@ public:
     void setDefaultPort(const QString& port);
 
 private:
+    void dropRepeatedNotices();
     base::Result<QString> choosePort();
     base::Result<device::Servo> findRate(const device::Context& context, int id);
 

@@ -22,7 +22,19 @@ QString title(const jobs::WatchColumn& column)
     key.remove(QLatin1String("present_")).remove(QLatin1String("active_"));
     QString unit = column.unit;
     unit.replace(QLatin1String("deg"), QStringLiteral("°"));
-    return QStringLiteral("%1[%2]").arg(key, unit);
+    return unit.isEmpty() ? key : QStringLiteral("%1[%2]").arg(key, unit);
+}
+
+/// Flags and states are in the alarms, or say little in a row of numbers.
+bool isNumber(const jobs::WatchSpec& spec, const jobs::WatchColumn& column)
+{
+    for (const device::Servo& servo : spec.servos) {
+        const catalog::Register* reg = servo.profile->find(column.key);
+        if (reg != nullptr)
+            return reg->encoding != catalog::Encoding::Bits &&
+                   reg->encoding != catalog::Encoding::Enum;
+    }
+    return false;
 }
 
 QString shortened(const QString& line, int width)
@@ -42,7 +54,7 @@ WatchView::WatchView(Console& console, const jobs::WatchSpec& spec, bool quiet)
     const auto columns = jobs::watchColumns(spec);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const QString text = title(columns[i]);
-        if (!columns[i].unit.isEmpty())
+        if (isNumber(spec, columns[i]))
             m_columns.push_back({i, text, std::max(valueWidth, displayWidth(text))});
     }
     for (const device::Servo& servo : spec.servos)

@@ -22,7 +22,7 @@ base::Result<void> checkId(const device::Servo& servo, int newId)
     if (newId >= lowest && newId <= highest)
         return {};
     base::Error error{ErrorCode::OutOfRange, operation,
-                      QStringLiteral("%1 … %2").arg(lowest).arg(highest), newId};
+                      QStringLiteral("%1 … %2").arg(lowest).arg(highest), servo.id};
     error.registerKey = reg.key;
     return tl::unexpected(error);
 }
@@ -124,6 +124,19 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
     report.writes.push_back(result);
     return report;
 }
+
+/// An ID that answers in two languages would leave every later command in doubt.
+std::vector<base::Protocol> neighbours(const device::Context& context, const device::Servo& servo)
+{
+    std::vector<base::Protocol> languages{servo.protocol};
+    if (!context.bus.hasBaud())
+        return languages;
+    for (const base::Protocol other : context.catalog.protocolsAt(context.bus.baud())) {
+        if (other != servo.protocol)
+            languages.push_back(other);
+    }
+    return languages;
+}
 } // namespace
 
 base::Result<device::WriteReport> changeId(const device::Context& outer, device::Servo& servo,
@@ -143,8 +156,10 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
     const device::Context& context = owned.context;
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
-    if (const auto free = proveFree(context, servo.protocol, newId); !free)
-        return tl::unexpected(free.error());
+    for (const base::Protocol protocol : neighbours(context, servo)) {
+        if (const auto free = proveFree(context, protocol, newId); !free)
+            return tl::unexpected(free.error());
+    }
     if (context.stop.requested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
     const catalog::Register& reg = *servo.profile->byRole(Role::Id);

@@ -8,6 +8,7 @@
 namespace jobs {
 namespace {
 constexpr base::Duration drainInterval = std::chrono::milliseconds(50);
+constexpr base::Duration quietTime = std::chrono::milliseconds(40);
 
 using OnRow = std::function<base::Result<void>(const WatchRow&)>;
 
@@ -23,6 +24,10 @@ public:
 
     base::Result<WatchReport> run()
     {
+        // A servo that was silent in a language it does not speak is left alone for a while; then
+        // the first round has everybody.
+        if (const auto heard = m_context.bus.listen(quietTime); !heard)
+            return tl::unexpected(heard.error());
         const base::Duration start = m_context.bus.clock().now();
         m_poll = m_context.bus.startPoll(m_decoder.plan());
         const auto watched = drainUntilEnd(start);

@@ -43,11 +43,34 @@ QStringList feedbackKeys(const std::vector<device::Servo>& servos)
     return keys;
 }
 
-QStringList keysOf(const WatchSpec& spec)
+catalog::Role roleOf(const WatchSpec& spec, const QString& key)
 {
-    QStringList keys = spec.keys.isEmpty() ? feedbackKeys(spec.servos) : spec.keys;
-    keys.removeDuplicates();
+    for (const device::Servo& servo : spec.servos) {
+        if (const catalog::Register* reg = servo.profile->find(key))
+            return reg->role;
+    }
+    return catalog::Role::None;
+}
+
+std::vector<WatchKey> keysOf(const WatchSpec& spec)
+{
+    std::vector<WatchKey> keys;
+    for (const QString& key : spec.keys.isEmpty() ? feedbackKeys(spec.servos) : spec.keys) {
+        const catalog::Role role = roleOf(spec, key);
+        const bool there = std::any_of(keys.begin(), keys.end(), [&](const WatchKey& other) {
+            return other.key == key || (role != catalog::Role::None && other.role == role);
+        });
+        if (!there)
+            keys.push_back({key, role});
+    }
     return keys;
+}
+
+const catalog::Register* registerFor(const device::Servo& servo, const WatchKey& wanted)
+{
+    const catalog::Register* reg = servo.profile->find(wanted.key);
+    const bool elsewhere = reg == nullptr && wanted.role != catalog::Role::None;
+    return elsewhere ? servo.profile->byRole(wanted.role) : reg;
 }
 
 /// Servos of one number may share a sync read.
@@ -88,12 +111,12 @@ std::vector<WatchColumn> watchColumns(const WatchSpec& spec)
     std::vector<WatchColumn> columns;
     if (!check(spec))
         return columns;
-    for (const QString& key : keysOf(spec)) {
+    for (const WatchKey& wanted : keysOf(spec)) {
         for (const device::Servo& servo : spec.servos) {
-            const catalog::Register* reg = servo.profile->find(key);
+            const catalog::Register* reg = registerFor(servo, wanted);
             if (reg == nullptr || !servo.measures(*reg))
                 continue;
-            const WatchColumn column{key, servo.meaning(*reg).unit};
+            const WatchColumn column{wanted.key, servo.meaning(*reg).unit};
             if (std::find(columns.begin(), columns.end(), column) == columns.end())
                 columns.push_back(column);
         }
@@ -108,7 +131,7 @@ base::Result<WatchDecoder> WatchDecoder::make(const WatchSpec& spec)
     WatchDecoder decoder;
     decoder.m_period = spec.period;
     decoder.m_columns = watchColumns(spec);
-    const QStringList keys = keysOf(spec);
+    const std::vector<WatchKey> keys = keysOf(spec);
     const auto groups = families(spec.servos);
     for (const device::Servo& servo : spec.servos) {
         const int group = groups.at({servo.profile->mapKey, servo.profile->byteOrder});
@@ -118,28 +141,30 @@ base::Result<WatchDecoder> WatchDecoder::make(const WatchSpec& spec)
     return decoder;
 }
 
-base::Result<void> WatchDecoder::addServo(const device::Servo& servo, const QStringList& keys,
-                                          int group)
+base::Result<void> WatchDecoder::addServo(const device::Servo& servo,
+                                          const std::vector<WatchKey>& keys, int group)
 {
     Source source;
     source.servo = servo;
     source.group = group;
     std::vector<const catalog::Register*> registers;
     bool known = false;
-    for (const QString& key : keys) {
-        const catalog::Register* reg = servo.profile->find(key);
+    QStringList names;
+    for (const WatchKey& wanted : keys) {
+        names.append(wanted.key);
+        const catalog::Register* reg = registerFor(servo, wanted);
         known = known || reg != nullptr;
         if (reg == nullptr || !servo.measures(*reg))
             continue;
         const catalog::Meaning meaning = servo.meaning(*reg);
         const auto column =
-            std::find(m_columns.begin(), m_columns.end(), WatchColumn{key, meaning.unit});
+            std::find(m_columns.begin(), m_columns.end(), WatchColumn{wanted.key, meaning.unit});
         source.fields.push_back({reg, meaning, std::size_t(column - m_columns.begin())});
         registers.push_back(reg);
     }
     if (registers.empty())
         return base::fail(known ? ErrorCode::NotSupported : ErrorCode::UnknownRegister,
-                          QStringLiteral("watch"), keys.join(QLatin1Char(',')), servo.id);
+                          QStringLiteral("watch"), names.join(QLatin1Char(',')), servo.id);
     // An alarm shows in every row, whatever is watched.
     const catalog::Register* status = servo.profile->byRole(catalog::Role::Status);
     if (status != nullptr && !servo.repliesCarryStatus())

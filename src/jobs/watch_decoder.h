@@ -10,6 +10,12 @@
 #include <set>
 
 namespace jobs {
+/// What a column shows: families may call one thing by different names, so its role counts too.
+struct WatchKey {
+    QString key; ///< the first servo's name for it
+    catalog::Role role = catalog::Role::None;
+};
+
 class WatchDecoder {
 public:
     static base::Result<WatchDecoder> make(const WatchSpec& spec);
@@ -41,7 +47,8 @@ private:
         std::set<device::NoticeCode> told;
     };
 
-    base::Result<void> addServo(const device::Servo& servo, const QStringList& keys, int group);
+    base::Result<void> addServo(const device::Servo& servo, const std::vector<WatchKey>& keys,
+                                int group);
     std::vector<bus::PollSpan> spansFor(const device::Servo& servo,
                                         const std::vector<const catalog::Register*>& registers);
     WatchRow emptyRow(const device::Servo& servo) const;

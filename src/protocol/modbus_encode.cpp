@@ -75,12 +75,12 @@ Result<Bytes> encodeRead(const Request& request)
 /// What the acknowledgement repeats: the address, and the value or the number of registers.
 Bytes writeHead(const Request& request)
 {
+    const Bytes& data = request.data;
+    const auto second =
+        data.size() == 2 ? data[0] << 8 | data[1] : static_cast<int>(data.size() / 2);
     Bytes head;
     appendWord(head, request.address / 2);
-    if (request.data.size() == 2)
-        head.insert(head.end(), request.data.begin(), request.data.end());
-    else
-        appendWord(head, static_cast<int>(request.data.size() / 2));
+    appendWord(head, second);
     return head;
 }
 

@@ -46,7 +46,11 @@ void Connection::updateStopFrames()
     std::vector<device::Servo> servos;
     for (const auto& [who, known] : m_known)
         servos.push_back(known);
-    m_bus->setStopFrames(device::stopFrames(protocols(), servos));
+    // The rate may change in the middle of a job; who then turns must hear it too.
+    const std::vector<base::Protocol> everybody(base::allProtocols.begin(),
+                                                base::allProtocols.end());
+    m_bus->setStopFrames(
+        device::stopFrames(m_protocol ? std::vector{*m_protocol} : everybody, servos));
 }
 
 bool Connection::powerCycle()

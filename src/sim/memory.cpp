@@ -92,7 +92,7 @@ bool Memory::write(int address, base::ByteView data, Unlocked unlocked)
 bool Memory::save(int address, int count)
 {
     bool stored = false;
-    for (auto i = std::size_t(address); i < std::size_t(address + count); ++i) {
+    for (auto i = std::size_t(address); i < std::size_t(address) + std::size_t(count); ++i) {
         if (m_kinds[i] == Kind::Saved) {
             m_stored[i] = m_live[i];
             stored = true;

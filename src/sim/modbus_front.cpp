@@ -54,7 +54,7 @@ std::optional<Exception> refusesWrite(const Memory& memory, std::uint8_t functio
     if (function == WriteOne) {
         span.count = registerBytes;
     } else if (span.count == 0 || span.count > registerBytes * mostWritten ||
-               params[4] != span.count || params.size() != std::size_t(5 + span.count)) {
+               params[4] != span.count || params.size() != 5 + std::size_t(span.count)) {
         return BadValue;
     }
     return memory.writable(span.address, span.count) ? std::nullopt : std::optional(NoSuchAddress);

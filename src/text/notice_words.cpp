@@ -84,7 +84,8 @@ constexpr std::array entries{
     Entry{NoticeCode::RateChanged, "rate-changed",
           QT_TRANSLATE_NOOP("text", "It answers at %1 baud now.")},
     Entry{NoticeCode::StillMoving, "still-moving",
-          QT_TRANSLATE_NOOP("text", "It is still on its way to the goal; torque off stops it.")},
+          QT_TRANSLATE_NOOP(
+              "text", "It is still on its way to the goal, until it is stopped or torque is off.")},
     Entry{NoticeCode::IdChanged, "id-changed",
           QT_TRANSLATE_NOOP("text", "It answers as ID %1 now.")},
     Entry{NoticeCode::SentAgain, "sent-again",

@@ -31,7 +31,8 @@ Bytes modbus(Bytes body)
 Bytes lx(std::uint8_t id, std::uint8_t command, const Bytes& params = {})
 {
     Bytes bytes{0x55, 0x55, id, static_cast<std::uint8_t>(params.size() + 3), command};
-    bytes.insert(bytes.end(), params.begin(), params.end());
+    for (const std::uint8_t param : params)
+        bytes.push_back(param);
     bytes.push_back(
         static_cast<std::uint8_t>(~std::accumulate(bytes.begin() + 2, bytes.end(), 0U)));
     return bytes;
