@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "bus/poll.h"
 #include "bus/statistics.h"
+#include "bus/stop_frame.h"
 #include "bus/trace.h"
 #include "protocol/request.h"
 
@@ -125,7 +126,7 @@ public:
     virtual std::vector<Sample> takeSamples(PollId id) = 0;
 
     /// Ready-made frames that take torque off; see emergency().
-    virtual void setStopFrames(std::vector<base::Bytes> frames) = 0;
+    virtual void setStopFrames(std::vector<StopFrame> frames) = 0;
 
     /// Sends the stop frames ahead of everything, from any thread, and returns at once. The running
     /// transaction and those waiting end with Preempted, and so does the next one of every Hold, so

@@ -252,7 +252,7 @@ Hold BusCore::hold(const std::vector<int>& ids)
     return {this, m_holds.take(ids, std::this_thread::get_id())};
 }
 
-void BusCore::setStopFrames(std::vector<base::Bytes> frames)
+void BusCore::setStopFrames(std::vector<StopFrame> frames)
 {
     const std::lock_guard lock(m_stopFramesMutex);
     m_stopFrames = std::move(frames);
@@ -275,7 +275,7 @@ bool BusCore::serveEmergency()
 {
     if (!m_emergency.exchange(false, std::memory_order_acq_rel))
         return false;
-    std::vector<base::Bytes> frames;
+    std::vector<StopFrame> frames;
     {
         const std::lock_guard lock(m_stopFramesMutex);
         frames = m_stopFrames;

@@ -44,7 +44,7 @@ public:
     void stopPoll(PollId id) override;
     std::vector<Sample> takeSamples(PollId id) override { return m_samples.take(id); }
 
-    void setStopFrames(std::vector<base::Bytes> frames) override;
+    void setStopFrames(std::vector<StopFrame> frames) override;
     void emergency() override;
 
     void setRetries(int retries) override { m_retries.store(retries); }
@@ -103,6 +103,6 @@ private:
     PollRunner m_polls;
     base::Duration m_lastPoll{};
     std::mutex m_stopFramesMutex;
-    std::vector<base::Bytes> m_stopFrames;
+    std::vector<StopFrame> m_stopFrames;
 };
 } // namespace bus

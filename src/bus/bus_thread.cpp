@@ -320,7 +320,7 @@ void BusThread::stopPoll(PollId id)
     post([id](BusCore& core) { core.stopPoll(id); });
 }
 
-void BusThread::setStopFrames(std::vector<base::Bytes> frames)
+void BusThread::setStopFrames(std::vector<StopFrame> frames)
 {
     m_core->setStopFrames(std::move(frames));
 }

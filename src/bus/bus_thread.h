@@ -46,7 +46,7 @@ public:
     void stopPoll(PollId id) override;
     std::vector<Sample> takeSamples(PollId id) override { return m_core->takeSamples(id); }
 
-    void setStopFrames(std::vector<base::Bytes> frames) override;
+    void setStopFrames(std::vector<StopFrame> frames) override;
     void emergency() override;
 
     void setRetries(int retries) override { m_core->setRetries(retries); }

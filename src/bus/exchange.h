@@ -49,7 +49,7 @@ public:
     base::Result<void> awaitSilence();
 
     /// Sends ready-made frames with room for the replies nobody waits for.
-    base::Result<void> sendStopFrames(const std::vector<base::Bytes>& frames,
+    base::Result<void> sendStopFrames(const std::vector<StopFrame>& frames,
                                       base::Duration replyDelay);
 
     void setSilence(base::Duration silence) { m_silence.store(silence.count()); }

@@ -62,12 +62,15 @@ Result<void> Exchange::awaitSilence()
     return {};
 }
 
-Result<void> Exchange::sendStopFrames(const std::vector<base::Bytes>& frames, Duration replyDelay)
+Result<void> Exchange::sendStopFrames(const std::vector<StopFrame>& frames, Duration replyDelay)
 {
     // A Modbus station takes only what stands between silences; above its fastest rate there is
     // none.
-    const Duration gap =
-        m_line.baud() <= fastestModbus ? silenceOf(protocol::modbusCodec()) : Duration{};
+    const protocol::Codec& modbus = protocol::modbusCodec();
+    Duration gap{};
+    // A longer one that was chosen would add up to seconds on a line with many servos.
+    if (m_line.baud() <= fastestModbus)
+        gap = std::min(silenceOf(modbus), modbus.silence(m_line.baud()));
     // A frame that falls into a running reply is lost, but stopping must not wait for long either.
     const Duration limit = m_clock.now() + waitSlice;
     const Duration spokenUntil = std::max(m_line.lastByteAt(), m_line.freeAt());
@@ -80,8 +83,10 @@ Result<void> Exchange::sendStopFrames(const std::vector<base::Bytes>& frames, Du
     }
     const int rounds = clearAt > limit ? 2 : 1;
     for (int round = 0; round < rounds; ++round) {
-        for (const base::Bytes& frame : frames) {
-            if (const auto sent = m_line.send(frame); !sent)
+        for (const StopFrame& frame : frames) {
+            m_codec = &protocol::codecFor(frame.protocol);
+            m_trace.speak(frame.protocol);
+            if (const auto sent = m_line.send(frame.bytes); !sent)
                 return tl::unexpected(sent.error());
             const Duration room =
                 replyDelay + m_line.wireTime(shortestReply) + std::max(stopFrameMargin, gap);

@@ -30,19 +30,19 @@ TorqueOff torqueOffIn(Protocol protocol)
     return {feetechTorqueSwitch, {0}};
 }
 
-void append(std::vector<base::Bytes>& frames, Protocol protocol, int id, const TorqueOff& off)
+void append(std::vector<bus::StopFrame>& frames, Protocol protocol, int id, const TorqueOff& off)
 {
     const auto request =
         protocol::Request::write(id, off.offset, off.data, protocol::Repeat::Safe).in(protocol);
     if (auto frame = protocol::codecFor(protocol).encode(request))
-        frames.push_back(std::move(*frame));
+        frames.push_back({protocol, std::move(*frame)});
 }
 } // namespace
 
-std::vector<base::Bytes> stopFrames(const std::vector<Protocol>& protocols,
-                                    const std::vector<Servo>& known)
+std::vector<bus::StopFrame> stopFrames(const std::vector<Protocol>& protocols,
+                                       const std::vector<Servo>& known)
 {
-    std::vector<base::Bytes> frames;
+    std::vector<bus::StopFrame> frames;
     for (const Protocol protocol : protocols)
         append(frames, protocol, protocol::broadcastId, torqueOffIn(protocol));
     for (const Servo& servo : known) {

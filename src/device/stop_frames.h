@@ -3,11 +3,12 @@
 // language, then once to each known servo, because a broadcast is never acknowledged. Pure.
 #pragma once
 
+#include "bus/stop_frame.h"
 #include "device/servo.h"
 
 namespace device {
 /// `protocols`: the languages somebody on this line may speak. A known servo is spoken to in its
 /// own, whether that is among them or not.
-std::vector<base::Bytes> stopFrames(const std::vector<base::Protocol>& protocols,
-                                    const std::vector<Servo>& known = {});
+std::vector<bus::StopFrame> stopFrames(const std::vector<base::Protocol>& protocols,
+                                       const std::vector<Servo>& known = {});
 } // namespace device

@@ -236,7 +236,8 @@ void TestScan::emergencyReachesTheServosAtTheirOwnRate()
     bench.poke(1, QStringLiteral("goal_position"), 3000); // switches torque on
     QCOMPARE(bench.raw(1, QStringLiteral("torque_switch")), std::int64_t{1});
     // WRITE to all, address 40: 0.
-    bench.bus().setStopFrames({{0xFF, 0xFF, 0xFE, 0x04, 0x03, 0x28, 0x00, 0xD2}});
+    bench.bus().setStopFrames(
+        {{base::Protocol::Feetech, {0xFF, 0xFF, 0xFE, 0x04, 0x03, 0x28, 0x00, 0xD2}}});
     jobs::ScanSpec spec;
     spec.bauds = {500'000};
     bench.tap().onWrite = [&](const base::Bytes& frame) {

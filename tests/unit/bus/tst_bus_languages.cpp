@@ -544,8 +544,12 @@ private Q_SLOTS:
         QFETCH(const Request, before);
         Drawer drawer;
         drawer.openDrawer();
-        drawer.core->setStopFrames(
-            {modbusOffAll, feetechOffAll, lxOffAll, modbusOff1, modbusOff1, lxOffAll});
+        drawer.core->setStopFrames({{Protocol::Modbus, modbusOffAll},
+                                    {Protocol::Feetech, feetechOffAll},
+                                    {Protocol::Lx, lxOffAll},
+                                    {Protocol::Modbus, modbusOff1},
+                                    {Protocol::Modbus, modbusOff1},
+                                    {Protocol::Lx, lxOffAll}});
         QVERIFY(drawer.transact(before));
         drawer.settle();
         drawer.carriedOut.clear();
@@ -553,6 +557,63 @@ private Q_SLOTS:
         drawer.core->emergency();
         QCOMPARE(drawer.carriedOut, (std::vector<Bytes>{modbusOffAll, modbusOff1, modbusOff1}));
         QVERIFY2(drawer.script.clock.now() - start < 30ms, "stopping does not wait for long");
+    }
+
+    void aLongSilenceDoesNotDelayStopping()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        drawer.core->setSilence(100ms);
+        drawer.core->setStopFrames(std::vector<StopFrame>(20, {Protocol::Modbus, modbusOff1}));
+        QVERIFY(drawer.transact(modbusRead(256, 2)));
+        drawer.carriedOut.clear();
+        const Duration start = drawer.script.clock.now();
+        drawer.core->emergency();
+        QCOMPARE(drawer.carriedOut, std::vector<Bytes>(20, modbusOff1));
+        // 16 bytes at 115200, the silence and the margin: less than 5 ms each.
+        QVERIFY(drawer.script.clock.now() - start <= 100ms);
+    }
+
+    void aShorterSilenceMakesStoppingFaster()
+    {
+        const auto span = [](Duration chosen) {
+            Drawer drawer;
+            drawer.modbusSilence = 0us;
+            drawer.openDrawer();
+            if (chosen >= 0us)
+                drawer.core->setSilence(chosen);
+            drawer.core->setStopFrames(std::vector<StopFrame>(4, {Protocol::Modbus, modbusOff1}));
+            const Duration start = drawer.script.clock.now();
+            drawer.core->emergency();
+            return drawer.script.clock.now() - start;
+        };
+        QVERIFY(span(300us) < span(-1us));
+        QCOMPARE(span(1s), span(-1us));
+    }
+
+    void stopFramesAreTracedInTheirOwn()
+    {
+        Drawer drawer;
+        drawer.openDrawer();
+        drawer.core->setStopFrames({{Protocol::Feetech, frameOf(1, 3, {40, 0})},
+                                    {Protocol::Modbus, modbusOff1},
+                                    {Protocol::Lx, lxOffAll}});
+        QVERIFY(drawer.transact(Request::ping(2)));
+        drawer.core->takeTrace();
+        drawer.core->emergency();
+        std::vector<std::pair<TraceKind, Protocol>> traced;
+        for (const TraceEntry& entry : drawer.core->takeTrace()) {
+            if (entry.kind != TraceKind::Note)
+                traced.emplace_back(entry.kind, entry.protocol);
+        }
+        const std::vector<std::pair<TraceKind, Protocol>> wanted{
+            {TraceKind::Sent, Protocol::Feetech},
+            {TraceKind::Foreign, Protocol::Feetech},
+            {TraceKind::Sent, Protocol::Modbus},
+            {TraceKind::Foreign, Protocol::Modbus},
+            {TraceKind::Sent, Protocol::Lx}};
+        QCOMPARE(traced, wanted);
+        QCOMPARE(drawer.counters(1).noiseBytes, std::uint64_t(0));
     }
 };
 

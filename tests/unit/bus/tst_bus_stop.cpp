@@ -15,6 +15,14 @@ namespace {
 const Bytes torqueOffAll = frameOf(254, 3, {40, 0});
 const Bytes torqueOff1 = frameOf(1, 3, {40, 0});
 
+std::vector<StopFrame> inFeetech(const std::vector<Bytes>& frames)
+{
+    std::vector<StopFrame> made;
+    for (const Bytes& frame : frames)
+        made.push_back({base::Protocol::Feetech, frame});
+    return made;
+}
+
 /// Calls `action` on another thread, once, in the first wait at or after `delay` from now.
 void meanwhile(Bench& bench, Duration delay, std::function<void()> action)
 {
@@ -116,7 +124,7 @@ private Q_SLOTS:
     {
         Bench bench;
         bench.open();
-        bench.core->setStopFrames({torqueOffAll, torqueOff1});
+        bench.core->setStopFrames(inFeetech({torqueOffAll, torqueOff1}));
         const Duration start = bench.script.clock.now();
         meanwhile(bench, 50ms, [&] { bench.core->emergency(); });
         const auto outcome = bench.transact(Request::ping(9), 5, 10s);
@@ -132,7 +140,7 @@ private Q_SLOTS:
     {
         Bench bench;
         bench.open();
-        bench.core->setStopFrames({torqueOffAll});
+        bench.core->setStopFrames(inFeetech({torqueOffAll}));
         bench.core->emergency();
         QCOMPARE(framesOf(bench.script.sent), (std::vector<Bytes>{torqueOffAll}));
         QVERIFY(bench.transact(Request::ping(1)));
@@ -142,7 +150,7 @@ private Q_SLOTS:
     {
         Bench bench;
         bench.open();
-        bench.core->setStopFrames({torqueOffAll});
+        bench.core->setStopFrames(inFeetech({torqueOffAll}));
         bench.core->startPoll({{{1, {{56, 2}}, false, 0}}, 10ms});
         const Duration start = bench.script.clock.now();
         meanwhile(bench, 30ms, [&] { bench.core->emergency(); });
@@ -160,7 +168,7 @@ private Q_SLOTS:
         Bench bench;
         bench.open();
         bench.core->setBaud(115'200);
-        bench.core->setStopFrames({torqueOffAll});
+        bench.core->setStopFrames(inFeetech({torqueOffAll}));
         Duration replyEnds{};
         bench.script.intercept = [&](const Bytes& frame) {
             if (frame[4] != 0x02)
@@ -182,7 +190,8 @@ private Q_SLOTS:
     {
         Bench bench;
         bench.open();
-        bench.core->setStopFrames({torqueOff1, frameOf(2, 3, {40, 0}), frameOf(3, 3, {40, 0})});
+        bench.core->setStopFrames(
+            inFeetech({torqueOff1, frameOf(2, 3, {40, 0}), frameOf(3, 3, {40, 0})}));
         bench.script.replyDelay = 508us;
         bench.core->emergency();
         const auto sent = bench.script.takeSent();
@@ -197,7 +206,7 @@ private Q_SLOTS:
         Bench bench;
         bench.open();
         bench.script.latency = 16ms;
-        bench.core->setStopFrames({torqueOff1});
+        bench.core->setStopFrames(inFeetech({torqueOff1}));
         bench.core->emergency();
         bench.script.tables.clear();
         QVERIFY(!bench.transact(Request::write(1, 55, {1}, Repeat::Safe), 0));

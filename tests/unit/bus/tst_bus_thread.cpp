@@ -269,7 +269,7 @@ private Q_SLOTS:
         Bench bench;
         const Bytes off =
             protocol::feetechCodec().encode(Request::write(254, 40, {0}, Repeat::Safe)).value();
-        bench.bus->setStopFrames({off});
+        bench.bus->setStopFrames({{base::Protocol::Feetech, off}});
         auto busy = bench.occupy();
         std::promise<base::Result<Outcome>> queued;
         bench.bus->submit(Bench::made(Request::write(2, 42, {0, 8}, Repeat::Safe)),
@@ -285,7 +285,7 @@ private Q_SLOTS:
     {
         Bench bench;
         const Bytes off = ping(254);
-        bench.bus->setStopFrames({off});
+        bench.bus->setStopFrames({{base::Protocol::Feetech, off}});
         bench.bus->emergency();
         bench.world->awaitFrame(off);
     }

@@ -24,6 +24,7 @@ public:
     bool loseAcks = false;     ///< writes are carried out, their answers are lost
     int deafWrites = 0;        ///< so many writes never arrive
     int cutAfter = -1;         ///< so many requests still pass, then the link is gone
+    bool bridge = false;       ///< a port without a rate of its own
     bool emergencyNow = false; ///< torque goes off everywhere and the request ends with Preempted
     std::function<void(const Request&)> onRequest;
     base::ManualClock time;
@@ -68,7 +69,7 @@ public:
         return {};
     }
     int baud() const override { return m_baud; }
-    bool hasBaud() const override { return true; }
+    bool hasBaud() const override { return !bridge; }
     QString portName() const override { return QStringLiteral("paper"); }
     bool echoes() const override { return false; }
     bool pauseUntil(base::Duration instant, const base::Stop* stop) override
@@ -79,7 +80,7 @@ public:
     bus::PollId startPoll(const bus::PollPlan&) override { return 0; }
     void stopPoll(bus::PollId) override {}
     std::vector<bus::Sample> takeSamples(bus::PollId) override { return {}; }
-    void setStopFrames(std::vector<base::Bytes>) override {}
+    void setStopFrames(std::vector<bus::StopFrame>) override {}
     void emergency() override {}
     void setRetries(int) override {}
     void setPatience(base::Duration) override {}

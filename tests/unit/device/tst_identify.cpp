@@ -255,9 +255,14 @@ void TestIdentify::stopFramesInEachLanguage()
     const auto frames = device::stopFrames({Protocol::Feetech, Protocol::Modbus, Protocol::Lx},
                                            {bench.servo(0), bench.servo(1), bench.servo(2)});
     QStringList shown;
-    for (const base::Bytes& frame : frames)
-        shown << base::toHex(frame);
+    std::vector<Protocol> languages;
+    for (const bus::StopFrame& frame : frames) {
+        shown << base::toHex(frame.bytes);
+        languages.push_back(frame.protocol);
+    }
     QCOMPARE(shown.size(), 6);
+    QCOMPARE(languages, (std::vector<Protocol>{Protocol::Feetech, Protocol::Modbus, Protocol::Lx,
+                                               Protocol::Lx, Protocol::Modbus, Protocol::Feetech}));
     QCOMPARE(shown[0], text("FF FF FE 04 03 28 00 D2"));
     QVERIFY(shown[1].startsWith(text("00 06 00 81 00 00")));
     // NOT(FE + 4 + 1F + 0) = DE

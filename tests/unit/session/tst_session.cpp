@@ -155,8 +155,8 @@ void TestSession::stopFramesNameEverybodyAndEachServo()
     const auto frames = device::stopFrames({base::Protocol::Feetech}, {servo});
     QCOMPARE(frames.size(), std::size_t(2));
     // Write 0 to address 40: checksum is the low byte of NOT(ID + 4 + 3 + 40 + 0).
-    QCOMPARE(base::toHex(frames[0]), QStringLiteral("FF FF FE 04 03 28 00 D2"));
-    QCOMPARE(base::toHex(frames[1]), QStringLiteral("FF FF 01 04 03 28 00 CF"));
+    QCOMPARE(base::toHex(frames[0].bytes), QStringLiteral("FF FF FE 04 03 28 00 D2"));
+    QCOMPARE(base::toHex(frames[1].bytes), QStringLiteral("FF FF 01 04 03 28 00 CF"));
 }
 
 void TestSession::emergencyTakesTorqueOff()
