@@ -8,7 +8,7 @@
 namespace jobs {
 namespace {
 constexpr base::Duration drainInterval = std::chrono::milliseconds(50);
-constexpr base::Duration quietTime = std::chrono::milliseconds(40);
+constexpr base::Duration quietTime = std::chrono::milliseconds(150);
 
 using OnRow = std::function<base::Result<void>(const WatchRow&)>;
 
@@ -26,7 +26,9 @@ public:
     {
         // A servo that was silent in a language it does not speak is left alone for a while; then
         // the first round has everybody.
-        if (const auto heard = m_context.bus.listen(quietTime); !heard)
+        const bool several = m_context.catalog.protocolsAt(m_context.bus.baud()).size() > 1;
+        const auto heard = m_context.bus.listen(several ? quietTime : base::Duration{});
+        if (!heard)
             return tl::unexpected(heard.error());
         const base::Duration start = m_context.bus.clock().now();
         m_poll = m_context.bus.startPoll(m_decoder.plan());

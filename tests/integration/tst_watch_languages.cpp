@@ -271,16 +271,17 @@ void TestWatchLanguages::oneIdInTwoLanguages()
     const auto [report, rows] = watch(bench, spec);
     QVERIFY(report);
     QCOMPARE(report->missed, std::uint64_t{0});
-    const auto lx = column(report->columns, QStringLiteral("position"));
+    // One thing under two names is one column, by the name of the family that comes first.
+    for (const jobs::WatchColumn& one : report->columns)
+        QVERIFY(one.key != QLatin1String("position"));
     const auto feetech = column(report->columns, QStringLiteral("active_goal_position"));
-    const auto both = column(report->columns, QStringLiteral("present_position"));
+    const auto all = column(report->columns, QStringLiteral("present_position"));
     QVERIFY(rows.size() > 100);
     for (const jobs::WatchRow& row : rows) {
         QCOMPARE(row.id, 1);
         QVERIFY(row.answered);
-        QCOMPARE(row.values[lx].has_value(), row.protocol == Protocol::Lx);
         QCOMPARE(row.values[feetech].has_value(), row.protocol == Protocol::Feetech);
-        QCOMPARE(row.values[both].has_value(), row.protocol != Protocol::Lx);
+        QVERIFY(row.values[all].has_value());
     }
 }
 
