@@ -82,10 +82,10 @@ std::vector<Notice> derivedAlarms(const Servo& servo)
 
 namespace {
 /// What is not told with every reply; limits are read once, they do not change by themselves.
-void readEvidence(const Context& context, Servo& servo)
+base::Result<void> readEvidence(const Context& context, Servo& servo)
 {
     if (servo.repliesCarryStatus())
-        return;
+        return {};
     std::vector<Role> wanted{Role::Status};
     if (!reportsFaults(servo)) {
         wanted = {Role::PresentTemperature, Role::PresentVoltage};
@@ -94,13 +94,15 @@ void readEvidence(const Context& context, Servo& servo)
                 wanted.push_back(limit);
         }
     }
-    (void)readRoles(context, servo, wanted);
+    return readRoles(context, servo, wanted);
 }
 } // namespace
 
 void noteAlarms(const Context& context, Servo& servo)
 {
-    readEvidence(context, servo);
+    // What was read long ago is no alarm of now.
+    if (!readEvidence(context, servo))
+        return;
     for (const Notice& alarm : derivedAlarms(servo))
         context.notices.push_back(alarm);
     const catalog::Register* status = servo.profile->byRole(Role::Status);

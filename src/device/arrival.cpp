@@ -20,7 +20,8 @@ constexpr int quietReadings = 3;
 /// for so long.
 constexpr int stuckReadings = 50;
 /// Friction leaves 2–8 steps without I (error-diagnosis row 14) and a heavy arm sags further; more
-/// than this share of a turn (5.6°) means that something is in the way.
+/// than this share of the family's stepsPerTurn (64 of 4096, 15 of 1000) means that something is in
+/// the way.
 constexpr std::int64_t restShare = 64;
 
 struct Waiting {

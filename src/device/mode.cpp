@@ -114,8 +114,9 @@ base::Result<void> zeroCommand(const Context& context, Servo& servo, Role comman
     return zeroed;
 }
 
-/// A position mode left with speed 0 may not move at all (phase bit 3).
-base::Result<void> restoreSpeed(const Context& context, Servo& servo)
+/// A position mode left with speed 0 may not move at all (phase bit 3). Straight from a mode that
+/// commands the speed, any other value is of that mode as well.
+base::Result<void> restoreSpeed(const Context& context, Servo& servo, Role before)
 {
     const auto kept = context.journal.kept(servo.identity(), speedName);
     if (!kept)
@@ -123,6 +124,11 @@ base::Result<void> restoreSpeed(const Context& context, Servo& servo)
     const catalog::Register* reg = servo.profile->byRole(Role::GoalSpeed);
     if (reg == nullptr || !kept->has_value() || (*kept)->size() != 1 ||
         travelsWithMode(*servo.profile, Role::GoalSpeed))
+        return {};
+    const auto present = readRegister(context, servo, *reg);
+    if (!present)
+        return tl::unexpected(present.error());
+    if (*present == (*kept)->front() || (*present != 0 && before != Role::GoalSpeed))
         return {};
     const auto restored = writeVerified(context, servo, *reg, (*kept)->front());
     if (restored)
@@ -158,10 +164,12 @@ base::Result<void> settleMode(const Context& context, Servo& servo, const ModeCh
         return done;
     if (after != Role::GoalPosition)
         done = zeroCommand(context, servo, after);
-    else if (before == Role::GoalSpeed)
-        done = restoreSpeed(context, servo);
-    else if (before != Role::GoalPosition && before != Role::GoalCurrent && before != Role::None)
+    else if (before != Role::GoalPosition && before != Role::GoalSpeed &&
+             before != Role::GoalCurrent && before != Role::None)
         done = zeroCommand(context, servo, before);
+    // The speed may have been zeroed several modes ago.
+    if (done && after == Role::GoalPosition && before != Role::GoalPosition)
+        done = restoreSpeed(context, servo, before);
     if (!done)
         return done;
     // Writing a command may have energised the servo.

@@ -143,6 +143,8 @@ base::Result<void> writeProven(const Context& context, Servo& servo, const Patch
             return back;
         if (servo.image.bytes(patch.readOffset, patch.count()) == patch.data)
             return {};
+        if (attempt + 1 < tries)
+            noteSentAgain(context, servo);
     }
     return base::fail(ErrorCode::Refused, QStringLiteral("write"), {}, servo.id);
 }
@@ -179,6 +181,12 @@ base::Result<void> writeVerified(const Context& context, Servo& servo, const Reg
                 servo.id,
                 differs->reg->key,
                 attempt + 1};
+        if (attempt + 1 == tries)
+            break;
+        if (sent && servo.answersWrites())
+            context.note(NoticeCode::SentAgain, servo.id, differs->reg->key);
+        else
+            noteSentAgain(context, servo, differs->reg->key);
     }
     return tl::unexpected(last);
 }

@@ -155,15 +155,43 @@ base::Result<void> standStill(const Context& context, Servo& servo)
     return halted;
 }
 
-/// Ends the move that is under way at its present place (LX).
+/// True when the shaft moves between two looks.
+base::Result<bool> stirs(const Context& context, Servo& servo)
+{
+    // Enough for three steps of the slowest move (LX: 1000 steps in 30 s).
+    constexpr base::Duration gap = std::chrono::milliseconds(100);
+    if (const auto first = readRoles(context, servo, {Role::PresentPosition}); !first)
+        return tl::unexpected(first.error());
+    const std::int64_t before = servo.raw(Role::PresentPosition).value_or(0);
+    context.bus.clock().sleepFor(gap);
+    if (const auto second = readRoles(context, servo, {Role::PresentPosition}); !second)
+        return tl::unexpected(second.error());
+    // The last step of the encoder comes and goes.
+    return std::abs(servo.raw(Role::PresentPosition).value_or(0) - before) > 1;
+}
+
+/// Ends the move that is under way at its present place (LX). Nobody answers, so it is said more
+/// than once, and the shaft tells; one that moves on gets its own place as the goal.
 base::Result<void> sayHalt(const Context& context, Servo& servo)
 {
-    bus::Transaction transaction;
-    transaction.request = protocol::Request::halt(servo.id).in(servo.protocol);
-    transaction.priority = context.priority;
-    transaction.hold = context.hold;
-    const auto said = context.bus.transact(transaction);
-    return said ? base::Result<void>{} : tl::unexpected(said.error());
+    constexpr int sends = 3;
+    for (int sent = 0; sent < sends; ++sent) {
+        bus::Transaction transaction;
+        transaction.request = protocol::Request::halt(servo.id).in(servo.protocol);
+        transaction.priority = context.priority;
+        transaction.hold = context.hold;
+        if (const auto said = context.bus.transact(transaction); !said)
+            return tl::unexpected(said.error());
+    }
+    const auto moves = stirs(context, servo);
+    if (!moves)
+        return tl::unexpected(moves.error());
+    if (!*moves)
+        return {};
+    auto halted = standStill(context, servo);
+    if (!halted && halted.error().code == ErrorCode::Mismatch)
+        halted.error().code = ErrorCode::Refused;
+    return halted;
 }
 } // namespace
 

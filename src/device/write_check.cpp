@@ -169,12 +169,12 @@ base::Result<void> checkGoal(const Servo& servo, const RegisterValue& item)
 } // namespace
 
 base::Result<void> checkValues(const Context& context, const Servo& servo,
-                               const RegisterValues& items)
+                               const RegisterValues& items, bool asBefore)
 {
     for (const RegisterValue& item : items) {
         const auto value = catalog::checkNewValue(item.raw, *item.reg, servo.meaning(*item.reg),
                                                   servo.raw(*item.reg));
-        if (!value) {
+        if (!value && !(asBefore && value.error().code == ErrorCode::OutOfRange)) {
             base::Error error = value.error();
             error.id = servo.id;
             error.registerKey = item.reg->key;

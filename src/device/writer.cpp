@@ -103,7 +103,7 @@ base::Result<WriteReport> write(const Context& outer, Servo& servo,
     const Context& context = owned.context;
     if (const auto fresh = readBefore(context, servo, *checked); !fresh)
         return tl::unexpected(fresh.error());
-    if (const auto valid = checkValues(context, servo, *checked); !valid)
+    if (const auto valid = checkValues(context, servo, *checked, options.asBefore); !valid)
         return tl::unexpected(valid.error());
     const auto change = modeChange(servo, *checked);
     if (change) {

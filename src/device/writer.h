@@ -44,6 +44,8 @@ struct WriteOptions {
     bool temporary = false;
     bool dangerous = false; ///< the user's consent to dangerous registers
     base::IntentKind kind = base::IntentKind::Write;
+    /// The values are those this servo had before: they may lie outside the documented range.
+    bool asBefore = false;
 };
 
 /// Errors (nothing was written): UnknownRegister, ReadOnly, OutOfRange, NeedsConsent, NotSupported,

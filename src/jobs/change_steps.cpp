@@ -15,7 +15,8 @@ base::Result<bool> answers(const device::Context& context, base::Protocol protoc
     ping.patience = patience;
     ping.hold = context.hold;
     const auto outcome = context.bus.transact(ping);
-    if (outcome)
+    // Who refuses to say more is there all the same.
+    if (outcome || outcome.error().code == ErrorCode::Refused)
         return true;
     if (outcome.error().code == ErrorCode::NoAnswer)
         return false;

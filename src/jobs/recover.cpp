@@ -55,7 +55,7 @@ Outcome asOutcome(base::Result<device::WriteReport> written)
 }
 
 Outcome writeItems(const device::Context& context, const base::Intent& intent, device::Servo& servo,
-                   const std::vector<device::WriteItem>& items)
+                   const std::vector<device::WriteItem>& items, RecoverAction action)
 {
     const int target = items.empty() ? 0 : static_cast<int>(items.front().raw);
     if (items.empty())
@@ -73,6 +73,7 @@ Outcome writeItems(const device::Context& context, const base::Intent& intent, d
     device::WriteOptions options;
     options.dangerous = true; // consent was given when the intent was made
     options.temporary = intent.temporary;
+    options.asBefore = action == RecoverAction::Undo;
     return asOutcome(device::write(context, servo, items, options));
 }
 
@@ -152,7 +153,7 @@ Outcome settle(const device::Context& context, const base::Intent& intent, devic
                RecoverAction action)
 {
     const Todo items = todo(intent, servo, action);
-    Outcome outcome = writeItems(context, intent, servo, items.write);
+    Outcome outcome = writeItems(context, intent, servo, items.write, action);
     if (outcome.result)
         outcome.result = reassert(context, intent, servo, items.reassert);
     if (outcome.result && changesMode(intent, servo))

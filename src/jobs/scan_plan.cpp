@@ -23,7 +23,12 @@ std::vector<int> ratesToSearch(const ScanSpec& spec, int presentBaud)
 
 std::vector<Protocol> languagesAt(const device::Context& context, const ScanSpec& spec, int baud)
 {
-    return spec.protocols.empty() ? context.catalog.protocolsAt(baud) : spec.protocols;
+    if (!spec.protocols.empty())
+        return spec.protocols;
+    // A bridge has no rate of its own to judge by.
+    if (!context.bus.hasBaud())
+        return {base::allProtocols.begin(), base::allProtocols.end()};
+    return context.catalog.protocolsAt(baud);
 }
 
 base::Duration estimateAt(const device::Context& context, const ScanSpec& spec, int baud)

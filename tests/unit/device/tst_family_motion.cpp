@@ -89,6 +89,8 @@ private Q_SLOTS:
     void currentComesBack_data();
     void currentComesBack();
     void currentComesBackAfterAnInterruptedSwitch();
+    void speedComesBackByAnyWay();
+    void oldEvidenceIsNoAlarm();
     void modbusModesSettle();
     void lxModesAreQuietBothWays();
     void framesOfAMove_data();
@@ -105,6 +107,7 @@ private Q_SLOTS:
     void lostGoalsAreWrittenAgain();
     void haltEndsTheMotion_data();
     void haltEndsTheMotion();
+    void aShaftThatMovesOnIsHeld();
     void haltOfAnUnloadedServoSaysNothing();
     void haltInStepModeLetsGo();
     void arrivalWithoutAFlag_data();
@@ -294,6 +297,34 @@ void TestFamilyMotion::currentComesBackAfterAnInterruptedSwitch()
     QCOMPARE(bench.noted(NoticeCode::CurrentRestored), 1);
 }
 
+/// Also when another mode lay between the one that zeroed it and the position mode.
+void TestFamilyMotion::speedComesBackByAnyWay()
+{
+    Bench bench(text("HLS"));
+    bench.paper().poke(text("goal_speed"), 60);
+    device::Servo servo = bench.servo();
+    for (const char* mode : {"speed", "current", "position"}) {
+        const auto there = device::switchMode(bench.context(), servo, text(mode));
+        QVERIFY(there && there->allGood());
+    }
+    QCOMPARE(bench.paper().raw(text("goal_speed")), std::int64_t(60));
+    QCOMPARE(bench.noted(NoticeCode::SpeedRestored), 1);
+}
+
+void TestFamilyMotion::oldEvidenceIsNoAlarm()
+{
+    Bench bench(text("LX"));
+    bench.paper().poke(text("temperature"), 99);
+    bench.paper().poke(text("vin"), 7400);
+    device::Servo servo = bench.servo();
+    device::noteAlarms(bench.context(), servo);
+    QCOMPARE(bench.noted(NoticeCode::DerivedTemperature), 1);
+    bench.notices.clear();
+    bench.bus.cutAfter = 0;
+    device::noteAlarms(bench.context(), servo);
+    QVERIFY(bench.notices.empty());
+}
+
 void TestFamilyMotion::modbusModesSettle()
 {
     Bench bench(text("SMSMB"));
@@ -431,8 +462,8 @@ void TestFamilyMotion::refusedMoves_data()
     row("LX has no speed", "LX", 0, "500", "speed=50", ErrorCode::NotSupported, "speed-by-time");
     row("LX has no acceleration", "LX", 0, "500", "acceleration=5", ErrorCode::NotSupported,
         "acceleration");
-    row("LX above its scale", "LX", 0, "1001", "", ErrorCode::OutOfRange, "0…1000");
-    row("LX below its scale", "LX", 0, "-1", "", ErrorCode::OutOfRange, "0…1000");
+    row("LX above its scale", "LX", 0, "1001", "", ErrorCode::OutOfRange, "0…1000, 0.0° … 240.0°");
+    row("LX below its scale", "LX", 0, "-1", "", ErrorCode::OutOfRange, "0…1000, 0.0° … 240.0°");
     row("LX time", "LX", 0, "500", "time=30001", ErrorCode::OutOfRange, "0…30000");
     row("LX motor has no time", "LX", 1, "500", "time=100", ErrorCode::NotSupported, "motor");
     row("LX motor speed", "LX", 1, "1001", "", ErrorCode::OutOfRange, "-1000…1000");
@@ -570,6 +601,8 @@ void TestFamilyMotion::lostGoalsAreWrittenAgain()
         bench.bus.deafWrites = 1;
         QVERIFY(device::sendMoves(bench.context(), *plans, MoveHow::Write));
         QCOMPARE(bench.paper().raw(Role::GoalPosition), std::int64_t(500));
+        QCOMPARE(bench.noted(NoticeCode::SentAgain) + bench.noted(NoticeCode::AnswerLostSentAgain),
+                 1);
         Bench lost{{family, 1}};
         lost.bus.loseAcks = true;
         device::Servo other = lost.servo();
@@ -589,7 +622,7 @@ void TestFamilyMotion::haltEndsTheMotion_data()
     QTest::newRow("HLS current") << "HLS" << 2 << QStringList{text("W44:00 00")};
     QTest::newRow("Modbus") << "SMSMB" << 0 << QStringList{text("W256:01 2C")};
     QTest::newRow("Modbus speed") << "SMSMB" << 1 << QStringList{text("W262:00 00")};
-    QTest::newRow("LX") << "LX" << 0 << QStringList{text("H")};
+    QTest::newRow("LX") << "LX" << 0 << QStringList{text("H"), text("H"), text("H")};
     // The stop command does not end motor mode.
     QTest::newRow("LX motor") << "LX" << 1 << QStringList{text("W232:01 00 00 00")};
 }
@@ -611,6 +644,23 @@ void TestFamilyMotion::haltEndsTheMotion()
     QVERIFY(device::halt(bench.context(), servo));
     QCOMPARE(said(bench), frames);
     QCOMPARE(bench.paper().raw(Role::TorqueSwitch), std::int64_t(1));
+}
+
+/// The stop command is not acknowledged; the shaft shows that it was not heard.
+void TestFamilyMotion::aShaftThatMovesOnIsHeld()
+{
+    Bench bench(text("LX"));
+    bench.paper().poke(text("load"), 1);
+    bench.paper().poke(text("move_angle"), 900);
+    device::Servo servo = bench.servo();
+    bench.bus.onRequest = [&](const protocol::Request& request) {
+        const int place = int((bench.bus.time.now() / 1ms) % 1000);
+        if (request.op == Op::Read && bench.paper().raw(text("move_angle")) == 900)
+            bench.paper().poke(text("position"), place);
+    };
+    QVERIFY(device::halt(bench.context(), servo));
+    QCOMPARE(bench.paper().raw(text("move_angle")), bench.paper().raw(text("position")));
+    QCOMPARE(bench.noted(NoticeCode::HoldingAt), 1);
 }
 
 void TestFamilyMotion::haltOfAnUnloadedServoSaysNothing()

@@ -4,6 +4,7 @@
 #include "device/motion.h"
 #include "jobs/change.h"
 #include "jobs/recover.h"
+#include "jobs/scan_plan.h"
 #include "jobs/snapshot.h"
 #include "unit/device/paper_bus.h"
 
@@ -62,6 +63,8 @@ private Q_SLOTS:
     void recoveryClosesEitherLock();
     void recoveryOfATriedOffset();
     void recoveryAsksInTheRightLanguage();
+    void undoTakesWhatTheServoHad();
+    void anyLanguageBehindABridge();
     void snapshots_data();
     void snapshots();
 };
@@ -487,6 +490,31 @@ void TestFamilyChanges::snapshots()
         const bool silent = reg.role == Role::StoredGoal || reg.role == Role::StoredTime;
         QCOMPARE(row.raw, silent ? std::nullopt : std::optional(bench.paper().raw(row.key)));
     }
+}
+
+/// LX: somebody had set 4 V with other software; the program itself would refuse to.
+void TestFamilyChanges::undoTakesWhatTheServoHad()
+{
+    Bench bench(text("LX"));
+    bench.paper().settle(text("vin_limit_min"), 5000);
+    device::Servo servo = bench.servo();
+    base::Intent intent;
+    intent.servo = servo.identity();
+    intent.items = {{text("vin_limit_min"), 23, 4000, 5000}};
+    QVERIFY(bench.journal.begin(intent));
+    const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Undo, false);
+    QVERIFY(recovered);
+    QVERIFY(recovered->at(0).done);
+    QCOMPARE(bench.paper().keptRaw(text("vin_limit_min")), std::int64_t(4000));
+    QCOMPARE(bench.openIntents(), std::size_t(0));
+}
+
+void TestFamilyChanges::anyLanguageBehindABridge()
+{
+    Bench bench(text("LX"));
+    QCOMPARE(jobs::languagesAt(bench.context(), {}, 1'000'000).size(), std::size_t(1));
+    bench.bus.bridge = true;
+    QCOMPARE(jobs::languagesAt(bench.context(), {}, 1'000'000).size(), std::size_t(3));
 }
 
 QTEST_GUILESS_MAIN(TestFamilyChanges)
