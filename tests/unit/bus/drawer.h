@@ -20,7 +20,8 @@ inline Bytes lxFrame(int id, int command, const Bytes& params)
 {
     Bytes frame{0x55, 0x55, std::uint8_t(id), std::uint8_t(params.size() + 3),
                 std::uint8_t(command)};
-    frame.insert(frame.end(), params.begin(), params.end());
+    for (const std::uint8_t byte : params)
+        frame.push_back(byte);
     frame.push_back(std::uint8_t(~std::accumulate(frame.begin() + 2, frame.end(), 0)));
     return frame;
 }
