@@ -2,7 +2,9 @@
 #include "device/move_together.h"
 
 #include "device/move_step.h"
+#include "device/write_check.h"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -174,12 +176,12 @@ bool canStore(const MovePlan& plan)
 }
 
 /// Some models never tell what they store; those that do must show it.
-base::Result<void> storeMove(const Context& context, MovePlan& plan)
+base::Result<void> storeMove(const Context& context, Servo& servo, std::int64_t goal,
+                             base::Duration ownTime)
 {
-    Servo& servo = *plan.servo;
-    RegisterValues stored{{servo.profile->byRole(Role::StoredGoal), plan.goalRaw}};
+    RegisterValues stored{{servo.profile->byRole(Role::StoredGoal), goal}};
     if (const catalog::Register* time = servo.profile->byRole(Role::StoredTime))
-        stored.push_back({time, plan.ownTime / std::chrono::milliseconds(1)});
+        stored.push_back({time, ownTime / std::chrono::milliseconds(1)});
     const Patch patch = patchOf(servo, stored);
     constexpr int tries = 2;
     for (int attempt = 0; attempt < tries; ++attempt) {
@@ -200,18 +202,54 @@ base::Result<void> storeMove(const Context& context, MovePlan& plan)
 base::Result<void> storeAll(const Context& context, const Plans& plans)
 {
     for (MovePlan* plan : plans) {
-        if (const auto stored = storeMove(context, *plan); !stored)
+        const auto stored = storeMove(context, *plan->servo, plan->goalRaw, plan->ownTime);
+        if (!stored)
             return stored;
     }
     return {};
 }
 
-/// Nobody answers, and nothing but the motion shows that it was heard.
+/// Nobody answers, so it is said more than once: who has heard it holds nothing any more. One
+/// servo alone is addressed, as others may hold a move that somebody forgot.
 base::Result<void> startStored(const Context& context, const Plans& plans)
 {
     if (plans.empty())
         return {};
-    return transactPlain(context, protocol::Request::action().in(plans.front()->servo->protocol));
+    const Servo& first = *plans.front()->servo;
+    const auto request =
+        plans.size() == 1 ? protocol::Request::action(first.id) : protocol::Request::action();
+    constexpr int sends = 3;
+    for (int sent = 0; sent < sends; ++sent) {
+        if (const auto acted =
+                transactPlain(context, protocol::Request(request).in(first.protocol));
+            !acted)
+            return acted;
+    }
+    return {};
+}
+
+/// A start command must not find a move that was given up: where it is becomes what it stores.
+/// As far as the wire allows; what failed before is what counts.
+void forgetStored(const Context& context, const Plans& plans)
+{
+    for (MovePlan* plan : plans) {
+        Servo& servo = *plan->servo;
+        if (!readRoles(context, servo, {Role::PresentPosition}))
+            continue;
+        auto place = servo.raw(Role::PresentPosition).value_or(0);
+        if (const auto range = goalRange(servo))
+            place = std::clamp(place, range->min, range->max);
+        (void)storeMove(context, servo, place, {});
+    }
+}
+
+base::Result<void> startTogether(const Context& context, const Ways& ways)
+{
+    if (const auto stored = storeAll(context, ways.stored); !stored)
+        return stored;
+    if (const auto held = holdAll(context, ways.held); !held)
+        return held;
+    return startStored(context, ways.stored);
 }
 
 bool canSync(const MovePlan& plan)
@@ -246,12 +284,10 @@ base::Result<Ways> sortOut(std::vector<MovePlan>& plans, MoveHow how)
 
 base::Result<void> sendTogether(const Context& context, const Ways& ways)
 {
-    if (const auto stored = storeAll(context, ways.stored); !stored)
-        return stored;
-    if (const auto held = holdAll(context, ways.held); !held)
-        return held;
-    if (const auto started = startStored(context, ways.stored); !started)
+    if (const auto started = startTogether(context, ways); !started) {
+        forgetStored(context, ways.stored);
         return started;
+    }
     if (const auto acted = releaseHeld(context, ways.held); !acted)
         return acted;
     return sendBySync(context, ways.packets);

@@ -101,6 +101,8 @@ private Q_SLOTS:
     void refusedMoves_data();
     void refusedMoves();
     void storedMovesStartTogether();
+    void oneStoredMoveStartsAlone();
+    void aMoveThatWasGivenUpIsForgotten();
     void aStoredMoveThatIsTornIsStoredAgain();
     void togetherOnlyWhereItExists();
     void familiesMoveTogether();
@@ -515,10 +517,46 @@ void TestFamilyMotion::storedMovesStartTogether()
             MoveOrder slow = order(second, "1000");
             slow.time = text("30000");
             QVERIFY(moved(bench, {order(first, "500"), slow}, how));
-            QCOMPARE(said(bench),
-                     (QStringList{text("W56:F4 01 00 00"), text("W56:E8 03 30 75"), text("A254")}));
+            QCOMPARE(said(bench), (QStringList{text("W56:F4 01 00 00"), text("W56:E8 03 30 75"),
+                                               text("A254"), text("A254"), text("A254")}));
         }
     }
+}
+
+/// Others on the line may hold a move that somebody forgot.
+void TestFamilyMotion::oneStoredMoveStartsAlone()
+{
+    Bench bench{{"LX", 1}, {"LX", 2}};
+    bench.paper(0).poke(text("load"), 1);
+    device::Servo servo = bench.servo(0);
+    QVERIFY(moved(bench, {order(servo, "500")}, MoveHow::Async));
+    QCOMPARE(said(bench),
+             (QStringList{text("W56:F4 01 00 00"), text("A1"), text("A1"), text("A1")}));
+}
+
+/// An emergency stop before the start: no later start command may find the move.
+void TestFamilyMotion::aMoveThatWasGivenUpIsForgotten()
+{
+    Bench bench{{"LX", 1}, {"LX", 2}};
+    for (paper::Servo& servo : bench.bus.servos) {
+        servo.poke(text("load"), 1);
+        servo.poke(text("position"), 300);
+    }
+    device::Servo first = bench.servo(0);
+    device::Servo second = bench.servo(1);
+    auto plans = planned(bench, {order(first, "500"), order(second, "600")});
+    QVERIFY(plans);
+    bool met = false;
+    bench.bus.onRequest = [&](const protocol::Request& request) {
+        bench.bus.emergencyNow = !met && request.op == Op::Write && request.id == 2;
+        met |= bench.bus.emergencyNow;
+    };
+    const auto sent = device::sendMoves(bench.context(), *plans, MoveHow::Sync);
+    QVERIFY(!sent);
+    QCOMPARE(sent.error().code, ErrorCode::Preempted);
+    QVERIFY(said(bench).filter(text("A")).isEmpty());
+    for (const paper::Servo& servo : bench.bus.servos)
+        QCOMPARE(servo.raw(text("wait_angle")), std::int64_t(300));
 }
 
 void TestFamilyMotion::aStoredMoveThatIsTornIsStoredAgain()
