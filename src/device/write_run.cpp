@@ -80,7 +80,7 @@ void WriteRun::refuseRest(std::size_t first, const base::Error& why)
     for (std::size_t i = first; i < m_report.writes.size(); ++i) {
         WriteResult& result = m_report.writes[i];
         result.outcome = WriteOutcome::Refused;
-        result.readBack = result.oldRaw;
+        result.readBack.reset();
         result.error = why;
     }
 }

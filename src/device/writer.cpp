@@ -91,6 +91,20 @@ void noteNoCurrentAfter(const Context& context, const Servo& servo, const Regist
     if (concerned)
         noteNoCurrent(context, servo);
 }
+
+/// Many servos switch torque on with a goal; nobody who writes one by hand may be left in the dark.
+void noteEnergised(const Context& context, Servo& servo, const RegisterValues& items,
+                   bool torqueWasOff)
+{
+    const catalog::Register* torque = servo.profile->byRole(catalog::Role::TorqueSwitch);
+    const bool motion = std::any_of(items.begin(), items.end(),
+                                    [](const RegisterValue& item) { return item.reg->motion; });
+    if (torque == nullptr || !motion || !torqueWasOff)
+        return;
+    const auto now = readRegister(context, servo, *torque);
+    if (now && *now == 1)
+        context.note(NoticeCode::TorqueSwitchedOn, servo.id);
+}
 } // namespace
 
 base::Result<WriteReport> write(const Context& outer, Servo& servo,
@@ -121,7 +135,9 @@ base::Result<WriteReport> write(const Context& outer, Servo& servo,
     const auto uuid = context.journal.begin(intentFor(servo, *checked, options, unlocks));
     if (!uuid)
         return tl::unexpected(uuid.error());
+    const bool torqueWasOff = servo.raw(catalog::Role::TorqueSwitch) == 0;
     WriteReport report = run.go();
+    noteEnergised(context, servo, *checked, torqueWasOff);
     noteNoCurrentAfter(context, servo, *checked);
     if (run.finished()) {
         const QString outcome =

@@ -53,6 +53,7 @@ class TestCliShapes : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
+    void aGoalWrittenByHandSaysThatItEnergises();
     void scanListsEveryServo();
     void scanOfNobodyIsNoAnswer();
     void dumpIsTheWholeTable();
@@ -80,6 +81,16 @@ private Q_SLOTS:
     void tourProvesWhatItSays();
     void tourRefusesARealPort();
 };
+
+void TestCliShapes::aGoalWrittenByHandSaysThatItEnergises()
+{
+    CliProgram cli;
+    const Ran ran = cli.json("write 1 goal_position=2100");
+    QCOMPARE(ran.exit, 0);
+    const QJsonArray notes = ran.json()[QLatin1String("notes")].toArray();
+    QCOMPARE(notes.size(), 1);
+    QCOMPARE(notes[0][QLatin1String("code")].toString(), QStringLiteral("torque-switched-on"));
+}
 
 void TestCliShapes::scanListsEveryServo()
 {

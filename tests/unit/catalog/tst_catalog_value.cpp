@@ -340,7 +340,7 @@ void TestCatalogValue::refusalsSayWhatIsExpected()
 {
     const Known angle = known(Sts, "goal_position");
     QCOMPARE(checkNewValue(40000, *angle.reg, angle.meaning, std::nullopt).error().detail,
-             QStringLiteral("-30719…30719"));
+             QStringLiteral("-30719…30719, -2699.91° … 2699.91°"));
     const Known mode = known(Sts, "operating_mode");
     QCOMPARE(checkNewValue(4, *mode.reg, mode.meaning, std::nullopt).error().detail,
              QStringLiteral("position, speed, pwm, step"));
