@@ -922,10 +922,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>波特率，auto 为逐个尝试（默认 1000000；LX 和 Modbus 为 115200）</translation>
     </message>
     <message>
-        <source>what the servos speak (usual: auto, all that can exist at the rate)</source>
-        <translation>舵机使用的协议（默认 auto：该波特率下可能存在的全部协议）</translation>
-    </message>
-    <message>
         <source>silence between Modbus frames (usual: 1750 above 19200 baud, as the standard says)</source>
         <translation>Modbus 帧间静默时间，微秒（默认按标准：19200 以上为 1750）</translation>
     </message>
@@ -936,6 +932,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Searched at %1 baud. At 1000000 baud there are Feetech servos only; LX, Modbus and most SMS servos are at 115200.</source>
         <translation>已搜索的波特率：%1。1000000 下只有飞特舵机；LX、Modbus 和多数 SMS 舵机为 115200。</translation>
+    </message>
+    <message>
+        <source>what the servos speak: auto, feetech, modbus or lx (usual: auto, all that can exist at the rate)</source>
+        <translation>舵机使用的协议：auto、feetech、modbus 或 lx（默认 auto：该波特率下可能存在的全部协议）</translation>
     </message>
 </context>
 <context>

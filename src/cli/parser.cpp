@@ -240,9 +240,10 @@ const std::vector<Option>& globalOptions()
                                   "and Modbus)"),
          "N|auto"},
         {"--protocol",
-         QT_TRANSLATE_NOOP("cli", "what the servos speak (usual: auto, all that can exist at the "
-                                  "rate)"),
-         "auto|feetech|modbus|lx"},
+         QT_TRANSLATE_NOOP("cli",
+                           "what the servos speak: auto, feetech, modbus or lx (usual: auto, "
+                           "all that can exist at the rate)"),
+         "NAME"},
         {"--timeout",
          QT_TRANSLATE_NOOP("cli", "patience with a silent servo beyond the wire time (usual: 25, "
                                   "growing)"),
