@@ -1837,5 +1837,17 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>It is still on its way to the goal, until it is stopped or torque is off.</source>
         <translation>仍在运动到目标途中，停止或关闭扭矩才会停下。</translation>
     </message>
+    <message>
+        <source>it stands outside its limits (%1)</source>
+        <translation>当前位置在限制之外（%1）</translation>
+    </message>
+    <message>
+        <source>Holding it where it is would mean a goal beyond its limits.</source>
+        <translation>保持在当前位置意味着目标超出限制。</translation>
+    </message>
+    <message>
+        <source>Turn it by hand into its range, or move it to a goal inside.</source>
+        <translation>请用手转回范围内，或给一个范围内的目标位置。</translation>
+    </message>
 </context>
 </TS>

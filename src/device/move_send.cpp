@@ -37,7 +37,18 @@ base::Result<void> sendByWrite(const Context& context, const Plans& plans)
     return {};
 }
 
-/// Where a goal is lost on a servo without torque, it is switched on first, holding.
+/// Holding is a step on the way to a goal here, and not worth a notice of its own.
+void dropHoldingNotices(const Context& context, std::size_t from)
+{
+    auto& notices = context.notices;
+    notices.erase(
+        std::remove_if(notices.begin() + static_cast<std::ptrdiff_t>(from), notices.end(),
+                       [](const Notice& notice) { return notice.code == NoticeCode::HoldingAt; }),
+        notices.end());
+}
+
+/// Where a goal is lost on a servo without torque, it is switched on first, holding. One that
+/// stands outside its limits cannot hold there, but the goal that follows leads it back.
 base::Result<void> energiseFirst(const Context& context, MovePlan& plan)
 {
     Servo& servo = *plan.servo;
@@ -45,8 +56,13 @@ base::Result<void> energiseFirst(const Context& context, MovePlan& plan)
         return {};
     if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
         return fresh;
-    if (const auto on = switchOn(context, servo); !on)
+    const std::size_t noted = context.notices.size();
+    auto on = switchOn(context, servo);
+    if (!on && on.error().code == ErrorCode::OutOfRange)
+        on = writeVerified(context, servo, *servo.profile->byRole(Role::TorqueSwitch), 1);
+    if (!on)
         return on;
+    dropHoldingNotices(context, noted);
     context.note(NoticeCode::TorqueSwitchedOn, servo.id);
     plan.energises = false;
     return {};

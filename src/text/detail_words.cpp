@@ -91,6 +91,12 @@ QString notSupported(const base::Error& error)
     return {};
 }
 
+/// Torque on holds a servo where it is, and it may not be there.
+bool standsOutside(const base::Error& error)
+{
+    return error.code == ErrorCode::OutOfRange && error.operation == QLatin1String("torque");
+}
+
 QString badArgument(const base::Error& error)
 {
     // Words of the command line are complained about in full sentences already.
@@ -128,6 +134,10 @@ QString specialCase(const base::Error& error)
     if (const RefusalWords* words = refusalWords(error))
         return translate("text", words->what);
     switch (error.code) {
+    case ErrorCode::OutOfRange:
+        return standsOutside(error)
+                   ? translate("text", "it stands outside its limits (%1)").arg(error.detail)
+                   : QString();
     case ErrorCode::NotSupported:
         return notSupported(error);
     case ErrorCode::BadArgument:
@@ -150,6 +160,8 @@ QString specialCause(const base::Error& error)
 {
     if (const RefusalWords* words = refusalWords(error))
         return translate("text", words->cause);
+    if (standsOutside(error))
+        return translate("text", "Holding it where it is would mean a goal beyond its limits.");
     if (manoeuvreRemedy(error) != nullptr)
         return translate("text", "Changing it safely takes more than writing one register.");
     return {};
@@ -159,6 +171,8 @@ QString specialRemedy(const base::Error& error)
 {
     if (const RefusalWords* words = refusalWords(error))
         return translate("text", words->remedy);
+    if (standsOutside(error))
+        return translate("text", "Turn it by hand into its range, or move it to a goal inside.");
     if (const QString key = insteadWrite(error); !key.isEmpty())
         return translate("text", "Write the register %1 instead.").arg(key);
     if (const char* remedy = manoeuvreRemedy(error))
