@@ -7,6 +7,7 @@
 #include "bus/bus.h"
 #include "device/context.h"
 #include "device/servo.h"
+#include "transport/link.h"
 
 #include <map>
 #include <memory>
@@ -17,11 +18,14 @@ class SharedBus;
 }
 
 namespace session {
+using Parity = transport::Parity;
+
 struct PortRequest {
     QString name; ///< device path, tcp://host:port, sim:PRESET, sim:sts3215@1,scs15@2
     /// None: the rate that most servos of a simulated bus have; 115200 where only LX or Modbus is
     /// spoken; else 1 Mbaud.
     std::optional<int> baud;
+    Parity parity = Parity::None;
     std::optional<base::Protocol> protocol; ///< none: whatever can exist at the rate
     std::optional<base::Duration> patience; ///< beyond wire time and reply delay
     std::optional<base::Duration> silence;  ///< between Modbus frames, instead of the standard's

@@ -53,7 +53,8 @@ Session::Session()
 
 base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& request)
 {
-    transport::PortSpec spec{request.name, request.baud.value_or(usualRate(request.protocol))};
+    transport::PortSpec spec{request.name, request.baud.value_or(usualRate(request.protocol)),
+                             request.parity};
     std::shared_ptr<sim::SharedBus> simulation;
     if (request.name.startsWith(simPrefix)) {
         auto made = makeSimulation(request.name.mid(simPrefix.size()), m_loaded.catalog);

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bench behind the window: one port, the servos on it, and every task done to them. Owns the
+// connection, the job threads and the list of servos; lives on the main thread and never waits:
+// each call returns at once, what comes of it arrives as a signal or in the callback, on the main
+// thread. Jobs see copies of a servo; what they read is merged into the list by time of reading.
+// Nothing is written to a servo that was not asked for by write(), perform() or emergencyStop().
+#pragma once
+
+#include "base/notice.h"
+#include "jobs/recover.h"
+#include "jobs/scan.h"
+#include "session/inbox.h"
+#include "session/job_thread.h"
+#include "session/servo_entry.h"
+#include "session/session.h"
+
+#include <QDateTime>
+#include <QObject>
+#include <QPointer>
+#include <QTimer>
+
+#include <deque>
+
+namespace session {
+enum class LinkState : std::uint8_t {
+    Off,
+    Opening,
+    Open,
+    Closing, ///< the running write ends first
+    Lost,    ///< unplugged; see lastRequest()
+};
+
+/// Something that happened, as data; the window words it and keeps it in its log.
+struct Event {
+    enum class Kind : std::uint8_t {
+        Connected,
+        Disconnected,
+        LinkLost,
+        SearchEnded,
+        TableSaved, ///< path: before the first write of the session
+        Written,    ///< report; or error: nothing was written
+        Task,       ///< task names it; error if it failed
+        Stopped,    ///< emergency stop sent
+        Failed,     ///< anything else that went wrong
+    };
+    Kind kind = Kind::Failed;
+    QDateTime at;
+    ServoRef servo = 0;
+    int id = -1;
+    QString task{}; ///< technical name: "center"
+    QString path{};
+    std::optional<base::Error> error{};
+    std::optional<device::WriteReport> report{};
+    device::Notices notices{};
+    bool undone = false; ///< the write was an undo or redo
+};
+
+/// What a task gets on the job thread. `servo` is a copy; what is in it afterwards is merged into
+/// the list, and the servo is followed when its ID or rate have changed.
+struct TaskContext {
+    const device::Context& device;
+    device::Servo& servo;
+    const base::Stop& stop;
+    jobs::ProgressFn progress; ///< may be called; arrives as Desk::taskProgress
+};
+
+struct TaskEnd {
+    std::optional<base::Error> error; ///< the task's own, or Stopped/LinkLost when it never ran
+    device::Notices notices;
+};
+
+struct Task {
+    QString name;             ///< technical: "center"; goes into the Event
+    bool savesTable = false;  ///< the table is saved first if this session has not yet
+    bool quiet = false;       ///< no Event unless it failed
+    std::function<base::Result<void>(TaskContext&)> work; ///< job thread
+    QPointer<QObject> guard;                              ///< `done` is dropped when it is gone
+    std::function<void(const TaskEnd&)> done{};           ///< main thread
+};
+
+struct WriteOrder {
+    std::vector<device::WriteItem> items; ///< ID and rate included: those servos are followed
+    bool temporary = false;
+    bool dangerous = false; ///< the user's consent
+};
+
+/// What undo() would do.
+struct UndoStep {
+    ServoRef servo = 0;
+    std::vector<device::WriteItem> before;
+    std::vector<device::WriteItem> after;
+    bool temporary = false;
+};
+
+class Desk final : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Desk(Session& session, QObject* parent = nullptr);
+    ~Desk() override; ///< waits for the running job; see close()
+
+    // --- the port ---
+    LinkState state() const { return m_state; }
+    const PortRequest& lastRequest() const { return m_request; }
+    bool simulated() const;
+    int baud() const; ///< the port's present rate; 0 without port
+    bool hasBaud() const;
+    bus::Statistics statistics() const;
+    base::Duration now() const; ///< the clock of all times here
+    const catalog::Catalog& catalog() const { return m_session.catalog(); }
+    Session& session() { return m_session; }
+
+    /// Closes what is open first. linkChanged follows; a failure arrives as connectFailed.
+    void connectTo(const PortRequest& request);
+    /// Ends searches and polls, lets the running write end, drops tasks that wait. The list stays,
+    /// greyed by the state.
+    void disconnectFrom();
+    /// Like disconnectFrom(), for closing the window: closed() follows, at once when idle.
+    void close();
+    void powerCycle(); ///< simulated servos only
+
+    // --- search ---
+    /// Queued behind running tasks where it needs other rates. Servos appear as they are found;
+    /// those in the searched range that did not answer leave the list at the end.
+    void search(const jobs::ScanSpec& spec);
+    void stopSearch();
+    bool searching() const { return m_search != nullptr; }
+    /// Of a search that finds nothing.
+    base::Duration searchEstimate(const jobs::ScanSpec& spec) const;
+    const std::optional<jobs::ScanReport>& lastSearch() const { return m_lastSearch; }
+    const jobs::ScanSpec& lastSearchSpec() const { return m_lastSpec; }
+
+    // --- servos ---
+    const std::vector<ServoRef>& servos() const { return m_order; }
+    const ServoEntry* servo(ServoRef ref) const; ///< null: gone
+    ServoRef find(base::Protocol protocol, int id) const; ///< 0: not in the list
+
+    /// Reads the whole table. Writes nothing.
+    void readTable(ServoRef ref);
+    void write(ServoRef ref, const WriteOrder& order);
+    void perform(ServoRef ref, Task task);
+    bool busy() const; ///< a task runs or waits
+    void stopTask();   ///< the running task; those that wait are dropped
+
+    /// Regular reading of these registers while the servo answers at the port's rate. `period` 0:
+    /// as fast as the wire allows. Replaces the one before; no keys: ends it.
+    void watchLive(ServoRef ref, const QStringList& keys, base::Duration period);
+
+    const UndoStep* nextUndo() const;
+    const UndoStep* nextRedo() const;
+    void undo();
+    void redo();
+
+    /// Reads this servo's writes from the journal; servoChanged follows.
+    void loadHistory(ServoRef ref);
+
+    /// Torque off for the whole bus, ahead of everything. Never waits.
+    void emergencyStop();
+
+    // --- interrupted writes of earlier sessions ---
+    /// Looks (reads only) and answers with openIntents; asked by itself after the first search.
+    void lookForIntents();
+    void settleIntent(const QString& uuid, jobs::RecoverAction action);
+    void forgetIntent(const QString& uuid);
+
+Q_SIGNALS:
+    void linkChanged();
+    void connectFailed(const base::Error& error);
+    void closed();
+
+    void searchChanged(); ///< started or ended
+    void searchProgress(const jobs::Progress& progress);
+
+    void servoAdded(session::ServoRef ref);
+    void servoChanged(session::ServoRef ref); ///< anything but the numbers of its table
+    void servoRemoved(session::ServoRef ref);
+    void servosCleared();
+    void tableChanged(session::ServoRef ref); ///< numbers or their states
+
+    void taskChanged(); ///< busy() may have changed
+    void taskProgress(const jobs::Progress& progress);
+    void undoChanged();
+    void happened(const session::Event& event);
+    void openIntents(const std::vector<jobs::Recovered>& found); ///< also when empty
+
+private:
+    struct Work;   ///< one task on its way
+    struct Search; ///< the running scan
+
+    // link (desk.cpp)
+    void setState(LinkState state);
+    void opened(base::Result<std::unique_ptr<Connection>> result);
+    void lookAtLink();
+    void goOn();
+    void finishClosing();
+    void dropConnection();
+    void tell(Event event);
+
+    // search (desk_search.cpp)
+    void startSearch();
+    void found(const jobs::Found& one);
+    void searchEnded(const base::Result<jobs::ScanReport>& result, const device::Notices& notices);
+    void removeSilent(const jobs::ScanReport& report);
+
+    // tasks (desk_tasks.cpp)
+    void enqueue(std::shared_ptr<Work> work);
+    bool mayRun(const Work& work) const;
+    void startNext();
+    void runWork(Work& work);
+    void workEnded(const std::shared_ptr<Work>& work);
+    void dropQueue(base::ErrorCode why);
+    void endUnrun(Work& work, base::ErrorCode why);
+    ServoEntry* entry(ServoRef ref);
+    void merge(ServoEntry& into, const device::Servo& from);
+    void changed(ServoEntry& entry);
+
+    // writes (desk_writes.cpp)
+    void enqueueWrite(ServoRef ref, const WriteOrder& order, int undoKind);
+    void writeEnded(ServoRef ref, const WriteOrder& order, int undoKind,
+                    const std::optional<device::WriteReport>& report, const TaskEnd& end);
+    void remember(ServoRef ref, const WriteOrder& order, int undoKind,
+                  const device::WriteReport& report);
+
+    // live (desk_live.cpp)
+    void updateLive();
+    void takeSamples();
+
+    Session& m_session;
+    Inbox m_inbox;
+    LinkState m_state = LinkState::Off;
+    PortRequest m_request;
+    std::optional<PortRequest> m_nextRequest; ///< connect when the present one is closed
+    bool m_closing = false;
+    std::unique_ptr<Connection> m_connection;
+    QTimer m_look;
+
+    std::map<ServoRef, ServoEntry> m_servos;
+    std::vector<ServoRef> m_order; ///< as shown: by rate as found, then ID
+    ServoRef m_lastRef = 0;
+
+    std::unique_ptr<Search> m_search;
+    std::optional<jobs::ScanReport> m_lastSearch;
+    jobs::ScanSpec m_lastSpec;
+    bool m_intentsLooked = false;
+
+    std::deque<std::shared_ptr<Work>> m_queue;
+    std::shared_ptr<Work> m_running;
+
+    std::vector<UndoStep> m_undo;
+    std::vector<UndoStep> m_redo;
+
+    struct Live {
+        ServoRef servo = 0;
+        QStringList keys;
+        base::Duration period{};
+        bus::PollId poll = 0;
+    } m_live;
+    QTimer m_liveTimer;
+
+    // Last: their jobs use everything above, so they end first.
+    std::unique_ptr<JobThread> m_openThread;
+    std::unique_ptr<JobThread> m_searchThread;
+    std::unique_ptr<JobThread> m_taskThread;
+};
+} // namespace session

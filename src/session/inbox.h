@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Work handed to the main thread by others: a plain queue and one queued wake-up for all that waits
+// in it. post() from any thread; everything runs on the thread the inbox lives in, in order. What
+// is still in it when the inbox goes is dropped.
+#pragma once
+
+#include <QObject>
+
+#include <deque>
+#include <functional>
+#include <mutex>
+
+namespace session {
+class Inbox final : public QObject {
+public:
+    explicit Inbox(QObject* parent = nullptr)
+        : QObject(parent)
+    {}
+
+    void post(std::function<void()> work);
+
+protected:
+    bool event(QEvent* event) override;
+
+private:
+    void drain();
+
+    std::mutex m_mutex;
+    std::deque<std::function<void()>> m_work;
+};
+} // namespace session

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One servo in the list of the window: what is known of it, how old that is, and what became of the
+// writes to each of its registers. A value kept by Desk; main thread. Times are desk-clock instants
+// (Desk::now).
+#pragma once
+
+#include "base/journal.h"
+#include "device/servo.h"
+#include "device/writer.h"
+
+#include <map>
+#include <set>
+
+namespace session {
+/// Names a servo as long as the program runs: it stays when ID or rate change, and is never given
+/// to another one. 0: none.
+using ServoRef = int;
+
+/// The latest write of one register.
+struct RowWrite {
+    int pending = 0; ///< writes asked for and not ended yet
+    std::int64_t wanted = 0;
+    std::optional<device::WriteOutcome> outcome; ///< of the latest that ended
+    std::optional<base::Error> error;
+    base::Duration at{};
+};
+
+struct ServoEntry {
+    ServoRef ref = 0;
+    /// Its image is what was really read. profile is null when it answered and could not be
+    /// identified.
+    device::Servo servo;
+    bool twinsSuspected = false; ///< two servos may share this ID
+    bool heardLate = false;
+    base::Duration lastSeen{};
+    bool silent = false; ///< did not answer when it was last asked
+
+    bool reading = false;   ///< its table is being read
+    bool tableRead = false; ///< the whole table has been read at least once
+    std::set<QString> unreadable; ///< keys whose latest reading failed: their numbers are not shown
+    std::optional<base::Error> readError; ///< of the latest reading, if it failed
+    device::Image firstImage;             ///< what was read first in this session, for "changed"
+
+    std::map<QString, RowWrite> writes; ///< by register key
+    QString snapshotPath; ///< table saved before the first write of this session; empty: not yet
+    bool lockOpenedByUs = false;        ///< the journal has an intent of ours that opened it
+    std::vector<base::JournalEntry> history; ///< this servo's journal, oldest first
+
+    /// Nullopt: not read, or no such flag.
+    std::optional<bool> lockOpen() const;
+    /// The number the table may show: read, and the latest reading did not fail.
+    std::optional<std::int64_t> shown(const catalog::Register& reg) const;
+    /// As read first in this session; nullopt: never.
+    std::optional<std::int64_t> firstRaw(const catalog::Register& reg) const;
+    bool writing() const; ///< any write not ended yet
+};
+} // namespace session

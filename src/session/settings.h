@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program remembers between starts: language, theme, window, the port used last and how
+// each adapter was used. One ini file in the user's configuration folder; main thread. A file that
+// is broken, from another version or holds nonsense never stops the start: what cannot be used is
+// left at its default, a broken file is put aside first and named in brokenCopy().
+#pragma once
+
+#include "session/connection.h"
+
+#include <QSettings>
+
+namespace session {
+enum class Theme : std::uint8_t { System, Light, Dark };
+
+class Settings {
+public:
+    /// Empty: servodesk.ini in the configuration folder.
+    explicit Settings(const QString& path = {});
+
+    /// Where a file that could not be read was put; empty when all was well.
+    const QString& brokenCopy() const { return m_brokenCopy; }
+
+    QString language() const; ///< "en", "zh_CN", empty: the system's
+    void setLanguage(const QString& language);
+    Theme theme() const;
+    void setTheme(Theme theme);
+
+    QString lastPort() const; ///< empty: nothing was ever opened
+    /// How this adapter (PortWatch::adapterKey) was used last; baud, protocol … not set if never.
+    PortRequest usedWith(const QString& adapterKey) const;
+    void remember(const QString& adapterKey, const PortRequest& request);
+
+    QByteArray windowGeometry() const;
+    QByteArray windowState() const;
+    void setWindow(const QByteArray& geometry, const QByteArray& state);
+
+    /// A page's own small choices ("memory/physical_first"). The default's type decides; a stored
+    /// value of another type is passed over.
+    QVariant choice(const QString& key, const QVariant& byDefault) const;
+    void setChoice(const QString& key, const QVariant& value);
+
+private:
+    QString m_brokenCopy;
+    mutable QSettings m_file;
+};
+} // namespace session

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/theme.h"
+
+#include <QApplication>
+#include <QDBusConnection>
+#include <QDBusMessage>
+#include <QDBusPendingCallWatcher>
+#include <QDBusPendingReply>
+#include <QIcon>
+#include <QStyleFactory>
+
+namespace ui {
+namespace {
+// The desktop portal's way to say light or dark; every larger desktop has it.
+const QString portalService = QStringLiteral("org.freedesktop.portal.Desktop");
+const QString portalPath = QStringLiteral("/org/freedesktop/portal/desktop");
+const QString portalInterface = QStringLiteral("org.freedesktop.portal.Settings");
+const QString appearance = QStringLiteral("org.freedesktop.appearance");
+const QString colorScheme = QStringLiteral("color-scheme");
+constexpr uint prefersDark = 1;
+
+struct Colours {
+    QRgb window, base, alternate, text, quiet, button, line, accent, onAccent, tip;
+};
+constexpr Colours lightColours{0xfff3f4f6, 0xffffffff, 0xfff8f9fb, 0xff1f2430, 0xff5d6675,
+                               0xffffffff, 0xffc9ced6, 0xff1d6ee6, 0xffffffff, 0xffffffff};
+constexpr Colours darkColours{0xff26292f, 0xff2d3138, 0xff31353d, 0xffe6e8ec, 0xffa3abb8,
+                              0xff353a43, 0xff4b515c, 0xff3d82ea, 0xffffffff, 0xff3a3f49};
+
+QPalette paletteOf(const Colours& c)
+{
+    QPalette palette;
+    const auto set = [&](QPalette::ColorRole role, QRgb rgb) { palette.setColor(role, QColor(rgb)); };
+    set(QPalette::Window, c.window);
+    set(QPalette::WindowText, c.text);
+    set(QPalette::Base, c.base);
+    set(QPalette::AlternateBase, c.alternate);
+    set(QPalette::Text, c.text);
+    set(QPalette::PlaceholderText, c.quiet);
+    set(QPalette::Button, c.button);
+    set(QPalette::ButtonText, c.text);
+    set(QPalette::BrightText, c.onAccent);
+    set(QPalette::ToolTipBase, c.tip);
+    set(QPalette::ToolTipText, c.text);
+    set(QPalette::Highlight, c.accent);
+    set(QPalette::HighlightedText, c.onAccent);
+    set(QPalette::Link, c.accent);
+    set(QPalette::LinkVisited, c.accent);
+    set(QPalette::Light, c.base);
+    set(QPalette::Midlight, c.alternate);
+    set(QPalette::Mid, c.line);
+    set(QPalette::Dark, c.line);
+    palette.setColor(QPalette::Shadow, QColor(0, 0, 0));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        QColor faint(c.text);
+        faint.setAlphaF(0.45F);
+        palette.setColor(QPalette::Disabled, role, faint);
+    }
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(c.line));
+    return palette;
+}
+
+// What Fusion alone does not give: room to breathe, and one clear main action.
+const char* const styleRules = R"(
+QToolTip { padding: 4px; }
+QPushButton, QToolButton { padding: 4px 10px; }
+QPushButton[mainAction="true"] {
+    background: palette(highlight); color: palette(highlighted-text);
+    border: 1px solid palette(highlight); border-radius: 4px; padding: 5px 12px;
+}
+QPushButton[mainAction="true"]:disabled {
+    background: palette(button); color: palette(mid); border-color: palette(mid);
+}
+QPushButton[mainAction="true"]:focus { border: 2px solid palette(window-text); }
+QHeaderView::section {
+    padding: 4px 6px; border: none; border-bottom: 1px solid palette(mid);
+    background: palette(base); font-weight: 600;
+}
+QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { padding: 2px 4px; min-height: 20px; }
+)";
+} // namespace
+
+bool isDark(const QPalette& palette)
+{
+    return palette.color(QPalette::Window).lightness() < 128;
+}
+
+QColor tone(Tone tone, const QPalette& palette)
+{
+    const bool dark = isDark(palette);
+    switch (tone) {
+    case Tone::Good:
+        return dark ? QColor(0x5f, 0xc9, 0x8b) : QColor(0x12, 0x78, 0x45);
+    case Tone::Warn:
+        return dark ? QColor(0xf0, 0xb2, 0x4a) : QColor(0x93, 0x5a, 0x06);
+    case Tone::Bad:
+        return dark ? QColor(0xff, 0x83, 0x7a) : QColor(0xb8, 0x25, 0x25);
+    case Tone::Quiet:
+        return palette.color(QPalette::PlaceholderText);
+    case Tone::Accent:
+        return dark ? QColor(0x7f, 0xb2, 0xff) : QColor(0x17, 0x5f, 0xce);
+    }
+    return palette.color(QPalette::Text);
+}
+
+ThemeSwitch::ThemeSwitch(QObject* parent)
+    : QObject(parent)
+    , m_systemDark(isDark(QApplication::palette()))
+{
+    askPortal();
+}
+
+void ThemeSwitch::apply(session::Theme theme)
+{
+    m_theme = theme;
+    show();
+}
+
+bool ThemeSwitch::dark() const
+{
+    return m_theme == session::Theme::Dark ||
+           (m_theme == session::Theme::System && m_systemDark);
+}
+
+void ThemeSwitch::show()
+{
+    if (QApplication::style()->objectName().compare(QLatin1String("fusion"),
+                                                    Qt::CaseInsensitive) != 0 &&
+        qApp->styleSheet().isEmpty())
+        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QIcon::setThemeName(dark() ? QStringLiteral("breeze-dark") : QStringLiteral("breeze"));
+    QApplication::setPalette(paletteOf(dark() ? darkColours : lightColours));
+    // Set anew each time: rules with palette(...) are resolved when they are set.
+    qApp->setStyleSheet(QString::fromLatin1(styleRules));
+    Q_EMIT changed();
+}
+
+/// Asks without waiting; nobody answers where there is no portal.
+void ThemeSwitch::askPortal()
+{
+    QDBusConnection bus = QDBusConnection::sessionBus();
+    if (!bus.isConnected())
+        return;
+    bus.connect(portalService, portalPath, portalInterface, QStringLiteral("SettingChanged"), this,
+                SLOT(portalSetting(QString, QString, QDBusVariant)));
+    QDBusMessage call = QDBusMessage::createMethodCall(portalService, portalPath, portalInterface,
+                                                       QStringLiteral("Read"));
+    call << appearance << colorScheme;
+    auto* watcher = new QDBusPendingCallWatcher(bus.asyncCall(call), this);
+    connect(watcher, &QDBusPendingCallWatcher::finished, this, [this, watcher] {
+        const QDBusPendingReply<QDBusVariant> reply = *watcher;
+        if (reply.isValid())
+            portalSetting(appearance, colorScheme, reply.value());
+        watcher->deleteLater();
+    });
+}
+
+void ThemeSwitch::portalSetting(const QString& group, const QString& key, const QDBusVariant& value)
+{
+    if (group != appearance || key != colorScheme)
+        return;
+    QVariant inner = value.variant();
+    if (inner.canConvert<QDBusVariant>())
+        inner = inner.value<QDBusVariant>().variant();
+    m_systemDark = inner.toUInt() == prefersDark;
+    if (m_theme == session::Theme::System)
+        show();
+}
+} // namespace ui

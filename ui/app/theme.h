@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light and dark: the program's palette, the few style rules above Fusion, the icons that fit, and
+// the colours that carry a meaning. Switchable while the program runs; "system" follows the desktop.
+// Main thread. Colours are asked for when painting, never kept.
+#pragma once
+
+#include "session/settings.h"
+
+#include <QColor>
+#include <QDBusVariant>
+#include <QObject>
+#include <QPalette>
+
+namespace ui {
+enum class Tone : std::uint8_t { Good, Warn, Bad, Quiet, Accent };
+
+/// Readable on the base and window colours of this palette. Never the only sign of anything.
+QColor tone(Tone tone, const QPalette& palette);
+bool isDark(const QPalette& palette);
+
+class ThemeSwitch final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Needs the QApplication; applies nothing yet.
+    explicit ThemeSwitch(QObject* parent = nullptr);
+
+    session::Theme theme() const { return m_theme; }
+    void apply(session::Theme theme);
+
+Q_SIGNALS:
+    void changed(); ///< palette and icon theme have been set
+
+private Q_SLOTS:
+    void portalSetting(const QString& group, const QString& key, const QDBusVariant& value);
+
+private:
+    void askPortal();
+    void show();
+    bool dark() const;
+
+    session::Theme m_theme = session::Theme::System;
+    bool m_systemDark = false;
+};
+} // namespace ui
