@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/ask.h"
+
+#include <QCoreApplication>
+#include <QDialog>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+/// Wide enough for a sentence, narrow enough to read it.
+constexpr int textWidth = 440;
+
+class QuestionDialog final : public QDialog {
+public:
+    QuestionDialog(QWidget* parent, const Question& question);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QLabel* addText(QVBoxLayout* column, const QString& text, const QString& name);
+    void addRisk(QVBoxLayout* column, const QString& risk);
+    void addButtons(QVBoxLayout* column, const Question& question);
+    void showSign();
+
+    QLabel* m_sign = nullptr;
+};
+
+QuestionDialog::QuestionDialog(QWidget* parent, const Question& question)
+    : QDialog(parent)
+{
+    setObjectName(QStringLiteral("question"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(question.title);
+    setAccessibleName(question.title);
+    auto* column = new QVBoxLayout(this);
+    column->setSizeConstraint(QLayout::SetFixedSize);
+    column->setSpacing(12);
+    QLabel* title = addText(column, question.title, QStringLiteral("questionTitle"));
+    QFont font = title->font();
+    font.setBold(true);
+    title->setFont(font);
+    if (!question.text.isEmpty())
+        addText(column, question.text, QStringLiteral("questionText"));
+    if (!question.risk.isEmpty())
+        addRisk(column, question.risk);
+    addButtons(column, question);
+    if (question.guard != nullptr)
+        connect(question.guard, &QObject::destroyed, this, &QDialog::reject);
+}
+
+QLabel* QuestionDialog::addText(QVBoxLayout* column, const QString& text, const QString& name)
+{
+    auto* label = new QLabel(text, this);
+    label->setObjectName(name);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setFixedWidth(textWidth);
+    column->addWidget(label);
+    return label;
+}
+
+void QuestionDialog::addRisk(QVBoxLayout* column, const QString& risk)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    m_sign = new QLabel(this);
+    m_sign->setObjectName(QStringLiteral("questionSign"));
+    showSign();
+    row->addWidget(m_sign, 0, Qt::AlignTop);
+    auto* label = new QLabel(risk, this);
+    label->setObjectName(QStringLiteral("questionRisk"));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    const int size = style()->pixelMetric(QStyle::PM_LargeIconSize, nullptr, this);
+    label->setFixedWidth(textWidth - size - row->spacing());
+    row->addWidget(label, 1);
+    column->addLayout(row);
+}
+
+void QuestionDialog::addButtons(QVBoxLayout* column, const Question& question)
+{
+    auto* row = new QHBoxLayout;
+    row->addStretch();
+    auto* no = new QPushButton(
+        question.no.isEmpty() ? QCoreApplication::translate("Ask", "Cancel") : question.no, this);
+    no->setObjectName(QStringLiteral("questionNo"));
+    no->setAccessibleName(no->text());
+    no->setToolTip(QCoreApplication::translate("Ask", "Leave everything as it is"));
+    auto* yes = new QPushButton(question.yes, this);
+    yes->setObjectName(QStringLiteral("questionYes"));
+    yes->setAccessibleName(question.yes);
+    yes->setToolTip(question.risk.isEmpty() ? question.title : question.risk);
+    row->addWidget(no);
+    row->addWidget(yes);
+    column->addLayout(row);
+    connect(no, &QPushButton::clicked, this, &QDialog::reject);
+    connect(yes, &QPushButton::clicked, this, &QDialog::accept);
+    QPushButton* first = question.harmless ? yes : no;
+    first->setDefault(true);
+    first->setFocus();
+}
+
+void QuestionDialog::showSign()
+{
+    const int size = style()->pixelMetric(QStyle::PM_LargeIconSize, nullptr, this);
+    const QIcon icon = style()->standardIcon(QStyle::SP_MessageBoxWarning, nullptr, this);
+    m_sign->setPixmap(icon.pixmap(size, size));
+}
+
+void QuestionDialog::changeEvent(QEvent* event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && m_sign != nullptr)
+        showSign();
+}
+} // namespace
+
+void ask(QWidget* parent, const Question& question, std::function<void()> yes)
+{
+    auto* dialog = new QuestionDialog(parent, question);
+    const QPointer<QObject> guard = question.guard;
+    const bool guarded = question.guard != nullptr;
+    QObject::connect(dialog, &QDialog::finished, dialog,
+                     [guard, guarded, yes = std::move(yes), no = question.refused](int result) {
+                         if (guarded && !guard)
+                             return;
+                         const auto& answer = result == QDialog::Accepted ? yes : no;
+                         if (answer)
+                             answer();
+                     });
+    dialog->open();
+}
+} // namespace ui

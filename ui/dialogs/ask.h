@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One question before something that cannot be taken back lightly: what will happen, what can go
+// wrong, and a button that names the deed. Never blocks; the answer arrives in the callback, once,
+// on the main thread. Enter and Esc mean "no", unless the question is harmless.
+#pragma once
+
+#include <QPointer>
+#include <QString>
+#include <QWidget>
+
+#include <functional>
+
+namespace ui {
+/// The texts in the language of the moment: the question keeps them while it is open.
+struct Question {
+    QString title;                   ///< window title and first line: "Write register 33?"
+    QString text{};                  ///< what will happen
+    QString risk{};                  ///< what can go wrong; shown with a warning sign
+    QString yes;                     ///< the deed: "Write anyway"
+    QString no{};                    ///< empty: "Cancel"
+    bool harmless = false;           ///< Enter means yes
+    std::function<void()> refused{}; ///< "no", Esc and closing; may be empty
+    /// Nothing is called when it has gone; the question closes then. Null pointer: no guard.
+    QObject* guard = nullptr;
+};
+
+/// Opens it over `parent` and returns at once. The dialog's object name is "question", its buttons'
+/// are "questionYes" and "questionNo".
+void ask(QWidget* parent, const Question& question, std::function<void()> yes);
+} // namespace ui
