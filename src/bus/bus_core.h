@@ -70,7 +70,7 @@ public:
     void requestEmergency(); ///< served by the bus' thread
     bool serveEmergency();   ///< true if there was one
     void lookAtLink();       ///< notices unplugging; what has come becomes strays
-    bool lost() const { return m_line.lost(); }
+    bool lost() const override { return m_line.lost(); }
     void closeLink() { m_line.close(); }
 
 protected:

@@ -185,7 +185,7 @@ void BusThread::idle()
         m_core->lookAtLink();
     }
     Duration until = m_lastLook + lookInterval;
-    if (!isLost())
+    if (!lost())
         until = std::min(until, m_core->nextPoll().value_or(until));
     std::unique_lock lock(m_mutex);
     m_work.wait_for(lock, std::max(until - now, Duration{}), [this] { return m_signal; });

@@ -27,7 +27,7 @@ public:
     /// Does not block; `done` is called once, on the bus thread, and must be quick. A transaction
     /// still waiting when the bus ends is done with Stopped.
     void submit(Transaction transaction, Done done);
-    bool isLost() const { return m_core->lost(); }
+    bool lost() const override { return m_core->lost(); }
 
     base::Result<Outcome> transact(const Transaction& transaction) override;
     base::Result<void> listen(base::Duration span) override;

@@ -27,6 +27,8 @@ QString kindName(base::IntentKind kind)
         return QStringLiteral("center");
     case base::IntentKind::Restore:
         return QStringLiteral("restore-defaults");
+    case base::IntentKind::Identify:
+        return QStringLiteral("identify");
     }
     return {};
 }

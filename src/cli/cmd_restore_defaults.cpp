@@ -3,9 +3,9 @@
 #include "cli/commands.h"
 #include "cli/progress.h"
 #include "cli/report_words.h"
-#include "cli/snapshots.h"
 #include "cli/translate.h"
 #include "jobs/change.h"
+#include "session/safety_snapshot.h"
 #include "text/notice_words.h"
 
 namespace cli {
@@ -42,11 +42,13 @@ base::Result<Exit> run(Run& run, const Values& values)
     auto servo = run.servoWithSettings(values);
     if (!servo)
         return tl::unexpected(servo.error());
-    const auto snapshot = saveSafetySnapshot(run, *servo);
+    const auto context = run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    const auto snapshot = session::saveSafetySnapshot(*context, *servo);
     if (!snapshot)
         return tl::unexpected(snapshot.error());
     run.console().remark(translate("cli", "The present settings are saved in %1").arg(*snapshot));
-    const auto context = run.context();
     base::Result<jobs::RestoreReport> report;
     {
         ProgressLine line(run.console(), translate("cli", "Restoring"));

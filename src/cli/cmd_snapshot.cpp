@@ -3,8 +3,9 @@
 #include "cli/commands.h"
 #include "cli/report_words.h"
 #include "cli/run.h"
-#include "cli/snapshots.h"
 #include "cli/translate.h"
+#include "jobs/snapshot.h"
+#include "session/safety_snapshot.h"
 #include "text/notice_words.h"
 
 namespace cli {
@@ -15,9 +16,14 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     if (!servo)
         return tl::unexpected(servo.error());
     const QString file = values.word("FILE");
-    const auto snapshot = saveSnapshotOf(run, *servo, file);
+    const auto context = run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    const auto snapshot = jobs::takeSnapshot(*context, *servo, session::programName());
     if (!snapshot)
         return tl::unexpected(snapshot.error());
+    if (const auto saved = record::saveSnapshot(*snapshot, file); !saved)
+        return tl::unexpected(saved.error());
     const auto count = static_cast<int>(snapshot->registers.size());
     run.finish(
         Json::object().add("id", servo->id).add("file", file).add("registers", count),

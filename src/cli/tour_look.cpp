@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/report_words.h"
-#include "cli/snapshots.h"
 #include "cli/tour.h"
 #include "cli/translate.h"
 #include "device/motion.h"
 #include "device/reader.h"
+#include "session/safety_snapshot.h"
 #include "text/language.h"
 #include "text/notice_words.h"
 
@@ -84,7 +84,10 @@ base::Result<void> Tour::lookAtMemory()
 base::Result<void> Tour::saveSnapshot()
 {
     chapter(translate("cli", "A snapshot before anything is changed"));
-    const auto file = saveSafetySnapshot(m_run, m_servo);
+    const auto context = m_run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    const auto file = session::saveSafetySnapshot(*context, m_servo);
     if (!file)
         return tl::unexpected(file.error());
     m_snapshotFile = *file;

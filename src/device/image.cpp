@@ -26,6 +26,28 @@ void Image::clear()
     m_cells.clear();
 }
 
+void Image::takeNewer(const Image& other, base::Duration since)
+{
+    if (m_cells.size() < other.m_cells.size())
+        m_cells.resize(other.m_cells.size());
+    for (std::size_t place = 0; place < other.m_cells.size(); ++place) {
+        const Cell& theirs = other.m_cells[place];
+        Cell& mine = m_cells[place];
+        if (theirs.read && theirs.at >= since && (!mine.read || mine.at < theirs.at))
+            mine = theirs;
+    }
+}
+
+void Image::takeMissing(const Image& other)
+{
+    if (m_cells.size() < other.m_cells.size())
+        m_cells.resize(other.m_cells.size());
+    for (std::size_t place = 0; place < other.m_cells.size(); ++place) {
+        if (!m_cells[place].read)
+            m_cells[place] = other.m_cells[place];
+    }
+}
+
 const Image::Cell* Image::cell(int offset) const
 {
     const auto place = static_cast<std::size_t>(std::max(offset, 0));

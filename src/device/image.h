@@ -17,6 +17,10 @@ public:
     void store(int offset, base::ByteView bytes, base::Duration at);
     void forget(int offset, int count);
     void clear();
+    /// Takes what `other` has read from `since` on, where it is the newer reading.
+    void takeNewer(const Image& other, base::Duration since);
+    /// Takes what `other` has where nothing was read here.
+    void takeMissing(const Image& other);
 
     /// The bytes of a register, if all of them have been read.
     std::optional<base::Bytes> bytes(int offset, int count) const;

@@ -51,6 +51,8 @@ public:
     bool simulated() const { return m_simulation != nullptr; }
     /// Switches all simulated servos off and on again; false on a real port.
     bool powerCycle();
+    /// What is behind a simulated port, for trouble made on purpose; null on a real one.
+    sim::SharedBus* simulation() const { return m_simulation.get(); }
 
 private:
     std::shared_ptr<sim::SharedBus> m_simulation;

@@ -44,7 +44,7 @@ struct Event {
         Failed,     ///< anything else that went wrong
     };
     Kind kind = Kind::Failed;
-    QDateTime at;
+    QDateTime at{};
     ServoRef servo = 0;
     int id = -1;
     QString task{}; ///< technical name: "center"
@@ -70,9 +70,9 @@ struct TaskEnd {
 };
 
 struct Task {
-    QString name;             ///< technical: "center"; goes into the Event
-    bool savesTable = false;  ///< the table is saved first if this session has not yet
-    bool quiet = false;       ///< no Event unless it failed
+    QString name;            ///< technical: "center"; goes into the Event
+    bool savesTable = false; ///< the table is saved first if this session has not yet
+    bool quiet = false;      ///< no Event unless it failed
     std::function<base::Result<void>(TaskContext&)> work; ///< job thread
     QPointer<QObject> guard;                              ///< `done` is dropped when it is gone
     std::function<void(const TaskEnd&)> done{};           ///< main thread
@@ -109,6 +109,7 @@ public:
     base::Duration now() const; ///< the clock of all times here
     const catalog::Catalog& catalog() const { return m_session.catalog(); }
     Session& session() { return m_session; }
+    Connection* connection() const { return m_connection.get(); } ///< null while not open
 
     /// Closes what is open first. linkChanged follows; a failure arrives as connectFailed.
     void connectTo(const PortRequest& request);
@@ -132,7 +133,7 @@ public:
 
     // --- servos ---
     const std::vector<ServoRef>& servos() const { return m_order; }
-    const ServoEntry* servo(ServoRef ref) const; ///< null: gone
+    const ServoEntry* servo(ServoRef ref) const;          ///< null: gone
     ServoRef find(base::Protocol protocol, int id) const; ///< 0: not in the list
 
     /// Reads the whole table. Writes nothing.
@@ -175,6 +176,7 @@ Q_SIGNALS:
     void servoChanged(session::ServoRef ref); ///< anything but the numbers of its table
     void servoRemoved(session::ServoRef ref);
     void servosCleared();
+    void orderChanged();                      ///< the same servos, sorted anew
     void tableChanged(session::ServoRef ref); ///< numbers or their states
 
     void taskChanged(); ///< busy() may have changed
@@ -193,13 +195,16 @@ private:
     void lookAtLink();
     void goOn();
     void finishClosing();
-    void dropConnection();
+    void forgetServos();
     void tell(Event event);
 
     // search (desk_search.cpp)
     void startSearch();
+    void runSearch(Search& search);
+    void insert(ServoEntry added);
+    void remove(ServoRef ref);
     void found(const jobs::Found& one);
-    void searchEnded(const base::Result<jobs::ScanReport>& result, const device::Notices& notices);
+    void searchEnded(const base::Result<jobs::ScanReport>& result);
     void removeSilent(const jobs::ScanReport& report);
 
     // tasks (desk_tasks.cpp)
@@ -211,19 +216,25 @@ private:
     void dropQueue(base::ErrorCode why);
     void endUnrun(Work& work, base::ErrorCode why);
     ServoEntry* entry(ServoRef ref);
-    void merge(ServoEntry& into, const device::Servo& from);
-    void changed(ServoEntry& entry);
+    void merge(ServoEntry& into, const device::Servo& from, base::Duration since);
+    void sortOrder();
+    void changed(const ServoEntry& entry);
+    void tableRead(const Work& ended);
 
     // writes (desk_writes.cpp)
-    void enqueueWrite(ServoRef ref, const WriteOrder& order, int undoKind);
-    void writeEnded(ServoRef ref, const WriteOrder& order, int undoKind,
-                    const std::optional<device::WriteReport>& report, const TaskEnd& end);
-    void remember(ServoRef ref, const WriteOrder& order, int undoKind,
-                  const device::WriteReport& report);
+    enum class WriteKind : std::uint8_t { New, Undo, Redo };
+    void enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind);
+    void writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind,
+                    const std::optional<device::WriteReport>& report);
+    void remember(ServoRef ref, const WriteOrder& order, WriteKind kind,
+                  const std::optional<device::WriteReport>& report);
 
     // live (desk_live.cpp)
+    bool mayPoll(const ServoEntry& entry) const;
     void updateLive();
+    void stopPoll();
     void takeSamples();
+    void take(ServoEntry& entry, const bus::Sample& sample);
 
     Session& m_session;
     Inbox m_inbox;
@@ -239,6 +250,7 @@ private:
     ServoRef m_lastRef = 0;
 
     std::unique_ptr<Search> m_search;
+    std::optional<jobs::ScanSpec> m_nextSearch; ///< begins when the present one has stopped
     std::optional<jobs::ScanReport> m_lastSearch;
     jobs::ScanSpec m_lastSpec;
     bool m_intentsLooked = false;
@@ -248,12 +260,14 @@ private:
 
     std::vector<UndoStep> m_undo;
     std::vector<UndoStep> m_redo;
+    std::optional<UndoStep> m_returning; ///< the step an undo or redo is writing now
 
     struct Live {
         ServoRef servo = 0;
         QStringList keys;
         base::Duration period{};
         bus::PollId poll = 0;
+        int id = -1; ///< asked under this ID
     } m_live;
     QTimer m_liveTimer;
 

@@ -35,15 +35,15 @@ struct ServoEntry {
     base::Duration lastSeen{};
     bool silent = false; ///< did not answer when it was last asked
 
-    bool reading = false;   ///< its table is being read
-    bool tableRead = false; ///< the whole table has been read at least once
+    bool reading = false;         ///< its table is being read
+    bool tableRead = false;       ///< the whole table has been read at least once
     std::set<QString> unreadable; ///< keys whose latest reading failed: their numbers are not shown
     std::optional<base::Error> readError; ///< of the latest reading, if it failed
     device::Image firstImage;             ///< what was read first in this session, for "changed"
 
     std::map<QString, RowWrite> writes; ///< by register key
     QString snapshotPath; ///< table saved before the first write of this session; empty: not yet
-    bool lockOpenedByUs = false;        ///< the journal has an intent of ours that opened it
+    bool lockOpenedByUs = false;             ///< the journal has an intent of ours that opened it
     std::vector<base::JournalEntry> history; ///< this servo's journal, oldest first
 
     /// Nullopt: not read, or no such flag.

@@ -99,4 +99,9 @@ QStringList simulatedPorts()
         names << simPrefix + preset;
     return names;
 }
+
+const std::vector<int>& knownRates()
+{
+    return transport::knownRates();
+}
 } // namespace session

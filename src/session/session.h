@@ -18,6 +18,7 @@ public:
     const catalog::Catalog& catalog() const { return m_loaded.catalog; }
     const std::vector<catalog::LoadWarning>& warnings() const { return m_loaded.warnings; }
     record::JournalFile& journal() { return m_journal; }
+    base::Clock& clock() { return m_clock; } ///< of all ports
 
     /// The connection borrows catalog, journal and clock; it must go first. Errors: PortMissing,
     /// PortBusy, PortPermission, PortFailed, RateUnsupported, BadArgument (sim: and tcp: names).
@@ -34,4 +35,7 @@ std::vector<transport::PortInfo> adapters();
 
 /// "sim:demo", "sim:trouble": the simulated buses by name.
 QStringList simulatedPorts();
+
+/// All rates of the fact sheets, highest first.
+const std::vector<int>& knownRates();
 } // namespace session

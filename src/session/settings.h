@@ -2,7 +2,8 @@
 // What the program remembers between starts: language, theme, window, the port used last and how
 // each adapter was used. One ini file in the user's configuration folder; main thread. A file that
 // is broken, from another version or holds nonsense never stops the start: what cannot be used is
-// left at its default, a broken file is put aside first and named in brokenCopy().
+// left at its default, a broken file is put aside first and named in brokenCopy(). What a newer
+// version has written there and this one does not know stays in the file.
 #pragma once
 
 #include "session/connection.h"
@@ -17,6 +18,7 @@ public:
     /// Empty: servodesk.ini in the configuration folder.
     explicit Settings(const QString& path = {});
 
+    QString path() const { return m_file.fileName(); }
     /// Where a file that could not be read was put; empty when all was well.
     const QString& brokenCopy() const { return m_brokenCopy; }
 
@@ -25,7 +27,8 @@ public:
     Theme theme() const;
     void setTheme(Theme theme);
 
-    QString lastPort() const; ///< empty: nothing was ever opened
+    QString lastPort() const;    ///< empty: nothing was ever opened
+    QString lastAdapter() const; ///< its key: the adapter may be at another port today
     /// How this adapter (PortWatch::adapterKey) was used last; baud, protocol … not set if never.
     PortRequest usedWith(const QString& adapterKey) const;
     void remember(const QString& adapterKey, const PortRequest& request);
@@ -40,6 +43,10 @@ public:
     void setChoice(const QString& key, const QVariant& value);
 
 private:
+    void put(const QString& key, const QVariant& value);
+    QString word(const QString& key) const;
+    std::optional<int> number(const QString& key, int min, int max) const;
+
     QString m_brokenCopy;
     mutable QSettings m_file;
 };

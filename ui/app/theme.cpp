@@ -30,7 +30,9 @@ constexpr Colours darkColours{0xff26292f, 0xff2d3138, 0xff31353d, 0xffe6e8ec, 0x
 QPalette paletteOf(const Colours& c)
 {
     QPalette palette;
-    const auto set = [&](QPalette::ColorRole role, QRgb rgb) { palette.setColor(role, QColor(rgb)); };
+    const auto set = [&](QPalette::ColorRole role, QRgb rgb) {
+        palette.setColor(role, QColor(rgb));
+    };
     set(QPalette::Window, c.window);
     set(QPalette::WindowText, c.text);
     set(QPalette::Base, c.base);
@@ -118,14 +120,13 @@ void ThemeSwitch::apply(session::Theme theme)
 
 bool ThemeSwitch::dark() const
 {
-    return m_theme == session::Theme::Dark ||
-           (m_theme == session::Theme::System && m_systemDark);
+    return m_theme == session::Theme::Dark || (m_theme == session::Theme::System && m_systemDark);
 }
 
 void ThemeSwitch::show()
 {
-    if (QApplication::style()->objectName().compare(QLatin1String("fusion"),
-                                                    Qt::CaseInsensitive) != 0 &&
+    if (QApplication::style()->objectName().compare(QLatin1String("fusion"), Qt::CaseInsensitive) !=
+            0 &&
         qApp->styleSheet().isEmpty())
         QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QIcon::setThemeName(dark() ? QStringLiteral("breeze-dark") : QStringLiteral("breeze"));

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/desk.h"
+
+#include "session/desk_work.h"
+
+namespace session {
+using namespace std::chrono_literals;
+
+namespace {
+/// Unplugging is noticed by the bus within 200 ms, and here within as much again.
+constexpr auto lookInterval = 200ms;
+} // namespace
+
+Desk::Desk(Session& session, QObject* parent)
+    : QObject(parent)
+    , m_session(session)
+    , m_openThread(std::make_unique<JobThread>())
+    , m_searchThread(std::make_unique<JobThread>())
+    , m_taskThread(std::make_unique<JobThread>())
+{
+    m_look.setInterval(lookInterval);
+    connect(&m_look, &QTimer::timeout, this, &Desk::lookAtLink);
+    m_liveTimer.setInterval(33ms);
+    connect(&m_liveTimer, &QTimer::timeout, this, &Desk::takeSamples);
+}
+
+Desk::~Desk()
+{
+    if (m_search)
+        m_search->stop.request();
+    if (m_running)
+        m_running->stop.request();
+}
+
+bool Desk::simulated() const
+{
+    return m_connection && m_connection->simulated();
+}
+
+int Desk::baud() const
+{
+    return m_connection ? m_connection->bus().baud() : 0;
+}
+
+bool Desk::hasBaud() const
+{
+    return m_connection && m_connection->bus().hasBaud();
+}
+
+bus::Statistics Desk::statistics() const
+{
+    return m_connection ? m_connection->bus().statistics() : bus::Statistics{};
+}
+
+base::Duration Desk::now() const
+{
+    return m_session.clock().now();
+}
+
+void Desk::tell(Event event)
+{
+    event.at = QDateTime::currentDateTime();
+    if (const ServoEntry* known = servo(event.servo))
+        event.id = known->servo.id;
+    Q_EMIT happened(event);
+}
+
+void Desk::setState(LinkState state)
+{
+    if (state == m_state)
+        return;
+    m_state = state;
+    if (state == LinkState::Open)
+        m_look.start();
+    else
+        m_look.stop();
+    updateLive();
+    Q_EMIT linkChanged();
+}
+
+void Desk::connectTo(const PortRequest& request)
+{
+    if (m_connection || m_state == LinkState::Opening) {
+        m_nextRequest = request;
+        disconnectFrom();
+        return;
+    }
+    if (request.name != m_request.name)
+        forgetServos();
+    m_request = request;
+    m_intentsLooked = false;
+    setState(LinkState::Opening);
+    m_openThread->start([this, request] {
+        auto result =
+            std::make_shared<base::Result<std::unique_ptr<Connection>>>(m_session.connect(request));
+        m_inbox.post([this, result] { opened(std::move(*result)); });
+    });
+}
+
+void Desk::forgetServos()
+{
+    m_servos.clear();
+    m_order.clear();
+    m_undo.clear();
+    m_redo.clear();
+    m_live = {};
+    m_lastSearch.reset();
+    Q_EMIT servosCleared();
+    Q_EMIT undoChanged();
+}
+
+void Desk::opened(base::Result<std::unique_ptr<Connection>> result)
+{
+    if (m_state == LinkState::Closing) { // the user has changed their mind meanwhile
+        result = base::fail(base::ErrorCode::Stopped);
+        goOn();
+        return;
+    }
+    if (!result) {
+        setState(LinkState::Off);
+        Q_EMIT connectFailed(result.error());
+        return;
+    }
+    m_connection = std::move(*result);
+    for (const auto& [ref, known] : m_servos)
+        m_connection->know(known.servo);
+    setState(LinkState::Open);
+    tell({.kind = Event::Kind::Connected, .task = m_connection->bus().portName()});
+}
+
+void Desk::disconnectFrom()
+{
+    if (m_state == LinkState::Off && !m_connection) {
+        m_nextRequest.reset();
+        return;
+    }
+    if (m_state == LinkState::Lost && !m_connection) {
+        setState(LinkState::Off);
+        return;
+    }
+    dropQueue(base::ErrorCode::Stopped);
+    stopSearch();
+    const bool opening = m_state == LinkState::Opening;
+    setState(LinkState::Closing);
+    if (!opening)
+        goOn();
+}
+
+void Desk::close()
+{
+    m_closing = true;
+    m_nextRequest.reset();
+    disconnectFrom();
+    if (m_state == LinkState::Off)
+        QMetaObject::invokeMethod(this, &Desk::closed, Qt::QueuedConnection);
+}
+
+void Desk::powerCycle()
+{
+    if (m_connection)
+        m_connection->powerCycle();
+}
+
+void Desk::lookAtLink()
+{
+    if (!m_connection || !m_connection->bus().lost())
+        return;
+    setState(LinkState::Lost);
+    stopSearch();
+    dropQueue(base::ErrorCode::LinkLost);
+    tell({.kind = Event::Kind::LinkLost, .task = m_request.name});
+    goOn();
+}
+
+/// After anything has ended: the port is closed when that was waited for, the next search or task
+/// begins.
+void Desk::goOn()
+{
+    const bool idle = !m_running && !(m_search && m_search->started);
+    if (idle && (m_state == LinkState::Closing || m_state == LinkState::Lost)) {
+        m_search.reset();
+        m_live.poll = 0;
+        m_connection.reset();
+        if (m_state == LinkState::Closing)
+            finishClosing();
+        return;
+    }
+    startSearch();
+    startNext();
+    updateLive();
+}
+
+void Desk::finishClosing()
+{
+    setState(LinkState::Off);
+    tell({.kind = Event::Kind::Disconnected, .task = m_request.name});
+    if (m_closing) {
+        Q_EMIT closed();
+    } else if (m_nextRequest) {
+        const PortRequest next = *m_nextRequest;
+        m_nextRequest.reset();
+        connectTo(next);
+    }
+}
+
+const ServoEntry* Desk::servo(ServoRef ref) const
+{
+    const auto place = m_servos.find(ref);
+    return place != m_servos.end() ? &place->second : nullptr;
+}
+
+ServoEntry* Desk::entry(ServoRef ref)
+{
+    const auto place = m_servos.find(ref);
+    return place != m_servos.end() ? &place->second : nullptr;
+}
+
+ServoRef Desk::find(base::Protocol protocol, int id) const
+{
+    for (const ServoRef ref : m_order) {
+        const device::Servo& known = m_servos.at(ref).servo;
+        if (known.protocol == protocol && known.id == id)
+            return ref;
+    }
+    return 0;
+}
+
+void Desk::emergencyStop()
+{
+    if (!m_connection)
+        return;
+    m_connection->bus().emergency();
+    dropQueue(base::ErrorCode::Preempted);
+    tell({.kind = Event::Kind::Stopped});
+}
+} // namespace session

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/alarms.h"
+#include "device/reader.h"
+#include "session/desk_work.h"
+
+namespace session {
+void Desk::watchLive(ServoRef ref, const QStringList& keys, base::Duration period)
+{
+    if (ref == m_live.servo && keys == m_live.keys && period == m_live.period)
+        return;
+    stopPoll();
+    m_live = {keys.isEmpty() ? 0 : ref, keys, period, 0, -1};
+    updateLive();
+}
+
+void Desk::stopPoll()
+{
+    if (m_live.poll != 0 && m_connection) {
+        takeSamples();
+        m_connection->bus().stopPoll(m_live.poll);
+    }
+    m_live.poll = 0;
+    m_liveTimer.stop();
+}
+
+/// Polling goes on only while nobody takes the bus to another rate.
+bool Desk::mayPoll(const ServoEntry& entry) const
+{
+    const bool rateMoves = m_search && m_search->started && !m_search->oneRate();
+    const bool here = !hasBaud() || entry.servo.baud == baud();
+    const bool otherWork = m_running && m_running->ref != entry.ref;
+    return m_state == LinkState::Open && entry.servo.profile && here && !rateMoves && !otherWork;
+}
+
+void Desk::updateLive()
+{
+    const ServoEntry* known = servo(m_live.servo);
+    const bool may = known != nullptr && mayPoll(*known);
+    if (!may || m_live.poll != 0) {
+        if (!may)
+            stopPoll();
+        return;
+    }
+    const catalog::Profile& profile = *known->servo.profile;
+    std::vector<const catalog::Register*> registers;
+    for (const QString& key : m_live.keys) {
+        if (const catalog::Register* reg = profile.find(key))
+            registers.push_back(reg);
+    }
+    if (registers.empty())
+        return;
+    bus::PollPlan plan;
+    plan.period = m_live.period;
+    plan.servos.push_back({known->servo.id, device::planSpans(profile, registers), false, 0,
+                           known->servo.protocol, profile.readGap, profile.maxRead});
+    m_live.id = known->servo.id;
+    m_live.poll = m_connection->bus().startPoll(plan);
+    m_liveTimer.start();
+}
+
+void Desk::takeSamples()
+{
+    if (m_live.poll == 0 || !m_connection)
+        return;
+    const auto samples = m_connection->bus().takeSamples(m_live.poll);
+    ServoEntry* known = entry(m_live.servo);
+    if (known == nullptr || samples.empty())
+        return;
+    const std::uint8_t statusBefore = known->servo.status;
+    const bool silentBefore = known->silent;
+    for (const bus::Sample& sample : samples)
+        take(*known, sample);
+    Q_EMIT tableChanged(known->ref);
+    if (known->servo.status != statusBefore || known->silent != silentBefore)
+        Q_EMIT servoChanged(known->ref);
+    if (known->servo.id != m_live.id) { // it has a new ID now: asked under that one
+        stopPoll();
+        updateLive();
+    }
+}
+
+void Desk::take(ServoEntry& entry, const bus::Sample& sample)
+{
+    const catalog::Profile& profile = *entry.servo.profile;
+    if (sample.id != entry.servo.id)
+        return;
+    entry.silent = !sample.answered;
+    const int end = sample.address + static_cast<int>(sample.data.size());
+    if (sample.answered) {
+        entry.servo.image.store(sample.address, sample.data, sample.at);
+        entry.firstImage.takeMissing(entry.servo.image);
+        entry.lastSeen = sample.at;
+        if (entry.servo.repliesCarryStatus())
+            entry.servo.status = sample.status;
+        else
+            device::takeStatus(entry.servo, sample.address, static_cast<int>(sample.data.size()));
+    }
+    for (const catalog::Register& reg : profile.registers) {
+        const bool asked = m_live.keys.contains(reg.key);
+        const bool read = reg.offset >= sample.address && reg.offset + reg.size <= end;
+        if (sample.answered && read)
+            entry.unreadable.erase(reg.key);
+        else if (!sample.answered && asked)
+            entry.unreadable.insert(reg.key);
+    }
+}
+} // namespace session

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/desk_work.h"
+
+#include <algorithm>
+
+namespace session {
+namespace {
+bool inScope(const jobs::ScanSpec& spec, const std::vector<int>& rates, const device::Servo& servo)
+{
+    const bool language = spec.protocols.empty() ||
+                          std::find(spec.protocols.begin(), spec.protocols.end(), servo.protocol) !=
+                              spec.protocols.end();
+    return language && servo.id >= spec.firstId && servo.id <= spec.lastId &&
+           std::find(rates.begin(), rates.end(), servo.baud) != rates.end();
+}
+
+bool sameServo(const device::Servo& a, const device::Servo& b)
+{
+    return a.protocol == b.protocol && a.id == b.id && a.baud == b.baud;
+}
+
+/// False when something else answers there now than what is in the list.
+bool sameKind(const device::Servo& a, const device::Servo& b)
+{
+    return a.profile && b.profile && a.profile->identity == b.profile->identity;
+}
+} // namespace
+
+void Desk::search(const jobs::ScanSpec& spec)
+{
+    if (m_state != LinkState::Open)
+        return;
+    stopSearch();
+    if (m_search) { // the one before ends first, and this one takes its turn
+        m_nextSearch = spec;
+        return;
+    }
+    m_search = std::make_unique<Search>();
+    m_search->spec = spec;
+    if (m_search->spec.protocols.empty() && m_request.protocol)
+        m_search->spec.protocols = {*m_request.protocol};
+    m_lastSpec = m_search->spec;
+    Q_EMIT searchChanged();
+    goOn();
+}
+
+void Desk::stopSearch()
+{
+    m_nextSearch.reset();
+    if (!m_search)
+        return;
+    m_search->stop.request();
+    if (m_search->started)
+        return;
+    m_search.reset();
+    Q_EMIT searchChanged();
+}
+
+base::Duration Desk::searchEstimate(const jobs::ScanSpec& spec) const
+{
+    if (!m_connection)
+        return {};
+    jobs::ScanSpec asked = spec;
+    if (asked.protocols.empty() && m_request.protocol)
+        asked.protocols = {*m_request.protocol};
+    base::Stop stop;
+    device::Notices notices;
+    return jobs::scanEstimate(m_connection->context(stop, notices), asked);
+}
+
+void Desk::startSearch()
+{
+    if (!m_search || m_search->started || m_state != LinkState::Open || m_running)
+        return;
+    m_search->started = true;
+    updateLive();
+    // Job and search end before they are destroyed: goOn() waits for searchEnded().
+    m_searchThread->start([this, search = m_search.get()] { runSearch(*search); });
+}
+
+/// On the search thread.
+void Desk::runSearch(Search& search)
+{
+    const auto context = m_connection->context(search.stop, search.notices);
+    auto result = jobs::scan(
+        context, search.spec,
+        [this](const jobs::Progress& progress) {
+            m_inbox.post([this, progress] { Q_EMIT searchProgress(progress); });
+        },
+        [this](const jobs::Found& one) { m_inbox.post([this, one] { found(one); }); });
+    m_inbox.post([this, result = std::move(result)] { searchEnded(result); });
+}
+
+void Desk::found(const jobs::Found& one)
+{
+    if (m_connection && one.servo.profile)
+        m_connection->know(one.servo);
+    for (auto& [ref, known] : m_servos) {
+        if (!sameServo(known.servo, one.servo))
+            continue;
+        if (!sameKind(known.servo, one.servo)) {
+            remove(ref);
+            break;
+        }
+        known.twinsSuspected = one.twinsSuspected;
+        known.heardLate = one.heardLate;
+        known.lastSeen = now();
+        known.silent = false;
+        merge(known, one.servo, known.lastSeen);
+        changed(known);
+        return;
+    }
+    ServoEntry added;
+    added.ref = ++m_lastRef;
+    added.servo = one.servo;
+    added.firstImage = one.servo.image;
+    added.twinsSuspected = one.twinsSuspected;
+    added.heardLate = one.heardLate;
+    added.lastSeen = now();
+    insert(std::move(added));
+}
+
+void Desk::insert(ServoEntry added)
+{
+    const ServoRef ref = added.ref;
+    const auto key = [this](ServoRef r) {
+        const device::Servo& servo = m_servos.at(r).servo;
+        return std::tuple(servo.id, servo.protocol, servo.baud, r);
+    };
+    m_servos.emplace(ref, std::move(added));
+    const auto place = std::upper_bound(m_order.begin(), m_order.end(), ref,
+                                        [&](ServoRef a, ServoRef b) { return key(a) < key(b); });
+    m_order.insert(place, ref);
+    Q_EMIT servoAdded(ref);
+}
+
+void Desk::remove(ServoRef ref)
+{
+    m_order.erase(std::remove(m_order.begin(), m_order.end(), ref), m_order.end());
+    const auto gone = [ref](const UndoStep& step) { return step.servo == ref; };
+    m_undo.erase(std::remove_if(m_undo.begin(), m_undo.end(), gone), m_undo.end());
+    m_redo.erase(std::remove_if(m_redo.begin(), m_redo.end(), gone), m_redo.end());
+    m_servos.erase(ref);
+    if (m_live.servo == ref)
+        watchLive(0, {}, {});
+    Q_EMIT servoRemoved(ref);
+    Q_EMIT undoChanged();
+}
+
+void Desk::searchEnded(const base::Result<jobs::ScanReport>& result)
+{
+    const device::Notices notices = m_search->notices;
+    m_search.reset();
+    Event event{.kind = Event::Kind::SearchEnded, .notices = notices};
+    if (result) {
+        m_lastSearch = *result;
+        removeSilent(*result);
+    } else {
+        event.error = result.error();
+    }
+    Q_EMIT searchChanged();
+    tell(event);
+    if (m_nextSearch) {
+        const jobs::ScanSpec next = *m_nextSearch;
+        m_nextSearch.reset();
+        search(next);
+    }
+    if (result && !m_intentsLooked && m_state == LinkState::Open) {
+        m_intentsLooked = true;
+        lookForIntents();
+    }
+    goOn();
+}
+
+/// Those that were asked and did not answer leave the list; one that is being worked on does not.
+void Desk::removeSilent(const jobs::ScanReport& report)
+{
+    if (report.stopped)
+        return;
+    std::vector<ServoRef> silent;
+    for (const auto& [ref, known] : m_servos) {
+        const bool heard =
+            std::any_of(report.found.begin(), report.found.end(),
+                        [&](const jobs::Found& one) { return sameServo(one.servo, known.servo); });
+        if (!heard && !known.writing() && inScope(m_lastSpec, report.rates, known.servo))
+            silent.push_back(ref);
+    }
+    for (const ServoRef ref : silent)
+        remove(ref);
+}
+} // namespace session

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/alarms.h"
+#include "session/desk_work.h"
+#include "session/safety_snapshot.h"
+
+#include <algorithm>
+
+namespace session {
+namespace {
+bool reached(const base::Error& error)
+{
+    return error.code != base::ErrorCode::NoAnswer && error.code != base::ErrorCode::LinkLost;
+}
+} // namespace
+
+bool Desk::busy() const
+{
+    return m_running || !m_queue.empty();
+}
+
+void Desk::stopTask()
+{
+    if (m_running)
+        m_running->stop.request();
+    while (!m_queue.empty()) {
+        const auto work = m_queue.front();
+        m_queue.pop_front();
+        endUnrun(*work, base::ErrorCode::Stopped);
+    }
+    Q_EMIT taskChanged();
+}
+
+void Desk::perform(ServoRef ref, Task task)
+{
+    const auto work = std::make_shared<Work>();
+    work->ref = ref;
+    work->task = std::move(task);
+    enqueue(work);
+}
+
+void Desk::enqueue(std::shared_ptr<Work> work)
+{
+    const bool servoGone = work->ref != 0 && servo(work->ref) == nullptr;
+    if (m_state != LinkState::Open || servoGone) {
+        endUnrun(*work, base::ErrorCode::LinkLost);
+        return;
+    }
+    m_queue.push_back(std::move(work));
+    Q_EMIT taskChanged();
+    goOn();
+}
+
+/// Beside a search only what reads, and only at the rate the search uses.
+bool Desk::mayRun(const Work& work) const
+{
+    if (!m_search)
+        return true;
+    const ServoEntry* known = servo(work.ref);
+    return m_search->started && m_search->oneRate() && work.readOnly && known != nullptr &&
+           (!hasBaud() || known->servo.baud == baud());
+}
+
+void Desk::startNext()
+{
+    if (m_running || m_queue.empty() || m_state != LinkState::Open || !mayRun(*m_queue.front()))
+        return;
+    m_running = m_queue.front();
+    m_queue.pop_front();
+    if (m_running->ref != 0) {
+        const ServoEntry* known = servo(m_running->ref);
+        if (known == nullptr) {
+            const auto orphan = std::exchange(m_running, nullptr);
+            endUnrun(*orphan, base::ErrorCode::LinkLost);
+            startNext();
+            return;
+        }
+        m_running->servo = known->servo;
+        m_running->tableSaved = !known->snapshotPath.isEmpty();
+    }
+    m_running->startedAt = now();
+    updateLive();
+    m_taskThread->start([this, work = m_running] {
+        runWork(*work);
+        m_inbox.post([this, work] { workEnded(work); });
+    });
+    Q_EMIT taskChanged();
+}
+
+/// On the task thread.
+void Desk::runWork(Work& work)
+{
+    device::Context context = m_connection->context(work.stop, work.notices);
+    context.priority = bus::Priority::Interactive;
+    bus::Bus& bus = context.bus;
+    if (work.ref != 0 && bus.hasBaud() && bus.baud() != work.servo.baud) {
+        if (const auto set = bus.setBaud(work.servo.baud); !set) {
+            work.error = set.error();
+            return;
+        }
+    }
+    if (work.task.savesTable && !work.tableSaved) {
+        const auto saved = saveSafetySnapshot(context, work.servo);
+        if (!saved) {
+            work.error = saved.error();
+            return;
+        }
+        work.savedPath = *saved;
+    }
+    TaskContext task{context, work.servo, work.stop, [this](const jobs::Progress& progress) {
+                         m_inbox.post([this, progress] { Q_EMIT taskProgress(progress); });
+                     }};
+    if (const auto done = work.task.work(task); !done)
+        work.error = done.error();
+}
+
+void Desk::workEnded(const std::shared_ptr<Work>& work)
+{
+    m_running.reset();
+    if (ServoEntry* known = entry(work->ref)) {
+        if (!work->error || reached(*work->error)) {
+            known->lastSeen = now();
+            known->silent = false;
+        } else {
+            known->silent = work->error->code == base::ErrorCode::NoAnswer;
+        }
+        if (!work->savedPath.isEmpty()) {
+            known->snapshotPath = work->savedPath;
+            tell({.kind = Event::Kind::TableSaved, .servo = work->ref, .path = work->savedPath});
+        }
+        merge(*known, work->servo, work->startedAt);
+    }
+    if (work->merged)
+        work->merged(*work);
+    if (const ServoEntry* known = servo(work->ref))
+        changed(*known);
+    if (!work->task.quiet) {
+        tell({.kind = Event::Kind::Task,
+              .servo = work->ref,
+              .task = work->task.name,
+              .error = work->error,
+              .notices = work->notices});
+    }
+    if (work->task.done && work->task.guard)
+        work->task.done({work->error, work->notices});
+    Q_EMIT taskChanged();
+    goOn();
+}
+
+/// It never ran: said at once, but not from within the call that asked for it.
+void Desk::endUnrun(Work& work, base::ErrorCode why)
+{
+    work.error = base::Error{why, work.task.name, {}, -1};
+    if (const ServoEntry* known = servo(work.ref))
+        work.error->id = known->servo.id;
+    m_inbox.post([this, merged = work.merged, done = work.task.done, guard = work.task.guard,
+                  error = work.error, ref = work.ref] {
+        Work ended;
+        ended.ref = ref;
+        ended.error = error;
+        if (merged)
+            merged(ended);
+        if (done && guard)
+            done({error, {}});
+    });
+}
+
+void Desk::dropQueue(base::ErrorCode why)
+{
+    std::deque<std::shared_ptr<Work>> dropped;
+    dropped.swap(m_queue);
+    for (const auto& work : dropped)
+        endUnrun(*work, why);
+    Q_EMIT taskChanged();
+}
+
+/// What the job has read, and beside it what live reading has brought since the job began.
+void Desk::merge(ServoEntry& into, const device::Servo& from, base::Duration since)
+{
+    device::Image image = from.image;
+    image.takeNewer(into.servo.image, since);
+    const bool moved = into.servo.id != from.id || into.servo.baud != from.baud;
+    into.servo = from;
+    into.servo.image = std::move(image);
+    into.firstImage.takeMissing(into.servo.image);
+    if (m_connection && moved)
+        m_connection->know(into.servo);
+    if (moved) {
+        const ServoEntry* entered = &into;
+        sortOrder();
+        Q_EMIT servoChanged(entered->ref);
+    }
+}
+
+void Desk::sortOrder()
+{
+    std::stable_sort(m_order.begin(), m_order.end(), [this](ServoRef a, ServoRef b) {
+        return m_servos.at(a).servo.id < m_servos.at(b).servo.id;
+    });
+    Q_EMIT orderChanged();
+}
+
+void Desk::changed(const ServoEntry& entry)
+{
+    Q_EMIT servoChanged(entry.ref);
+    Q_EMIT tableChanged(entry.ref);
+}
+
+void Desk::readTable(ServoRef ref)
+{
+    ServoEntry* known = entry(ref);
+    if (known == nullptr || known->reading)
+        return;
+    known->reading = true;
+    Q_EMIT servoChanged(ref);
+    const auto work = std::make_shared<Work>();
+    work->ref = ref;
+    work->readOnly = true;
+    work->task.name = QStringLiteral("read");
+    work->task.quiet = true;
+    work->task.work = [](TaskContext& task) -> base::Result<void> {
+        // Another servo may have been put in its place: what it says of itself comes first.
+        auto now = device::identify(task.device, task.servo.id, task.servo.protocol);
+        if (!now)
+            return tl::unexpected(now.error());
+        const bool other =
+            !task.servo.profile || !(task.servo.profile->identity == now->profile->identity);
+        if (other)
+            task.servo = std::move(*now);
+        return device::readAll(task.device, task.servo);
+    };
+    work->merged = [this](Work& ended) { tableRead(ended); };
+    enqueue(work);
+}
+
+void Desk::tableRead(const Work& ended)
+{
+    ServoEntry* known = entry(ended.ref);
+    if (known == nullptr)
+        return;
+    known->reading = false;
+    known->readError = ended.error;
+    known->unreadable.clear();
+    if (!ended.error)
+        known->tableRead = true;
+    if (known->servo.profile && ended.error) {
+        for (const catalog::Register& reg : known->servo.profile->registers) {
+            const auto at = known->servo.image.readAt(reg.offset);
+            if (!at || *at < ended.startedAt)
+                known->unreadable.insert(reg.key);
+        }
+    }
+    if (ended.error)
+        tell({.kind = Event::Kind::Failed, .servo = ended.ref, .error = ended.error});
+}
+} // namespace session

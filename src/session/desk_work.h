@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What Desk hands to its job threads. Internal to Desk: made on the main thread, filled on the job
+// thread, looked at again on the main thread when the job has ended.
+#pragma once
+
+#include "session/desk.h"
+
+namespace session {
+struct Desk::Work {
+    ServoRef ref = 0; ///< 0: concerns the whole bus
+    Task task;
+    bool readOnly = false;             ///< may run beside a search at the same rate
+    std::function<void(Work&)> merged; ///< main thread, after the servo has been merged
+
+    device::Servo servo; ///< a copy, made when the work starts
+    bool tableSaved = false;
+    base::Stop stop;
+    base::Duration startedAt{};
+
+    device::Notices notices;
+    QString savedPath; ///< the table was saved there
+    std::optional<base::Error> error;
+};
+
+struct Desk::Search {
+    jobs::ScanSpec spec;
+    bool started = false;
+    base::Stop stop;
+    device::Notices notices;
+
+    /// Other work can go on beside it.
+    bool oneRate() const { return spec.bauds.size() <= 1; }
+};
+} // namespace session

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/change.h"
+#include "session/desk_work.h"
+
+#include <algorithm>
+
+namespace session {
+namespace {
+using device::WriteOutcome;
+
+/// The rate a code of the baud register stands for.
+std::optional<int> rateOf(const catalog::Register& reg, std::int64_t raw)
+{
+    for (const catalog::NamedValue& value : reg.values) {
+        bool number = false;
+        const int rate = value.key.toInt(&number);
+        if (value.value == raw && number)
+            return rate;
+    }
+    return std::nullopt;
+}
+
+void append(std::optional<device::WriteReport>& sum, const device::WriteReport& part)
+{
+    if (!sum) {
+        sum = part;
+        return;
+    }
+    sum->id = part.id;
+    sum->lock = part.lock;
+    for (const device::WriteResult& write : part.writes)
+        sum->writes.push_back(write);
+}
+
+base::Result<device::WriteReport> changeRate(const device::Context& context, device::Servo& servo,
+                                             const device::WriteItem& item)
+{
+    const catalog::Register* reg = servo.profile->find(item.key);
+    const auto rate = rateOf(*reg, item.raw);
+    if (!rate) {
+        return tl::unexpected(base::Error{base::ErrorCode::OutOfRange, QStringLiteral("write"),
+                                          QString::number(item.raw), servo.id, item.key});
+    }
+    return jobs::changeBaud(context, servo, *rate);
+}
+
+/// After ID and rate a servo answers elsewhere, so they come last, and each by its own manoeuvre.
+base::Result<void> writeInOrder(const device::Context& context, device::Servo& servo,
+                                const WriteOrder& order, bool asBefore,
+                                std::optional<device::WriteReport>& report)
+{
+    std::vector<device::WriteItem> plain;
+    std::optional<device::WriteItem> id;
+    std::optional<device::WriteItem> rate;
+    for (const device::WriteItem& item : order.items) {
+        const catalog::Register* reg = servo.profile->find(item.key);
+        const auto role = reg != nullptr ? reg->role : catalog::Role::None;
+        if (role == catalog::Role::Id)
+            id = item;
+        else if (role == catalog::Role::BaudRate)
+            rate = item;
+        else
+            plain.push_back(item);
+    }
+    const auto take = [&](const base::Result<device::WriteReport>& part) -> base::Result<void> {
+        if (!part)
+            return tl::unexpected(part.error());
+        append(report, *part);
+        return {};
+    };
+    device::WriteOptions options;
+    options.temporary = order.temporary;
+    options.dangerous = order.dangerous;
+    options.asBefore = asBefore;
+    base::Result<void> done;
+    if (!plain.empty())
+        done = take(device::write(context, servo, plain, options));
+    if (done && rate)
+        done = take(changeRate(context, servo, *rate));
+    if (done && id)
+        done = take(jobs::changeId(context, servo, static_cast<int>(id->raw)));
+    return done;
+}
+
+/// The word for a register whose write never began.
+WriteOutcome outcomeOf(const base::Error& error)
+{
+    using base::ErrorCode;
+    const bool silent = error.code == ErrorCode::NoAnswer || error.code == ErrorCode::LinkLost ||
+                        error.code == ErrorCode::Garbled;
+    return silent ? WriteOutcome::NoAnswer : WriteOutcome::Refused;
+}
+
+/// Is this intent about that servo, under its present ID or on the way to it? Servos carry no
+/// serial number, so more than kind and ID cannot be told.
+bool concerns(const base::Intent& intent, const base::ServoIdentity& who)
+{
+    if (!intent.servo.sameKind(who))
+        return false;
+    const bool becameThis = intent.kind == base::IntentKind::SetId && !intent.items.empty() &&
+                            intent.items.front().newRaw == who.id;
+    return intent.servo.id == who.id || becameThis;
+}
+
+bool took(const device::WriteResult& result)
+{
+    return result.outcome == WriteOutcome::Kept || result.outcome == WriteOutcome::Temporary;
+}
+} // namespace
+
+void Desk::write(ServoRef ref, const WriteOrder& order)
+{
+    enqueueWrite(ref, order, WriteKind::New);
+}
+
+void Desk::enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind)
+{
+    ServoEntry* known = entry(ref);
+    if (known == nullptr || order.items.empty())
+        return;
+    for (const device::WriteItem& item : order.items) {
+        RowWrite& row = known->writes[item.key];
+        ++row.pending;
+        row.wanted = item.raw;
+    }
+    Q_EMIT tableChanged(ref);
+    const auto report = std::make_shared<std::optional<device::WriteReport>>();
+    const auto work = std::make_shared<Work>();
+    work->ref = ref;
+    work->task.name = QStringLiteral("write");
+    work->task.savesTable = true;
+    work->task.quiet = true;
+    work->task.work = [order, kind, report](TaskContext& task) {
+        return writeInOrder(task.device, task.servo, order, kind != WriteKind::New, *report);
+    };
+    work->merged = [this, order, kind, report](Work& ended) {
+        writeEnded(ended, order, kind, *report);
+    };
+    enqueue(work);
+}
+
+void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind,
+                      const std::optional<device::WriteReport>& report)
+{
+    if (ServoEntry* known = entry(ended.ref)) {
+        for (const device::WriteItem& item : order.items) {
+            RowWrite& row = known->writes[item.key];
+            row.pending = std::max(row.pending - 1, 0);
+            row.at = now();
+            row.outcome.reset();
+            row.error.reset();
+            if (ended.error) {
+                row.outcome = outcomeOf(*ended.error);
+                row.error = ended.error;
+            }
+        }
+        if (report) {
+            for (const device::WriteResult& result : report->writes) {
+                RowWrite& row = known->writes[result.key];
+                row.outcome = result.outcome;
+                row.error = result.error;
+                row.at = now();
+            }
+        }
+        remember(ended.ref, order, kind, report);
+        loadHistory(ended.ref);
+        Q_EMIT tableChanged(ended.ref);
+    }
+    tell({.kind = Event::Kind::Written,
+          .servo = ended.ref,
+          .error = ended.error,
+          .report = report,
+          .notices = ended.notices,
+          .undone = kind != WriteKind::New});
+}
+
+/// What really changed can be taken back; a way back that failed stays where it was.
+void Desk::remember(ServoRef ref, const WriteOrder& order, WriteKind kind,
+                    const std::optional<device::WriteReport>& report)
+{
+    UndoStep step{ref, {}, {}, order.temporary};
+    if (report) {
+        for (const device::WriteResult& result : report->writes) {
+            if (!took(result) || !result.oldRaw || *result.oldRaw == result.newRaw)
+                continue;
+            step.before.push_back({result.key, *result.oldRaw});
+            step.after.push_back({result.key, result.newRaw});
+        }
+    }
+    const bool changedSomething = !step.before.empty();
+    switch (kind) {
+    case WriteKind::New:
+        if (changedSomething) {
+            m_undo.push_back(step);
+            m_redo.clear();
+        }
+        break;
+    case WriteKind::Undo:
+        if (changedSomething) {
+            std::swap(step.before, step.after);
+            m_redo.push_back(step);
+        } else if (m_returning) {
+            m_undo.push_back(*m_returning);
+        }
+        break;
+    case WriteKind::Redo:
+        if (changedSomething)
+            m_undo.push_back(step);
+        else if (m_returning)
+            m_redo.push_back(*m_returning);
+        break;
+    }
+    if (kind != WriteKind::New)
+        m_returning.reset();
+    Q_EMIT undoChanged();
+}
+
+const UndoStep* Desk::nextUndo() const
+{
+    return m_undo.empty() || m_returning ? nullptr : &m_undo.back();
+}
+
+const UndoStep* Desk::nextRedo() const
+{
+    return m_redo.empty() || m_returning ? nullptr : &m_redo.back();
+}
+
+void Desk::undo()
+{
+    if (nextUndo() == nullptr)
+        return;
+    m_returning = m_undo.back();
+    m_undo.pop_back();
+    // Consent was given for the way there, so it holds for the way back.
+    enqueueWrite(m_returning->servo, {m_returning->before, m_returning->temporary, true},
+                 WriteKind::Undo);
+    Q_EMIT undoChanged();
+}
+
+void Desk::redo()
+{
+    if (nextRedo() == nullptr)
+        return;
+    m_returning = m_redo.back();
+    m_redo.pop_back();
+    enqueueWrite(m_returning->servo, {m_returning->after, m_returning->temporary, true},
+                 WriteKind::Redo);
+    Q_EMIT undoChanged();
+}
+
+void Desk::loadHistory(ServoRef ref)
+{
+    const ServoEntry* known = servo(ref);
+    if (known == nullptr || !known->servo.profile)
+        return;
+    const base::ServoIdentity who = known->servo.identity();
+    m_openThread->start([this, ref, who] {
+        auto all = m_session.journal().entries();
+        if (!all)
+            return;
+        std::vector<base::JournalEntry> own;
+        for (base::JournalEntry& one : *all) {
+            if (concerns(one.intent, who))
+                own.push_back(std::move(one));
+        }
+        m_inbox.post([this, ref, own = std::move(own)]() mutable {
+            ServoEntry* entry = this->entry(ref);
+            if (entry == nullptr)
+                return;
+            entry->lockOpenedByUs =
+                std::any_of(own.begin(), own.end(), [](const base::JournalEntry& one) {
+                    return !one.end && one.intent.lockOpened;
+                });
+            entry->history = std::move(own);
+            Q_EMIT servoChanged(ref);
+        });
+    });
+}
+} // namespace session

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/safety_snapshot.h"
+
+#include "jobs/snapshot.h"
+#include "session/paths.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QRegularExpression>
+
+namespace session {
+namespace {
+/// A user's own model may be called anything; a file may not.
+QString fileWord(const QString& name)
+{
+    static const QRegularExpression others(QStringLiteral("[^A-Za-z0-9._-]"));
+    return QString(name).replace(others, QStringLiteral("_"));
+}
+
+QString newFile(const QDir& folder, const device::Servo& servo)
+{
+    const QString stem =
+        QStringLiteral("%1-id%2-%3")
+            .arg(fileWord(servo.profile->modelName))
+            .arg(servo.id)
+            .arg(QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss")));
+    QString name = stem + QStringLiteral(".servo.json");
+    for (int n = 2; folder.exists(name); ++n)
+        name = QStringLiteral("%1-%2.servo.json").arg(stem).arg(n);
+    return folder.filePath(name);
+}
+} // namespace
+
+QString programName()
+{
+    return QStringLiteral("servodesk ") + QCoreApplication::applicationVersion();
+}
+
+base::Result<QString> saveSafetySnapshot(const device::Context& context, device::Servo& servo)
+{
+    const QDir folder(dataFolder() + QStringLiteral("/snapshots"));
+    if (!folder.mkpath(QStringLiteral(".")))
+        return base::fail(base::ErrorCode::FileUnwritable, QStringLiteral("snapshot"),
+                          folder.path());
+    const auto snapshot = jobs::takeSnapshot(context, servo, programName());
+    if (!snapshot)
+        return tl::unexpected(snapshot.error());
+    const QString path = newFile(folder, servo);
+    if (const auto saved = record::saveSnapshot(*snapshot, path); !saved)
+        return tl::unexpected(saved.error());
+    return path;
+}
+} // namespace session

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A servo's table saved without being asked, before something that changes it. The job's thread.
+// Errors of reading and of record::saveSnapshot.
+#pragma once
+
+#include "device/servo.h"
+#include "jobs/job.h"
+
+namespace session {
+/// Name and version as files carry them: "servodesk 0.1.0".
+QString programName();
+
+/// A new file in the data folder; answers its path. Reads the whole table.
+base::Result<QString> saveSafetySnapshot(const device::Context& context, device::Servo& servo);
+} // namespace session
