@@ -45,7 +45,15 @@ struct JournalItem {
     std::int64_t newRaw = 0;
 };
 
-enum class IntentKind { Write, SetId, SetBaud, Mode, Calibrate, Restore };
+enum class IntentKind {
+    Write,
+    SetId,
+    SetBaud,
+    Mode,
+    Calibrate,
+    Restore,
+    Identify, ///< the LED was made to blink: whatever became of it, the old value is wanted
+};
 
 struct Intent {
     QString uuid; ///< set by begin()

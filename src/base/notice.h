@@ -48,6 +48,7 @@ enum class NoticeCode : std::uint8_t {
     DerivedTemperature,   ///< key, a = reading, b = limit: worked out here, not reported
     DerivedVoltage,       ///< key, a = reading, b = the limit it is beyond
     FamiliesMixed,        ///< SCS beside STS or SMS on one line
+    LedNotPutBack,        ///< key: still as it was made to blink; it is in the journal
 };
 
 struct Notice {

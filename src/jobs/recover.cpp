@@ -35,7 +35,8 @@ Todo todo(const base::Intent& intent, const device::Servo& servo, RecoverAction 
             continue;
         // What calibration and restore lead to is not known beforehand: finishing takes what is.
         const std::int64_t finished = newValuesKnown(intent) ? item.newRaw : *present;
-        const std::int64_t wanted = action == RecoverAction::Finish ? finished : item.oldRaw;
+        const bool forward = action == RecoverAction::Finish && intent.kind != IntentKind::Identify;
+        const std::int64_t wanted = forward ? finished : item.oldRaw;
         (present == wanted ? items.reassert : items.write).push_back({item.key, wanted});
     }
     return items;
@@ -205,7 +206,7 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
 } // namespace
 
 base::Result<std::vector<Recovered>> recover(const device::Context& outer, RecoverAction action,
-                                             bool anyPort)
+                                             bool anyPort, const QString& uuid)
 {
     const auto open = outer.journal.open();
     if (!open)
@@ -216,6 +217,8 @@ base::Result<std::vector<Recovered>> recover(const device::Context& outer, Recov
     const int baudBefore = context.bus.baud();
     for (const base::Intent& intent : *open) {
         if (!anyPort && intent.servo.port != context.bus.portName())
+            continue;
+        if (!uuid.isEmpty() && intent.uuid != uuid)
             continue;
         if (context.stop.requested())
             return base::fail(ErrorCode::Stopped, QStringLiteral("recover"));

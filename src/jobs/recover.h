@@ -33,7 +33,7 @@ struct Recovered {
     std::optional<base::Error> error;
 };
 
-/// Concerns intents of this port only (every port if `anyPort`).
+/// Concerns intents of this port only (every port if `anyPort`), or the one of them named `uuid`.
 base::Result<std::vector<Recovered>> recover(const device::Context& context, RecoverAction action,
-                                             bool anyPort = false);
+                                             bool anyPort = false, const QString& uuid = {});
 } // namespace jobs

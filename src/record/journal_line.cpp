@@ -24,6 +24,7 @@ constexpr std::array kindNames{
     KindName{base::IntentKind::Mode, QLatin1String("mode")},
     KindName{base::IntentKind::Calibrate, QLatin1String("calibrate")},
     KindName{base::IntentKind::Restore, QLatin1String("restore")},
+    KindName{base::IntentKind::Identify, QLatin1String("identify")},
 };
 
 QString kindName(base::IntentKind kind)

@@ -109,6 +109,9 @@ constexpr std::array entries{
     Entry{NoticeCode::FamiliesMixed, "families-mixed",
           QT_TRANSLATE_NOOP("text", "SCS servos share this line with STS, SMS or HLS servos; the "
                                     "vendor advises against it.")},
+    Entry{NoticeCode::LedNotPutBack, "led-not-put-back",
+          QT_TRANSLATE_NOOP("text", "The LED setting (%3) could not be put back; it is noted in "
+                                    "the journal. Use recover when the servo answers again.")},
 };
 
 const Entry* entryFor(NoticeCode code)

@@ -45,6 +45,31 @@ constexpr std::array notSupported{
                                            "prevent that."),
                  QT_TRANSLATE_NOOP("text", "Write it to stay, and write the old value back "
                                            "afterwards.")},
+    RefusalWords{"no-led", QT_TRANSLATE_NOOP("text", "it has no LED that can be switched"),
+                 QT_TRANSLATE_NOOP("text", "The map of this family has no register for it."),
+                 QT_TRANSLATE_NOOP("text", "With torque off, turn a shaft by hand and see whose "
+                                           "position changes.")},
+    RefusalWords{"factory-led", QT_TRANSLATE_NOOP("text", "its LED belongs to the factory values"),
+                 QT_TRANSLATE_NOOP("text", "Making it blink would mean unlocking and rewriting "
+                                           "them many times."),
+                 QT_TRANSLATE_NOOP("text", "With torque off, turn a shaft by hand and see whose "
+                                           "position changes.")},
+    RefusalWords{"release-mode",
+                 QT_TRANSLATE_NOOP("text", "in this mode there is no small way back from the "
+                                           "stall"),
+                 QT_TRANSLATE_NOOP("text", "Only the opposite direction releases an overload, and "
+                                           "here the shaft would turn on and on."),
+                 QT_TRANSLATE_NOOP("text", "Take the load off and command the other direction "
+                                           "yourself, or switch its supply off and on.")},
+    RefusalWords{"release-direction",
+                 QT_TRANSLATE_NOOP("text", "nothing tells which way it is stalled"),
+                 QT_TRANSLATE_NOOP("text", "It stands at its goal and drives neither way."),
+                 QT_TRANSLATE_NOOP("text", "Take the load off and give a goal away from the stall "
+                                           "yourself, or switch its supply off and on.")},
+    RefusalWords{"release-limit",
+                 QT_TRANSLATE_NOOP("text", "its angle limits leave no way back from the stall"),
+                 QT_TRANSLATE_NOOP("text", "A goal away from the stall would lie outside them."),
+                 QT_TRANSLATE_NOOP("text", "Widen the limits, or switch its supply off and on.")},
 };
 
 constexpr std::array consent{
@@ -53,6 +78,21 @@ constexpr std::array consent{
                  QT_TRANSLATE_NOOP("text",
                                    "Keep clear of the mechanism, then repeat the write with "
                                    "your explicit consent.")},
+    RefusalWords{"release-moves", QT_TRANSLATE_NOOP("text", "releasing this alarm moves the shaft"),
+                 QT_TRANSLATE_NOOP("text", "An overload is released by a goal away from the "
+                                           "stall, and by nothing else."),
+                 QT_TRANSLATE_NOOP("text", "Keep clear of the mechanism, then ask again with your "
+                                           "explicit consent.")},
+    RefusalWords{"release-energises",
+                 QT_TRANSLATE_NOOP("text", "releasing this alarm switches torque on"),
+                 QT_TRANSLATE_NOOP("text", "An overcurrent is released by a new goal, and by "
+                                           "nothing else."),
+                 QT_TRANSLATE_NOOP("text", "Remove the cause and keep clear of the mechanism, then "
+                                           "ask again with your explicit consent.")},
+    RefusalWords{"alarm-changed",
+                 QT_TRANSLATE_NOOP("text", "the alarm is no longer the one you agreed to clear"),
+                 QT_TRANSLATE_NOOP("text", "The servo's state has changed in between."),
+                 QT_TRANSLATE_NOOP("text", "Look at the alarm again, then decide.")},
 };
 
 template <typename List>

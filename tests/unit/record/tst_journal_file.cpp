@@ -141,7 +141,8 @@ private Q_SLOTS:
         QTest::addColumn<bool>("temporary");
         for (const auto kind :
              {base::IntentKind::Write, base::IntentKind::SetId, base::IntentKind::SetBaud,
-              base::IntentKind::Mode, base::IntentKind::Calibrate, base::IntentKind::Restore}) {
+              base::IntentKind::Mode, base::IntentKind::Calibrate, base::IntentKind::Restore,
+              base::IntentKind::Identify}) {
             QTest::addRow("kind %d kept", int(kind)) << int(kind) << false;
             QTest::addRow("kind %d temporary", int(kind)) << int(kind) << true;
         }
