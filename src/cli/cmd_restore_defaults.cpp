@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/progress.h"
 #include "cli/report_words.h"
+#include "cli/run.h"
 #include "cli/translate.h"
 #include "jobs/change.h"
 #include "session/safety_snapshot.h"
