@@ -6,6 +6,7 @@
 
 #include "catalog/profile.h"
 
+#include <QDate>
 #include <QStringList>
 
 #include <memory>
@@ -35,6 +36,15 @@ struct ModelEntry {
     Text note;
 };
 
+/// A firmware version somebody has seen for a model. Informative: nobody says it is the latest.
+struct KnownFirmware {
+    int major = 0;
+    int minor = 0;
+    QDate date;              ///< when it was made
+    QString source;          ///< where that is known from
+    QString version() const; ///< "3.10"
+};
+
 class Catalog {
 public:
     struct Loaded;
@@ -57,6 +67,10 @@ public:
     /// Profile of a model at a firmware, as the servo would report it.
     ProfilePtr profileFor(const ModelEntry& model, int firmwareMajor, int firmwareMinor) const;
     QStringList mapKeys() const;
+
+    /// A firmware of this model that is newer than what the servo runs and keeps its register map.
+    /// Only for known versions and identities that were really read.
+    std::optional<KnownFirmware> newerFirmware(const Profile& profile) const;
 
     /// The languages that can be met at this rate: Feetech always, then LX and Modbus if servos of
     /// theirs can be set to it or leave the factory with it.

@@ -71,6 +71,17 @@ struct SeriesDef {
     std::vector<Mode> modes;
 };
 
+/// A firmware known for some models, or for whatever speaks a protocol without model numbers.
+struct FirmwareDef {
+    base::Protocol protocol = base::Protocol::Feetech;
+    std::optional<Version> fromModel; ///< both or neither
+    std::optional<Version> toModel;   ///< inclusive
+    base::ByteOrder byteOrder = base::ByteOrder::Little;
+    Version version;
+    QDate date;
+    QString source;
+};
+
 /// A model's name as people type it: neither case, blanks nor '-' matter ("lx16a" is "LX-16A").
 QString foldedModelName(const QString& name);
 
@@ -78,5 +89,6 @@ struct Catalog::Data {
     std::vector<SeriesDef> series;
     std::map<QString, MapDef> maps;
     std::vector<ModelEntry> models;
+    std::vector<FirmwareDef> firmware;
 };
 } // namespace catalog

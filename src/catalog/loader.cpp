@@ -127,9 +127,9 @@ void Loader::eachRow(const QJsonObject& object, const char* name,
 
 void Loader::addContent(const QJsonObject& object)
 {
-    static const QStringList known{QStringLiteral("maps"), QStringLiteral("series"),
-                                   QStringLiteral("models"), QStringLiteral("comment"),
-                                   QStringLiteral("$schema")};
+    static const QStringList known{QStringLiteral("maps"),    QStringLiteral("series"),
+                                   QStringLiteral("models"),  QStringLiteral("firmware"),
+                                   QStringLiteral("comment"), QStringLiteral("$schema")};
     for (const QString& name : object.keys()) {
         if (!known.contains(name))
             warn(name.left(60), QStringLiteral("unknown member"));
@@ -139,6 +139,8 @@ void Loader::addContent(const QJsonObject& object)
             [this](const auto& row, const QString& where) { addSeries(row, where); });
     eachRow(object, "models",
             [this](const auto& row, const QString& where) { addModel(row, where); });
+    eachRow(object, "firmware",
+            [this](const auto& row, const QString& where) { addFirmware(row, where); });
 }
 
 void Loader::addMap(const QJsonValue& value, const QString& where)
@@ -203,6 +205,15 @@ void Loader::addModel(const QJsonValue& value, const QString& where)
         return other.major == model->major && other.minor == model->minor &&
                other.byteOrder == model->byteOrder;
     });
+}
+
+void Loader::addFirmware(const QJsonValue& value, const QString& where)
+{
+    QString problem;
+    auto firmware = readFirmware(value, problem);
+    if (!firmware)
+        return warn(where, problem);
+    m_data.firmware.push_back(std::move(*firmware));
 }
 
 Catalog::Loaded Loader::finish()

@@ -24,6 +24,7 @@ private:
     void addSeries(const QJsonValue& row, const QString& where);
     void takeProtocol(SeriesDef& series) const;
     void addModel(const QJsonValue& row, const QString& where);
+    void addFirmware(const QJsonValue& row, const QString& where);
     void eachRow(const QJsonObject& object, const char* name,
                  const std::function<void(const QJsonValue&, const QString&)>& add);
     void warn(const QString& where, const QString& detail);

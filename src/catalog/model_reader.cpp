@@ -136,4 +136,27 @@ std::optional<ModelEntry> readModel(const QJsonValue& row, QString& problem)
     problem = fields.problem();
     return problem.isEmpty() ? std::optional(model) : std::nullopt;
 }
+
+std::optional<FirmwareDef> readFirmware(const QJsonValue& row, QString& problem)
+{
+    Fields fields(row);
+    FirmwareDef firmware;
+    firmware.protocol = readProtocol(fields);
+    firmware.fromModel = fields.version("from");
+    firmware.toModel = fields.version("to");
+    if (firmware.fromModel.has_value() != firmware.toModel.has_value() ||
+        (firmware.fromModel && *firmware.fromModel > *firmware.toModel))
+        fields.complain(QStringLiteral("\"from\" and \"to\" are not a range of models"));
+    if (firmware.protocol == base::Protocol::Feetech)
+        fields.require("from");
+    firmware.byteOrder = readByteOrder(fields);
+    fields.require("version");
+    firmware.version = fields.version("version").value_or(Version{});
+    firmware.date = QDate::fromString(fields.word("date"), Qt::ISODate);
+    if (!firmware.date.isValid())
+        fields.complain(QStringLiteral("\"date\" is not a date like 2025-03-06"));
+    firmware.source = fields.word("source");
+    problem = fields.problem();
+    return problem.isEmpty() ? std::optional(firmware) : std::nullopt;
+}
 } // namespace catalog

@@ -14,4 +14,6 @@ std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& problem);
 
 /// `line` is not in the row: it follows from the series and is filled in by the loader.
 std::optional<ModelEntry> readModel(const QJsonValue& row, QString& problem);
+
+std::optional<FirmwareDef> readFirmware(const QJsonValue& row, QString& problem);
 } // namespace catalog
