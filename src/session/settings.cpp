@@ -32,6 +32,15 @@ QString defaultPath()
            QStringLiteral("/servodesk.ini");
 }
 
+/// QSettings takes nearly anything for an ini file. Serialised objects are never written here, and
+/// are nothing to be loaded from a file that anybody may have edited.
+bool isIniLine(const QByteArray& line)
+{
+    return line.isEmpty() || line.startsWith(';') || line.startsWith('#') ||
+           (line.startsWith('[') ? line.endsWith(']')
+                                 : line.contains('=') && !line.contains("@Variant("));
+}
+
 /// A file that cannot be opened is left alone: there is nothing in it that could be used or lost.
 bool isBroken(const QString& path)
 {
@@ -41,6 +50,10 @@ bool isBroken(const QString& path)
     const QByteArray content = file.read(largestFile + 1);
     if (content.size() > largestFile || content.contains('\0'))
         return true;
+    for (const QByteArray& line : content.split('\n')) {
+        if (!isIniLine(line.trimmed()))
+            return true;
+    }
     return QSettings(path, QSettings::IniFormat).status() == QSettings::FormatError;
 }
 

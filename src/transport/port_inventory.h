@@ -3,7 +3,7 @@
 // milliseconds: never call it on the main thread of a window.
 #pragma once
 
-#include <QString>
+#include <QStringList>
 
 #include <vector>
 
@@ -15,7 +15,13 @@ struct PortInfo {
     QString serialNumber;
     int vendorId = 0; ///< 0: not a USB adapter or unknown
     int productId = 0;
+    bool operator==(const PortInfo&) const = default;
 };
 
 std::vector<PortInfo> listPorts();
+
+/// USB adapters that are plugged in, but that the braille service (brltty) has taken away from the
+/// system, so that they have no port: "1a86:7523". Known only where the system shows its processes
+/// and USB devices (Linux); `root` is the folder in which proc and sys lie, for tests.
+QStringList takenByBraille(const QString& root = QStringLiteral("/"));
 } // namespace transport
