@@ -1,12 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/program.h"
 
+#include "ui/app/language_switch.h"
+#include "ui/app/main_window.h"
+#include "ui/app/theme.h"
+
 #include <QApplication>
+#include <QIcon>
+#include <QPixmap>
+#include <QTimer>
+
+#include <cstdio>
+
+static void initIcons()
+{
+    Q_INIT_RESOURCE(icons);
+}
 
 namespace ui {
+namespace {
+constexpr int badOptions = 2;
+
+void print(FILE* stream, const QString& text)
+{
+    std::fputs(text.toLocal8Bit().constData(), stream);
+}
+
+void screenshotLater(MainWindow& window, const Options& options)
+{
+    if (options.screenshot.isEmpty())
+        return;
+    QTimer::singleShot(options.afterMs, &window, [&window, file = options.screenshot] {
+        const bool saved = window.grab().save(file, "PNG");
+        if (!saved)
+            print(stderr, QStringLiteral("%1: the screenshot could not be written\n").arg(file));
+        QCoreApplication::exit(saved ? 0 : 1);
+    });
+}
+} // namespace
+
 int runProgram(int argc, char* argv[])
 {
+    QApplication::setApplicationName(QStringLiteral("servodesk"));
+    QApplication::setApplicationVersion(QStringLiteral(SERVODESK_VERSION));
     QApplication app(argc, argv);
-    return 0;
+    initIcons();
+    QIcon::setThemeSearchPaths(QIcon::themeSearchPaths() << QStringLiteral(":/icons"));
+    QIcon::setFallbackThemeName(QStringLiteral("breeze"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/servodesk.svg")));
+
+    LanguageSwitch language;
+    language.apply({});
+    const ParsedOptions parsed = parseOptions(QApplication::arguments());
+    if (!parsed.error.isEmpty()) {
+        print(stderr, QStringLiteral("servodesk: %1\n").arg(parsed.error));
+        return badOptions;
+    }
+    if (!parsed.print.isEmpty()) {
+        print(stdout, parsed.print);
+        return 0;
+    }
+    session::Settings settings;
+    const Options& options = parsed.options;
+    language.apply(options.language.isEmpty() ? settings.language() : options.language);
+    ThemeSwitch theme;
+    theme.apply(options.theme.value_or(settings.theme()));
+    session::Session session;
+    MainWindow window(session, settings, theme, language);
+    window.show();
+    window.start(options);
+    screenshotLater(window, options);
+    return QApplication::exec();
 }
 } // namespace ui

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/event_words.h"
+
+#include "text/error_words.h"
+#include "text/language.h"
+#include "text/notice_words.h"
+#include "text/translate.h"
+
+#include <QDir>
+
+namespace ui {
+namespace {
+using session::Event;
+
+EventWords good(const QString& line)
+{
+    return {line, {}, Tone::Good, QStringLiteral("✓")};
+}
+
+EventWords plain(const QString& line)
+{
+    return {line, {}, Tone::Quiet, QStringLiteral("·")};
+}
+
+EventWords warned(const QString& line)
+{
+    return {line, {}, Tone::Warn, QStringLiteral("!")};
+}
+
+EventWords failed(const base::Error& error)
+{
+    const text::Description words = text::describe(error);
+    EventWords result{words.what, {}, Tone::Bad, QStringLiteral("✗")};
+    if (error.code == base::ErrorCode::Stopped)
+        result = plain(words.what);
+    for (const QString& sentence : {words.cause, words.remedy}) {
+        if (!sentence.isEmpty())
+            result.more << sentence;
+    }
+    return result;
+}
+
+/// "minimum angle limit 0 → 300, kept".
+QString changeWords(const device::WriteResult& write, const session::ServoEntry* servo)
+{
+    const catalog::Register* reg =
+        servo != nullptr && servo->servo.profile ? servo->servo.profile->find(write.key) : nullptr;
+    const QString name = reg != nullptr ? reg->name.in(text::inChinese()) : write.key;
+    const QString old = write.oldRaw ? QString::number(*write.oldRaw) : QStringLiteral("–");
+    return text::translate("EventWords", "%1 %2 → %3, %4")
+        .arg(name, old, QString::number(write.newRaw),
+             text::outcomeWord(device::outcomeName(write.outcome)));
+}
+
+Tone toneOf(device::WriteOutcome outcome)
+{
+    switch (outcome) {
+    case device::WriteOutcome::Kept:
+        return Tone::Good;
+    case device::WriteOutcome::Temporary:
+        return Tone::Warn;
+    default:
+        return Tone::Bad;
+    }
+}
+
+EventWords written(const Event& event, const session::Desk& desk)
+{
+    if (event.error && !event.report)
+        return failed(*event.error);
+    EventWords words = good({});
+    QStringList changes;
+    const session::ServoEntry* servo = desk.servo(event.servo);
+    for (const device::WriteResult& write : event.report->writes) {
+        changes << changeWords(write, servo);
+        const Tone tone = toneOf(write.outcome);
+        if (words.tone != Tone::Bad && tone != Tone::Good)
+            words.tone = tone;
+        if (write.error)
+            words.more += failed(*write.error).more;
+    }
+    words.sign = words.tone == Tone::Good   ? QStringLiteral("✓")
+                 : words.tone == Tone::Warn ? QStringLiteral("!")
+                                            : QStringLiteral("✗");
+    words.line = text::translate("EventWords", "ID %1 · %2")
+                     .arg(event.report->id)
+                     .arg(changes.join(QStringLiteral("; ")));
+    if (event.undone)
+        words.line = text::translate("EventWords", "Taken back: %1").arg(words.line);
+    switch (event.report->lock) {
+    case device::LockState::Closed:
+        words.line += text::translate("EventWords", ", lock closed");
+        break;
+    case device::LockState::Open:
+        words.line += text::translate("EventWords", ", THE LOCK IS OPEN");
+        words.tone = Tone::Bad;
+        break;
+    case device::LockState::Unknown:
+        words.line += text::translate("EventWords", ", lock not proven closed");
+        words.tone = Tone::Bad;
+        break;
+    case device::LockState::None:
+        break;
+    }
+    return words;
+}
+
+EventWords searchEnded(const Event& event, const session::Desk& desk)
+{
+    if (event.error)
+        return failed(*event.error);
+    const auto& report = desk.lastSearch();
+    if (!report)
+        return {};
+    const QString line = text::translate("EventWords", "Search ended after %2 s, servos found: %1")
+                             .arg(report->found.size())
+                             .arg(double(report->elapsed.count()) / 1e6, 0, 'f', 1);
+    return report->found.empty() ? warned(line) : good(line);
+}
+
+EventWords sentence(const Event& event, const session::Desk& desk)
+{
+    switch (event.kind) {
+    case Event::Kind::Connected:
+        return good(text::translate("EventWords", "Connected: %1").arg(event.task));
+    case Event::Kind::Disconnected:
+        return plain(text::translate("EventWords", "Port closed: %1").arg(event.task));
+    case Event::Kind::LinkLost:
+        return failed({base::ErrorCode::LinkLost, QStringLiteral("read"), event.task});
+    case Event::Kind::SearchEnded:
+        return searchEnded(event, desk);
+    case Event::Kind::TableSaved:
+        return plain(
+            text::translate("EventWords", "ID %1 · table saved before the first change: %2")
+                .arg(event.id)
+                .arg(QDir::toNativeSeparators(event.path)));
+    case Event::Kind::Written:
+        return written(event, desk);
+    case Event::Kind::Task:
+        return event.error ? failed(*event.error)
+                           : good(text::translate("EventWords", "ID %1 · %2: done")
+                                      .arg(event.id)
+                                      .arg(taskWord(event.task)));
+    case Event::Kind::Stopped:
+        return warned(
+            text::translate("EventWords", "Stop sent: torque off for everybody on the bus"));
+    case Event::Kind::Failed:
+        return event.error ? failed(*event.error) : EventWords{};
+    }
+    return {};
+}
+} // namespace
+
+QString taskWord(const QString& task)
+{
+    static const std::pair<const char*, const char*> words[] = {
+        {"center", QT_TRANSLATE_NOOP("EventWords", "centre here")},
+        {"reboot", QT_TRANSLATE_NOOP("EventWords", "restart")},
+        {"restore-defaults", QT_TRANSLATE_NOOP("EventWords", "restore defaults")},
+        {"identify", QT_TRANSLATE_NOOP("EventWords", "identify")},
+        {"clear-alarm", QT_TRANSLATE_NOOP("EventWords", "clear alarm")},
+        {"close-lock", QT_TRANSLATE_NOOP("EventWords", "close the EPROM lock")},
+        {"recover", QT_TRANSLATE_NOOP("EventWords", "interrupted writes")},
+        {"read", QT_TRANSLATE_NOOP("EventWords", "read the table")},
+        {"write", QT_TRANSLATE_NOOP("EventWords", "write")},
+    };
+    for (const auto& [name, word] : words) {
+        if (task == QLatin1String(name))
+            return text::translate("EventWords", word);
+    }
+    return task;
+}
+
+EventWords describe(const Event& event, const session::Desk& desk)
+{
+    EventWords words = sentence(event, desk);
+    for (const base::Notice& notice : event.notices) {
+        const QString about =
+            notice.id >= 0 ? text::translate("EventWords", "ID %1: ").arg(notice.id) : QString();
+        words.more << about + text::describe(notice);
+    }
+    return words;
+}
+} // namespace ui

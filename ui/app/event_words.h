@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happened, in a technician's words, for the message line and the log: one sentence, what lies
+// behind it, and how serious it is. In the language of the installed translator. Pure; main thread.
+#pragma once
+
+#include "session/desk.h"
+#include "ui/app/theme.h"
+
+#include <QStringList>
+
+namespace ui {
+struct EventWords {
+    QString line;     ///< one sentence; empty: nothing worth a line
+    QStringList more; ///< cause, remedy, notices: one sentence each
+    Tone tone = Tone::Quiet;
+    QString sign; ///< stands beside the colour: "✓", "!", "✗", "·"
+};
+EventWords describe(const session::Event& event, const session::Desk& desk);
+
+/// "set ID" for "set-id": the technical names of tasks and operations.
+QString taskWord(const QString& task);
+} // namespace ui

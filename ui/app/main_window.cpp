@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/main_window.h"
+
+#include "ui/app/language_switch.h"
+#include "ui/app/menus.h"
+#include "ui/app/message_line.h"
+#include "ui/app/message_log.h"
+#include "ui/app/stop_key.h"
+#include "ui/app/theme.h"
+#include "ui/dialogs/about.h"
+#include "ui/dialogs/servo_tasks.h"
+#include "ui/dialogs/shortcut_list.h"
+#include "ui/pages/memory_page.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/connect_bar.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <QToolButton>
+
+namespace ui {
+MainWindow::MainWindow(session::Session& session, session::Settings& settings, ThemeSwitch& theme,
+                       LanguageSwitch& language, QWidget* parent)
+    : QMainWindow(parent)
+    , m_settings(settings)
+    , m_theme(theme)
+    , m_language(language)
+    , m_desk(session)
+    , m_commands(m_desk, m_selection)
+{
+    build();
+    connectCommands();
+    connectDesk();
+    connectSwitches();
+    new ServoTasks(m_desk, m_commands, m_selection, this);
+    restoreGeometry(m_settings.windowGeometry());
+    restoreState(m_settings.windowState());
+    retranslate();
+    showCentre();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::start(const Options& options)
+{
+    m_wantedId = options.select;
+    m_selectFirst = !options.screenshot.isEmpty() && !options.select;
+    if (options.page == QLatin1String("memory"))
+        m_pages->setCurrentWidget(m_memory);
+    if (options.port) {
+        m_connectBar->setRequest(*options.port);
+        m_desk.connectTo(*options.port);
+    }
+}
+
+void MainWindow::connectCommands()
+{
+    const auto on = [this](Command command, auto slot) {
+        connect(m_commands.action(command), &QAction::triggered, this, slot);
+    };
+    on(Command::Disconnect, [this] { m_desk.disconnectFrom(); });
+    on(Command::PowerCycle, [this] {
+        m_desk.powerCycle();
+        m_desk.readTable(m_selection.current());
+    });
+    on(Command::StopSearch, [this] { m_desk.stopSearch(); });
+    on(Command::StopTask, [this] { m_desk.stopTask(); });
+    on(Command::ReadTable, [this] { m_desk.readTable(m_selection.current()); });
+    on(Command::Undo, [this] { m_desk.undo(); });
+    on(Command::Redo, [this] { m_desk.redo(); });
+    on(Command::TorqueOffAll, [this] { m_desk.emergencyStop(); });
+    on(Command::ThemeSystem, [this] { m_theme.apply(session::Theme::System); });
+    on(Command::ThemeLight, [this] { m_theme.apply(session::Theme::Light); });
+    on(Command::ThemeDark, [this] { m_theme.apply(session::Theme::Dark); });
+    on(Command::English, [this] { m_language.apply(QStringLiteral("en")); });
+    on(Command::Chinese, [this] { m_language.apply(QStringLiteral("zh_CN")); });
+    on(Command::MessageLog, [this](bool shown) { m_logDock->setVisible(shown); });
+    on(Command::Shortcuts, [this] { (new ShortcutList(m_commands, this))->open(); });
+    on(Command::About, [this] { (new About(this))->open(); });
+    on(Command::Quit, [this] { close(); });
+    connect(m_logDock, &QDockWidget::visibilityChanged, this,
+            [this] { m_commands.action(Command::MessageLog)->setChecked(!m_logDock->isHidden()); });
+    connect(m_stop, &QPushButton::clicked, this, [this] { m_desk.emergencyStop(); });
+    auto* stopKey = new StopKey(this);
+    connect(stopKey, &StopKey::pressed, this, [this] { m_desk.emergencyStop(); });
+}
+
+void MainWindow::connectDesk()
+{
+    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
+        m_message->show(event);
+        m_log->add(event);
+    });
+    connect(&m_desk, &session::Desk::linkChanged, this, &MainWindow::linkChanged);
+    connect(&m_desk, &session::Desk::servoAdded, this, &MainWindow::selectWanted);
+    connect(&m_desk, &session::Desk::servoAdded, this, [this] { showCentre(); });
+    connect(&m_desk, &session::Desk::searchChanged, this, [this] {
+        if (!m_desk.searching())
+            searchEnded();
+    });
+    connect(&m_desk, &session::Desk::servoRemoved, this, [this](session::ServoRef ref) {
+        if (m_selection.current() == ref)
+            m_selection.select(0);
+    });
+    connect(&m_desk, &session::Desk::servosCleared, this, [this] { m_selection.select(0); });
+    connect(&m_desk, &session::Desk::closed, this, &QWidget::close);
+}
+
+void MainWindow::connectSwitches()
+{
+    connect(m_languageButton, &QToolButton::clicked, this, [this] {
+        m_language.apply(m_language.chinese() ? QStringLiteral("en") : QStringLiteral("zh_CN"));
+    });
+    connect(m_themeButton, &QToolButton::clicked, this, [this] {
+        m_theme.apply(isDark(palette()) ? session::Theme::Light : session::Theme::Dark);
+    });
+    const auto languageChanged = [this] {
+        m_settings.setLanguage(m_language.chinese() ? QStringLiteral("zh_CN")
+                                                    : QStringLiteral("en"));
+    };
+    connect(&m_language, &LanguageSwitch::changed, this, languageChanged);
+    const auto showSwitches = [this] {
+        m_commands.action(Command::Chinese)->setChecked(m_language.chinese());
+        m_commands.action(Command::English)->setChecked(!m_language.chinese());
+        const session::Theme theme = m_theme.theme();
+        m_commands.action(Command::ThemeSystem)->setChecked(theme == session::Theme::System);
+        m_commands.action(Command::ThemeLight)->setChecked(theme == session::Theme::Light);
+        m_commands.action(Command::ThemeDark)->setChecked(theme == session::Theme::Dark);
+        m_themeButton->setIcon(QIcon::fromTheme(isDark(palette())
+                                                    ? QStringLiteral("weather-clear")
+                                                    : QStringLiteral("weather-clear-night")));
+    };
+    connect(&m_language, &LanguageSwitch::changed, this, showSwitches);
+    connect(&m_theme, &ThemeSwitch::changed, this, [this, showSwitches] {
+        m_settings.setTheme(m_theme.theme());
+        m_commands.updateIcons();
+        showSwitches();
+    });
+    showSwitches();
+}
+
+/// Pages stay as long as there is a servo to show, also after the port was closed.
+void MainWindow::showCentre()
+{
+    const bool something = m_desk.state() == session::LinkState::Open || !m_desk.servos().empty();
+    m_centre->setCurrentIndex(something ? 1 : 0);
+}
+
+void MainWindow::linkChanged()
+{
+    const bool open = m_desk.state() == session::LinkState::Open;
+    if (open && !m_wasOpen)
+        m_commands.action(Command::Search)->trigger();
+    m_wasOpen = open;
+    showCentre();
+}
+
+void MainWindow::selectWanted(session::ServoRef added)
+{
+    const session::ServoEntry* servo = m_desk.servo(added);
+    if (servo == nullptr || m_selection.current() != 0)
+        return;
+    if (m_wantedId ? servo->servo.id == *m_wantedId : m_selectFirst) {
+        m_wantedId.reset();
+        m_selectFirst = false;
+        m_selection.select(added);
+    }
+}
+
+/// A servo that is alone is the one that is meant.
+void MainWindow::searchEnded()
+{
+    if (m_selection.current() == 0 && m_desk.servos().size() == 1)
+        m_selection.select(m_desk.servos().front());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    m_settings.setWindow(saveGeometry(), saveState());
+    if (m_desk.state() == session::LinkState::Off) {
+        event->accept();
+        return;
+    }
+    event->ignore(); // closed() follows when the running write has ended and the lock is closed
+    m_desk.close();
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange || m_menus == nullptr)
+        return;
+    m_commands.retranslate();
+    m_menus->retranslate();
+    retranslate();
+}
+} // namespace ui

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window as a shell: connect bar on top, search at the left, the pages in the middle, message
+// line and stop button below. Knows which page stands where and nothing of what they do. Owns desk,
+// commands and pages; the session must outlive it. Main thread.
+#pragma once
+
+#include "session/desk.h"
+#include "session/port_watch.h"
+#include "session/settings.h"
+#include "ui/app/commands.h"
+#include "ui/app/options.h"
+#include "ui/app/selection.h"
+
+#include <QMainWindow>
+
+class QDockWidget;
+class QPushButton;
+class QStackedWidget;
+class QTabWidget;
+class QToolButton;
+
+namespace ui {
+class Banner;
+class ConnectBar;
+class LanguageSwitch;
+class MemoryPage;
+class Menus;
+class MessageLine;
+class MessageLog;
+class ThemeSwitch;
+
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow(session::Session& session, session::Settings& settings, ThemeSwitch& theme,
+               LanguageSwitch& language, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// Page, port and selection as the command line wants them.
+    void start(const Options& options);
+
+    session::Desk& desk() { return m_desk; }
+    Commands& commands() { return m_commands; }
+    Selection& selection() { return m_selection; }
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    QWidget* buildTopBar();
+    QWidget* buildCentre();
+    void buildDocks();
+    void buildStatusBar();
+    void connectCommands();
+    void connectDesk();
+    void connectSwitches();
+    void retranslate();
+    void showCentre();
+    void linkChanged();
+    void selectWanted(session::ServoRef added);
+    void searchEnded();
+
+    session::Settings& m_settings;
+    ThemeSwitch& m_theme;
+    LanguageSwitch& m_language;
+    session::Desk m_desk;
+    session::PortWatch m_ports;
+    Selection m_selection;
+    Commands m_commands;
+
+    ConnectBar* m_connectBar = nullptr;
+    Banner* m_banner = nullptr;
+    QStackedWidget* m_centre = nullptr;
+    QTabWidget* m_pages = nullptr;
+    MemoryPage* m_memory = nullptr;
+    QDockWidget* m_searchDock = nullptr;
+    QDockWidget* m_logDock = nullptr;
+    MessageLine* m_message = nullptr;
+    MessageLog* m_log = nullptr;
+    QPushButton* m_stop = nullptr;
+    QToolButton* m_languageButton = nullptr;
+    QToolButton* m_themeButton = nullptr;
+    Menus* m_menus = nullptr;
+
+    std::optional<int> m_wantedId; ///< of the command line; selected when it is found
+    bool m_selectFirst = false;    ///< a screenshot without a wish selects the first servo found
+    bool m_wasOpen = false;
+};
+} // namespace ui

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window is made of, and where it stands.
+#include "ui/app/language_switch.h"
+#include "ui/app/main_window.h"
+#include "ui/app/menus.h"
+#include "ui/app/message_line.h"
+#include "ui/app/message_log.h"
+#include "ui/app/theme.h"
+#include "ui/pages/memory_page.h"
+#include "ui/pages/search_panel.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/connect_bar.h"
+#include "ui/widgets/welcome.h"
+
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace ui {
+void MainWindow::build()
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setMinimumSize(1024, 700);
+    resize(1280, 800);
+    auto* top = new QToolBar(this);
+    top->setObjectName(QStringLiteral("topBar"));
+    top->setMovable(false);
+    top->toggleViewAction()->setVisible(false);
+    top->addWidget(buildTopBar());
+    addToolBar(top);
+    setContextMenuPolicy(Qt::NoContextMenu); // its only entry would hide the bar
+    setCentralWidget(buildCentre());
+    buildDocks();
+    buildStatusBar();
+    m_menus = new Menus(*menuBar(), m_commands,
+                        {m_searchDock->toggleViewAction(), m_logDock->toggleViewAction()});
+    // Actions in no menu that is open still answer to their keys.
+    for (int i = 0; i < static_cast<int>(Command::Count); ++i)
+        addAction(m_commands.action(static_cast<Command>(i)));
+}
+
+QWidget* MainWindow::buildTopBar()
+{
+    auto* bar = new QWidget(this);
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(4, 4, 4, 4);
+    m_connectBar = new ConnectBar(m_desk, m_commands, m_settings, m_ports, bar);
+    m_languageButton = new QToolButton(bar);
+    m_languageButton->setObjectName(QStringLiteral("languageButton"));
+    m_themeButton = new QToolButton(bar);
+    m_themeButton->setObjectName(QStringLiteral("themeButton"));
+    row->addWidget(m_connectBar, 1);
+    row->addWidget(m_languageButton);
+    row->addWidget(m_themeButton);
+    return bar;
+}
+
+QWidget* MainWindow::buildCentre()
+{
+    auto* centre = new QWidget(this);
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(6, 6, 6, 6);
+    m_banner = new Banner(centre);
+    m_pages = new QTabWidget(centre);
+    m_pages->setObjectName(QStringLiteral("pages"));
+    m_pages->setDocumentMode(true);
+    m_memory = new MemoryPage(m_desk, m_commands, m_selection, m_settings, m_pages);
+    m_pages->addTab(m_memory, QString());
+    m_centre = new QStackedWidget(centre);
+    m_centre->addWidget(new Welcome(m_commands, m_centre));
+    m_centre->addWidget(m_pages);
+    column->addWidget(m_banner);
+    column->addWidget(m_centre, 1);
+    return centre;
+}
+
+void MainWindow::buildDocks()
+{
+    m_searchDock = new QDockWidget(this);
+    m_searchDock->setObjectName(QStringLiteral("searchDock"));
+    m_searchDock->setWidget(
+        new SearchPanel(m_desk, m_commands, m_selection, m_settings, m_searchDock));
+    addDockWidget(Qt::LeftDockWidgetArea, m_searchDock);
+    m_logDock = new QDockWidget(this);
+    m_logDock->setObjectName(QStringLiteral("logDock"));
+    m_log = new MessageLog(m_desk, m_logDock);
+    m_logDock->setWidget(m_log);
+    addDockWidget(Qt::BottomDockWidgetArea, m_logDock);
+    m_logDock->hide();
+}
+
+void MainWindow::buildStatusBar()
+{
+    m_message = new MessageLine(m_desk, m_commands, this);
+    m_stop = new QPushButton(this);
+    m_stop->setObjectName(QStringLiteral("stopButton"));
+    m_stop->setProperty("stopAction", true);
+    m_stop->setFocusPolicy(Qt::NoFocus); // pressing it must not close an editor first
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addWidget(m_message, 1);
+    statusBar()->addPermanentWidget(m_stop);
+}
+
+void MainWindow::retranslate()
+{
+    setWindowTitle(tr("ServoDesk"));
+    m_searchDock->setWindowTitle(tr("Search"));
+    m_logDock->setWindowTitle(tr("Messages"));
+    m_pages->setTabText(m_pages->indexOf(m_memory), tr("Memory"));
+    m_pages->setTabToolTip(m_pages->indexOf(m_memory),
+                           tr("The servo's memory table: every setting, read and written safely"));
+    m_pages->setAccessibleName(tr("Pages"));
+    m_stop->setText(tr("Esc   Torque off — all"));
+    m_stop->setToolTip(m_commands.action(Command::TorqueOffAll)->toolTip());
+    m_stop->setAccessibleName(tr("Torque off for all servos"));
+    const bool chinese = m_language.chinese();
+    m_languageButton->setText(chinese ? QStringLiteral("中 / EN") : QStringLiteral("EN / 中"));
+    m_languageButton->setToolTip(tr("Switch between English and Chinese"));
+    m_languageButton->setAccessibleName(tr("Language"));
+    m_themeButton->setToolTip(tr("Switch between light and dark"));
+    m_themeButton->setAccessibleName(tr("Theme"));
+}
+} // namespace ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/message_log.h"
+
+#include "ui/app/event_words.h"
+
+#include <QEvent>
+
+namespace ui {
+namespace {
+constexpr std::size_t keptEvents = 1000;
+} // namespace
+
+MessageLog::MessageLog(const session::Desk& desk, QWidget* parent)
+    : QPlainTextEdit(parent)
+    , m_desk(desk)
+{
+    setObjectName(QStringLiteral("messageLog"));
+    setReadOnly(true);
+    setMaximumBlockCount(static_cast<int>(keptEvents) * 4);
+    retranslate();
+}
+
+void MessageLog::add(const session::Event& event)
+{
+    m_events.push_back(event);
+    if (m_events.size() > keptEvents)
+        m_events.pop_front();
+    write(event);
+}
+
+void MessageLog::write(const session::Event& event)
+{
+    const EventWords words = describe(event, m_desk);
+    if (words.line.isEmpty())
+        return;
+    QString text = QStringLiteral("%1  %2  %3")
+                       .arg(event.at.toString(QStringLiteral("HH:mm:ss")), words.sign, words.line);
+    for (const QString& more : words.more)
+        text += QStringLiteral("\n             ") + more;
+    appendPlainText(text);
+}
+
+void MessageLog::retranslate()
+{
+    setAccessibleName(tr("Messages"));
+    setToolTip(tr("Everything that was reported since the start"));
+    setPlaceholderText(tr("Nothing has happened yet."));
+    clear();
+    for (const session::Event& event : m_events)
+        write(event);
+}
+
+void MessageLog::changeEvent(QEvent* event)
+{
+    QPlainTextEdit::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui

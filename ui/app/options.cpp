@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/options.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+
+namespace ui {
+namespace {
+QString words(const char* text)
+{
+    return QCoreApplication::translate("Options", text);
+}
+
+// clang-format off
+struct OptionRow {
+    const char* name;
+    const char* help;
+    const char* value;
+};
+constexpr OptionRow rows[] = {
+    {"port", QT_TRANSLATE_NOOP("Options", "port to open and search: a device, tcp://host:port, sim:demo"), "PORT"},
+    {"baud", QT_TRANSLATE_NOOP("Options", "baud rate of the port, or auto"), "RATE"},
+    {"protocol", QT_TRANSLATE_NOOP("Options", "auto, feetech, modbus or lx"), "NAME"},
+    {"lang", QT_TRANSLATE_NOOP("Options", "language of the interface: en or zh_CN"), "LANGUAGE"},
+    {"theme", QT_TRANSLATE_NOOP("Options", "system, light or dark"), "THEME"},
+    {"page", QT_TRANSLATE_NOOP("Options", "page to show: memory"), "PAGE"},
+    {"select", QT_TRANSLATE_NOOP("Options", "ID of the servo to select"), "ID"},
+    {"screenshot", QT_TRANSLATE_NOOP("Options", "write the window to this PNG file and end"), "FILE"},
+    {"after", QT_TRANSLATE_NOOP("Options", "milliseconds until the screenshot"), "MS"},
+};
+// clang-format on
+
+/// A whole number from `min` on; complains otherwise.
+std::optional<int> number(const QCommandLineParser& parser, const char* option, int min,
+                          QString& error)
+{
+    const QString given = parser.value(QString::fromLatin1(option));
+    if (given.isEmpty())
+        return std::nullopt;
+    bool sound = false;
+    const int value = given.toInt(&sound);
+    if (sound && value >= min)
+        return value;
+    error = words("--%1: \"%2\" is no number that fits").arg(QLatin1String(option), given);
+    return std::nullopt;
+}
+
+void takePort(const QCommandLineParser& parser, ParsedOptions& parsed)
+{
+    session::PortRequest request;
+    request.name = parser.value(QStringLiteral("port"));
+    if (parser.value(QStringLiteral("baud")) != QLatin1String("auto"))
+        request.baud = number(parser, "baud", 1, parsed.error);
+    const QString protocol = parser.value(QStringLiteral("protocol"));
+    if (!protocol.isEmpty() && protocol != QLatin1String("auto")) {
+        request.protocol = base::protocolFromName(protocol);
+        if (!request.protocol)
+            parsed.error = words("--protocol: there is no \"%1\"").arg(protocol);
+    }
+    if (!request.name.isEmpty())
+        parsed.options.port = request;
+}
+
+void takeTheme(const QString& theme, ParsedOptions& parsed)
+{
+    if (theme == QLatin1String("system"))
+        parsed.options.theme = session::Theme::System;
+    else if (theme == QLatin1String("light"))
+        parsed.options.theme = session::Theme::Light;
+    else if (theme == QLatin1String("dark"))
+        parsed.options.theme = session::Theme::Dark;
+    else if (!theme.isEmpty())
+        parsed.error = words("--theme: there is no \"%1\"").arg(theme);
+}
+} // namespace
+
+ParsedOptions parseOptions(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(words("Bench program for serial bus servos"));
+    for (const OptionRow& row : rows)
+        parser.addOption(
+            {QString::fromLatin1(row.name), words(row.help), QString::fromLatin1(row.value)});
+    const QCommandLineOption help = parser.addHelpOption();
+    const QCommandLineOption version = parser.addVersionOption();
+    ParsedOptions parsed;
+    if (!parser.parse(arguments)) {
+        parsed.error = parser.errorText();
+        return parsed;
+    }
+    if (parser.isSet(help))
+        parsed.print = parser.helpText();
+    else if (parser.isSet(version))
+        parsed.print = QStringLiteral("servodesk %1\n").arg(QCoreApplication::applicationVersion());
+    if (!parser.positionalArguments().isEmpty())
+        parsed.error = words("\"%1\" is not understood").arg(parser.positionalArguments().front());
+    Options& options = parsed.options;
+    takePort(parser, parsed);
+    takeTheme(parser.value(QStringLiteral("theme")), parsed);
+    options.language = parser.value(QStringLiteral("lang"));
+    options.page = parser.value(QStringLiteral("page"));
+    options.select = number(parser, "select", 0, parsed.error);
+    options.screenshot = parser.value(QStringLiteral("screenshot"));
+    options.afterMs = number(parser, "after", 0, parsed.error).value_or(options.afterMs);
+    return parsed;
+}
+} // namespace ui

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/stop_key.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QWidget>
+
+namespace ui {
+namespace {
+/// An editor inside a table: somewhere between it and its window is the viewport of a view.
+bool inCellEditor(const QWidget* focus)
+{
+    for (const QWidget* widget = focus; widget != nullptr && !widget->isWindow();
+         widget = widget->parentWidget()) {
+        const auto* view = qobject_cast<const QAbstractItemView*>(
+            widget->parentWidget() != nullptr ? widget->parentWidget()->parentWidget() : nullptr);
+        if (view != nullptr && widget->parentWidget() == view->viewport())
+            return true;
+    }
+    return false;
+}
+
+bool somethingToCancel()
+{
+    return QApplication::activePopupWidget() != nullptr ||
+           QApplication::activeModalWidget() != nullptr ||
+           inCellEditor(QApplication::focusWidget());
+}
+} // namespace
+
+StopKey::StopKey(QObject* parent)
+    : QObject(parent)
+{
+    qApp->installEventFilter(this);
+}
+
+bool StopKey::eventFilter(QObject* watched, QEvent* event)
+{
+    // Windows see each event first and pass it on; only what reaches a widget counts.
+    if (!watched->isWidgetType())
+        return false;
+    switch (event->type()) {
+    case QEvent::KeyPress:
+        return filterKey(*static_cast<QKeyEvent*>(event));
+    case QEvent::KeyRelease:
+        m_passing = nullptr; // the next press may have this one's address
+        return false;
+    case QEvent::MouseButtonPress:
+        m_cancelled = false;
+        return false;
+    default:
+        return false;
+    }
+}
+
+bool StopKey::filterKey(const QKeyEvent& event)
+{
+    if (event.key() != Qt::Key_Escape) {
+        if (event.key() != Qt::Key_Shift)
+            m_cancelled = false;
+        return false;
+    }
+    if (&event == m_passing) // the same press, at the next parent
+        return false;
+    if (event.isAutoRepeat())
+        return true;
+    const bool always = event.modifiers().testFlag(Qt::ShiftModifier);
+    if (!always && !m_cancelled && somethingToCancel()) {
+        m_cancelled = true;
+        m_passing = &event;
+        // The address may be another event's once this one has been dealt with.
+        QMetaObject::invokeMethod(
+            this, [this] { m_passing = nullptr; }, Qt::QueuedConnection);
+        return false;
+    }
+    m_cancelled = false;
+    Q_EMIT pressed();
+    return true;
+}
+} // namespace ui

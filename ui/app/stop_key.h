@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Esc takes torque off from anywhere in the program, as one application event filter, because a
+// shortcut does not fire while a cell editor, menu or dialog is open. The first Esc in an editor,
+// menu or dialog cancels that; the next one always stops, and Shift+Esc always does. Main thread.
+#pragma once
+
+#include <QObject>
+
+class QKeyEvent;
+
+namespace ui {
+class StopKey final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Listens to the whole application as long as it lives.
+    explicit StopKey(QObject* parent = nullptr);
+
+Q_SIGNALS:
+    void pressed();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    bool filterKey(const QKeyEvent& event);
+
+    bool m_cancelled = false;        ///< the latest Esc was left to an editor, menu or dialog
+    const void* m_passing = nullptr; ///< an event on its way up through parents
+};
+} // namespace ui

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Version, licence, and where the program keeps its files. Open it with open(); it deletes itself.
+#pragma once
+
+#include <QDialog>
+
+namespace ui {
+class About final : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit About(QWidget* parent);
+};
+} // namespace ui

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/shortcut_list.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+void addRow(QTreeWidget& list, const QString& keys, const QString& name, const QString& what)
+{
+    auto* row = new QTreeWidgetItem(&list, {keys, name, what});
+    for (int column = 0; column < 3; ++column)
+        row->setToolTip(column, what);
+}
+} // namespace
+
+ShortcutList::ShortcutList(const Commands& commands, QWidget* parent)
+    : QDialog(parent)
+{
+    setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName(QStringLiteral("shortcutList"));
+    setWindowTitle(tr("Keyboard shortcuts"));
+    auto* list = new QTreeWidget(this);
+    list->setObjectName(QStringLiteral("shortcuts"));
+    list->setAccessibleName(tr("Keyboard shortcuts"));
+    list->setToolTip(tr("The list of all shortcuts"));
+    list->setRootIsDecorated(false);
+    list->setHeaderLabels({tr("Keys"), tr("Command"), tr("What it does")});
+    addRow(*list, QStringLiteral("Esc"), tr("Torque off — all"),
+           tr("Takes torque off the whole bus at once; the first Esc in an editor, menu or dialog "
+              "only cancels that"));
+    addRow(*list, QStringLiteral("Shift+Esc"), tr("Torque off — all"),
+           tr("Takes torque off the whole bus at once, whatever is open"));
+    for (int i = 0; i < static_cast<int>(Command::Count); ++i) {
+        const QAction* action = commands.action(static_cast<Command>(i));
+        if (action->shortcut().isEmpty())
+            continue;
+        addRow(*list, action->shortcut().toString(QKeySequence::NativeText),
+               action->text().remove(QLatin1Char('&')), action->statusTip());
+    }
+    list->header()->setStretchLastSection(true);
+    for (int column = 0; column < 2; ++column)
+        list->resizeColumnToContents(column);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(list, 1);
+    column->addWidget(buttons);
+    resize(720, 520);
+}
+} // namespace ui
