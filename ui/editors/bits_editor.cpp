@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editors/bits_editor.h"
+
+#include "text/language.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QStyleOptionFrame>
+#include <QStylePainter>
+
+#include <algorithm>
+
+namespace ui {
+BitsEditor::BitsEditor(const EditContext& context, QWidget* parent)
+    : RegisterEditor(context, parent)
+    , m_grid(new QGridLayout)
+    , m_label(new QLabel(this))
+    , m_sum(new QLineEdit(this))
+    , m_hex(new QLabel(this))
+{
+    build();
+    connect(m_sum, &QLineEdit::textEdited, this, &BitsEditor::sumTyped);
+    setFocusProxy(m_sum);
+    setAutoFillBackground(context.inCell);
+    setBackgroundRole(QPalette::Base);
+    retranslate();
+    showBits(0, true);
+}
+
+void BitsEditor::build()
+{
+    const bool inCell = context().inCell;
+    for (int bit = 0; bit < context().reg->size * 8; ++bit)
+        m_boxes.push_back({bit, makeBox(bit)});
+    m_sum->setObjectName(QStringLiteral("bitsSum"));
+    m_sum->setAlignment(Qt::AlignRight);
+    m_sum->setFixedWidth(m_sum->fontMetrics().horizontalAdvance(QStringLiteral("0000000")) + 16);
+    m_label->setBuddy(m_sum);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_label);
+    row->addWidget(m_sum);
+    row->addWidget(m_hex);
+    row->addStretch();
+    auto* layout = new QVBoxLayout(this);
+    const int margin = inCell ? 8 : 0;
+    layout->setContentsMargins(margin, margin, margin, margin);
+    m_grid->setHorizontalSpacing(16);
+    m_grid->setVerticalSpacing(inCell ? 2 : 4);
+    layout->addLayout(m_grid);
+    layout->addLayout(row);
+}
+
+QCheckBox* BitsEditor::makeBox(int bit)
+{
+    auto* box = new QCheckBox(this);
+    box->setObjectName(QStringLiteral("bit%1").arg(bit));
+    connect(box, &QCheckBox::clicked, this, &BitsEditor::ticked);
+    return box;
+}
+
+bool BitsEditor::isNamed(int bit) const
+{
+    const auto& values = context().reg->values;
+    return std::any_of(values.begin(), values.end(),
+                       [bit](const catalog::NamedValue& value) { return value.value == bit; });
+}
+
+QString BitsEditor::wordOf(int bit) const
+{
+    for (const catalog::NamedValue& value : context().reg->values) {
+        if (value.value == bit)
+            return value.name.in(text::inChinese());
+    }
+    return tr("bit %1, no name").arg(bit);
+}
+
+void BitsEditor::setRaw(std::optional<std::int64_t> raw)
+{
+    showBits(raw.value_or(0), true);
+    if (raw) {
+        showSum(*raw);
+    } else {
+        m_sum->clear();
+        m_hex->clear();
+    }
+    untouched();
+}
+
+QString BitsEditor::typed() const
+{
+    return m_sum->text();
+}
+
+QList<QWidget*> BitsEditor::keyTakers() const
+{
+    QList<QWidget*> takers{m_sum};
+    for (const Box& one : m_boxes)
+        takers << one.box;
+    return takers;
+}
+
+void BitsEditor::selectAll()
+{
+    m_sum->selectAll();
+}
+
+void BitsEditor::ticked()
+{
+    std::int64_t raw = 0;
+    for (const Box& one : m_boxes) {
+        if (one.box->isChecked())
+            raw |= std::int64_t{1} << one.bit;
+    }
+    showSum(raw);
+    userEdited();
+}
+
+void BitsEditor::sumTyped()
+{
+    if (const auto raw = parse()) {
+        showBits(*raw, false);
+        m_hex->setText(QStringLiteral("0x%1").arg(*raw, 2, 16, QLatin1Char('0')));
+    } else {
+        m_hex->clear();
+    }
+    userEdited();
+}
+
+void BitsEditor::showSum(std::int64_t raw)
+{
+    m_sum->setText(QString::number(raw));
+    m_hex->setText(QStringLiteral("0x%1").arg(raw, 2, 16, QLatin1Char('0')));
+}
+
+void BitsEditor::showBits(std::int64_t raw, bool fresh)
+{
+    for (Box& one : m_boxes) {
+        const bool set = (raw >> one.bit & 1) != 0;
+        one.box->setChecked(set);
+        // Once listed it stays, so that an unnamed bit taken away by mistake can be put back.
+        one.listed = isNamed(one.bit) || set || (!fresh && one.listed);
+    }
+    arrange();
+}
+
+/// Two columns in a cell, where height is short; one in the panel, where width is.
+void BitsEditor::arrange()
+{
+    const auto count = static_cast<int>(
+        std::count_if(m_boxes.begin(), m_boxes.end(), [](const Box& one) { return one.listed; }));
+    const int rows = context().inCell && count > 4 ? (count + 1) / 2 : std::max(count, 1);
+    int place = 0;
+    for (const Box& one : m_boxes) {
+        m_grid->removeWidget(one.box);
+        one.box->setVisible(one.listed);
+        if (!one.listed)
+            continue;
+        m_grid->addWidget(one.box, place % rows, place / rows);
+        ++place;
+    }
+}
+
+void BitsEditor::retranslate()
+{
+    m_label->setText(tr("Value"));
+    m_sum->setAccessibleName(accessibleName());
+    m_sum->setToolTip(tr("The sum of the ticked bits. Enter writes, Esc cancels."));
+    for (const Box& one : m_boxes) {
+        const std::int64_t weight = std::int64_t{1} << one.bit;
+        one.box->setText(QStringLiteral("%1 (%2)").arg(wordOf(one.bit)).arg(weight));
+        one.box->setAccessibleName(one.box->text());
+        one.box->setToolTip(isNamed(one.bit)
+                                ? tr("Bit %1, adds %2").arg(one.bit).arg(weight)
+                                : tr("Bit %1, adds %2; the sheet gives it no name, so it is kept "
+                                     "as it is")
+                                      .arg(one.bit)
+                                      .arg(weight));
+    }
+}
+
+void BitsEditor::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    RegisterEditor::changeEvent(event);
+}
+
+/// A frame around the boxes where they stand above the table.
+void BitsEditor::paintEvent(QPaintEvent*)
+{
+    if (!context().inCell)
+        return;
+    QStylePainter painter(this);
+    painter.setPen(palette().color(QPalette::Highlight));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+} // namespace ui

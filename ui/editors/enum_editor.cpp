@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editors/enum_editor.h"
+
+#include "text/language.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QVBoxLayout>
+
+namespace ui {
+EnumEditor::EnumEditor(const EditContext& context, QWidget* parent)
+    : RegisterEditor(context, parent)
+    , m_box(new QComboBox(this))
+{
+    m_box->setObjectName(QStringLiteral("valueList"));
+    m_box->setFrame(!context.inCell);
+    m_box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->addWidget(m_box);
+    setFocusProxy(m_box);
+    setAutoFillBackground(context.inCell);
+    connect(m_box, &QComboBox::currentIndexChanged, this, &EnumEditor::userEdited);
+    connect(m_box, &QComboBox::activated, this, &EnumEditor::chosen);
+    fill(std::nullopt);
+    retranslate();
+}
+
+void EnumEditor::fill(std::optional<std::int64_t> raw)
+{
+    const QSignalBlocker quiet(m_box);
+    m_box->clear();
+    const auto add = [this](std::int64_t number, const QString& name) {
+        m_box->addItem(QStringLiteral("%1 — %2").arg(number).arg(name),
+                       static_cast<qlonglong>(number));
+    };
+    for (const catalog::NamedValue& value : context().reg->values)
+        add(value.value, value.name.in(text::inChinese()));
+    if (raw && m_box->findData(static_cast<qlonglong>(*raw)) < 0)
+        add(*raw, tr("not documented"));
+    m_box->setCurrentIndex(raw ? m_box->findData(static_cast<qlonglong>(*raw)) : -1);
+}
+
+void EnumEditor::setRaw(std::optional<std::int64_t> raw)
+{
+    fill(raw);
+    untouched();
+}
+
+QString EnumEditor::typed() const
+{
+    return m_box->currentIndex() < 0 ? QString() : m_box->currentData().toString();
+}
+
+QList<QWidget*> EnumEditor::keyTakers() const
+{
+    return {m_box};
+}
+
+void EnumEditor::retranslate()
+{
+    const QVariant chosen = m_box->currentData();
+    fill(chosen.isValid() ? std::optional<std::int64_t>(chosen.toLongLong()) : std::nullopt);
+    m_box->setAccessibleName(accessibleName());
+    m_box->setToolTip(tr("Choose a value. Enter writes, Esc cancels."));
+}
+
+void EnumEditor::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    RegisterEditor::changeEvent(event);
+}
+} // namespace ui

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editors/register_delegate.h"
+
+#include "ui/editors/bits_editor.h"
+#include "ui/models/memory_model.h"
+
+#include <QApplication>
+#include <QFocusEvent>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSortFilterProxyModel>
+
+namespace ui {
+namespace {
+/// The row behind an index of the view, which sees the table through a filter.
+const MemoryRow* rowBehind(const QModelIndex& index)
+{
+    QModelIndex source = index;
+    const QAbstractItemModel* model = index.model();
+    while (const auto* proxy = qobject_cast<const QAbstractProxyModel*>(model)) {
+        source = proxy->mapToSource(source);
+        model = proxy->sourceModel();
+    }
+    const auto* memory = qobject_cast<const MemoryModel*>(model);
+    return memory != nullptr && source.isValid() ? &memory->row(source.row()) : nullptr;
+}
+
+bool quietColumn(MemoryColumn column)
+{
+    return column != MemoryColumn::Address && column != MemoryColumn::Name &&
+           column != MemoryColumn::Value;
+}
+
+std::optional<Tone> toneOf(const MemoryRow& row, MemoryColumn column)
+{
+    if (column == MemoryColumn::State)
+        return stateTone(row.state);
+    if (column == MemoryColumn::Access && row.writable && row.reg->dangerous)
+        return Tone::Warn;
+    if (column == MemoryColumn::Value && (row.stale || !row.raw))
+        return Tone::Quiet;
+    return quietColumn(column) ? std::optional(Tone::Quiet) : std::nullopt;
+}
+
+RegisterEditor* editorAround(QObject* object)
+{
+    for (; object != nullptr; object = object->parent()) {
+        if (auto* editor = qobject_cast<RegisterEditor*>(object))
+            return editor;
+    }
+    return nullptr;
+}
+} // namespace
+
+void RegisterDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const
+{
+    QStyledItemDelegate::initStyleOption(option, index);
+    const MemoryRow* row = rowBehind(index);
+    if (row == nullptr)
+        return;
+    const auto tone = toneOf(*row, memoryColumn(index));
+    if (tone)
+        option->palette.setColor(QPalette::Text, ui::tone(*tone, option->palette));
+}
+
+QSize RegisterDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    size.rwidth() += option.fontMetrics.averageCharWidth();
+    return size;
+}
+
+QWidget* RegisterDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                                        const QModelIndex& index) const
+{
+    const MemoryRow* row = rowBehind(index);
+    if (row == nullptr)
+        return nullptr;
+    EditContext context{row->reg, row->meaning, row->raw,
+                        memoryColumn(index) == MemoryColumn::Physical, true};
+    RegisterEditor* editor = makeRegisterEditor(context, parent);
+    editor->setObjectName(QStringLiteral("cellEditor"));
+    auto* self = const_cast<RegisterDelegate*>(this);
+    for (QWidget* taker : editor->keyTakers())
+        taker->installEventFilter(self);
+    connect(editor, &RegisterEditor::edited, this, [self, editor] {
+        const bool begun = editor->typed().trimmed().isEmpty();
+        self->showMessage(editor, begun ? QString() : editor->complaint());
+    });
+    connect(editor, &RegisterEditor::chosen, self, [self, editor] { self->finish(editor); });
+    m_editor = editor;
+    return editor;
+}
+
+void RegisterDelegate::setEditorData(QWidget* widget, const QModelIndex& index) const
+{
+    auto* editor = qobject_cast<RegisterEditor*>(widget);
+    const MemoryRow* row = rowBehind(index);
+    // A live reading must not take away what is being typed.
+    if (editor == nullptr || row == nullptr || editor->touched() ||
+        editor->property("filled").toBool())
+        return;
+    editor->setRaw(row->editable());
+    editor->selectAll();
+    editor->setProperty("filled", true);
+}
+
+void RegisterDelegate::setModelData(QWidget* widget, QAbstractItemModel* model,
+                                    const QModelIndex& index) const
+{
+    auto* editor = qobject_cast<RegisterEditor*>(widget);
+    const auto raw = editor != nullptr ? editor->value() : base::Result<std::int64_t>();
+    if (editor != nullptr && editor->touched() && raw)
+        model->setData(index, static_cast<qlonglong>(*raw), Qt::EditRole);
+}
+
+/// A bit field needs more room than its cell: it stands above the neighbours, inside the table.
+void RegisterDelegate::updateEditorGeometry(QWidget* widget, const QStyleOptionViewItem& option,
+                                            const QModelIndex&) const
+{
+    auto* editor = qobject_cast<RegisterEditor*>(widget);
+    if (editor == nullptr)
+        return;
+    QRect place = option.rect;
+    const QSize wanted = editor->sizeHint();
+    const QRect room = editor->parentWidget()->rect();
+    const bool bits = qobject_cast<BitsEditor*>(editor) != nullptr;
+    place.setWidth(std::max(place.width(), wanted.width()));
+    place.setHeight(bits ? wanted.height() : std::max(place.height(), 0));
+    place.moveRight(std::min(std::max(option.rect.right(), place.width() - 1), room.right()));
+    if (bits)
+        place.moveBottom(std::max(std::min(place.bottom(), room.bottom()), place.height() - 1));
+    editor->setGeometry(place);
+    editor->raise();
+    placeMessage(editor);
+}
+
+bool RegisterDelegate::eventFilter(QObject* object, QEvent* event)
+{
+    RegisterEditor* editor = editorAround(object);
+    if (editor == nullptr || editor != m_editor)
+        return false;
+    switch (event->type()) {
+    case QEvent::ShortcutOverride:
+        if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+            event->accept();
+            return true;
+        }
+        return false;
+    case QEvent::KeyPress:
+        return keyPressed(editor, static_cast<QKeyEvent*>(event)->key());
+    case QEvent::FocusOut: {
+        const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
+        if (reason != Qt::PopupFocusReason && reason != Qt::ActiveWindowFocusReason &&
+            editorAround(QApplication::focusWidget()) != editor)
+            leave(editor);
+        return false;
+    }
+    default:
+        return false;
+    }
+}
+
+bool RegisterDelegate::keyPressed(RegisterEditor* editor, int key)
+{
+    switch (key) {
+    case Qt::Key_Escape:
+        showMessage(editor, {});
+        m_editor = nullptr; // losing the focus now is no leaving
+        Q_EMIT closeEditor(editor, RevertModelCache);
+        return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        finish(editor);
+        return true;
+    case Qt::Key_Tab:
+    case Qt::Key_Backtab:
+        if (qobject_cast<BitsEditor*>(editor) != nullptr)
+            return false;
+        finish(editor);
+        return true;
+    default:
+        return false;
+    }
+}
+
+void RegisterDelegate::finish(RegisterEditor* editor)
+{
+    if (editor->touched()) {
+        const QString complaint = editor->complaint();
+        showMessage(editor, complaint);
+        if (!complaint.isEmpty())
+            return;
+        Q_EMIT commitData(editor);
+    }
+    showMessage(editor, {});
+    m_editor = nullptr;
+    Q_EMIT closeEditor(editor, NoHint);
+}
+
+void RegisterDelegate::leave(RegisterEditor* editor)
+{
+    showMessage(editor, {});
+    m_editor = nullptr;
+    const QString complaint = editor->touched() ? editor->complaint() : QString();
+    if (editor->touched())
+        Q_EMIT leftUnwritten(
+            complaint.isEmpty()
+                ? tr("“%1” was not written: the cell was left without Enter.").arg(editor->typed())
+                : complaint);
+    Q_EMIT closeEditor(editor, RevertModelCache);
+}
+
+void RegisterDelegate::showMessage(RegisterEditor* editor, const QString& words) const
+{
+    if (words.isEmpty()) {
+        delete m_message.data();
+        return;
+    }
+    if (m_message == nullptr) {
+        m_message = new QLabel(editor->parentWidget());
+        m_message->setObjectName(QStringLiteral("editorMessage"));
+        m_message->setFrameShape(QFrame::StyledPanel);
+        m_message->setAutoFillBackground(true);
+        m_message->setBackgroundRole(QPalette::ToolTipBase);
+        m_message->setMargin(6);
+        m_message->setWordWrap(true);
+        // It goes with the editor, however that ends.
+        connect(editor, &QObject::destroyed, m_message, &QObject::deleteLater);
+    }
+    QPalette colours = editor->palette();
+    colours.setColor(QPalette::WindowText, ui::tone(Tone::Bad, colours));
+    m_message->setPalette(colours);
+    m_message->setText(QStringLiteral("✗ ") + words);
+    m_message->setAccessibleName(words);
+    placeMessage(editor);
+    m_message->show();
+    m_message->raise();
+}
+
+void RegisterDelegate::placeMessage(RegisterEditor* editor) const
+{
+    if (m_message == nullptr)
+        return;
+    constexpr int widest = 380;
+    const QRect room = editor->parentWidget()->rect();
+    const QRect at = editor->geometry();
+    const int width = std::min(widest, room.width());
+    const int height = m_message->heightForWidth(width);
+    const int left = std::clamp(at.right() - width + 1, 0, std::max(0, room.width() - width));
+    const bool below = at.bottom() + height <= room.bottom();
+    m_message->setGeometry(left, below ? at.bottom() + 1 : std::max(0, at.top() - height), width,
+                           height);
+}
+} // namespace ui

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editors/register_editor.h"
+
+#include "text/language.h"
+#include "ui/editors/bits_editor.h"
+#include "ui/editors/enum_editor.h"
+#include "ui/editors/number_editor.h"
+#include "ui/editors/value_words.h"
+
+namespace ui {
+using catalog::Encoding;
+
+RegisterEditor::RegisterEditor(EditContext context, QWidget* parent)
+    : QWidget(parent)
+    , m_context(std::move(context))
+{
+    // The escape key's guard asks for this: the first Esc belongs to an open editor.
+    setProperty("cellEditor", m_context.inCell);
+    setAccessibleName(m_context.meaning.name.in(text::inChinese()));
+}
+
+void RegisterEditor::setContext(const EditContext& context)
+{
+    m_context = context;
+    setAccessibleName(m_context.meaning.name.in(text::inChinese()));
+    contextChanged();
+}
+
+base::Result<std::int64_t> RegisterEditor::parse() const
+{
+    return catalog::parseValue(typed(), *m_context.reg, m_context.meaning);
+}
+
+base::Result<std::int64_t> RegisterEditor::value() const
+{
+    const auto raw = parse();
+    if (!raw)
+        return raw;
+    const auto allowed =
+        catalog::checkNewValue(*raw, *m_context.reg, m_context.meaning, m_context.present);
+    if (!allowed)
+        return tl::unexpected(allowed.error());
+    return raw;
+}
+
+QString RegisterEditor::complaint() const
+{
+    const auto raw = value();
+    return raw ? QString()
+               : complaintWords(raw.error(), typed(), *m_context.reg, m_context.meaning);
+}
+
+void RegisterEditor::userEdited()
+{
+    m_touched = true;
+    Q_EMIT edited();
+}
+
+RegisterEditor* makeRegisterEditor(const EditContext& context, QWidget* parent)
+{
+    switch (context.meaning.encoding) {
+    case Encoding::Enum:
+        return new EnumEditor(context, parent);
+    case Encoding::Bits:
+        return new BitsEditor(context, parent);
+    case Encoding::Unsigned:
+    case Encoding::SignBit:
+    case Encoding::SignBit11Ext12:
+    case Encoding::TwosComplement:
+        break;
+    }
+    return new NumberEditor(context, parent);
+}
+} // namespace ui

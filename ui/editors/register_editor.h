@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all editors of one register's value share: they show a raw number, take what the user types,
+// ticks or chooses, and say what is wrong with it. They write nothing. makeRegisterEditor() is the
+// one place that decides which editor a register gets, in a cell and in the help panel alike. Owned
+// by their parent; main thread.
+#pragma once
+
+#include "catalog/value.h"
+
+#include <QWidget>
+
+namespace ui {
+struct EditContext {
+    const catalog::Register* reg = nullptr; ///< outlives the editor
+    catalog::Meaning meaning;
+    std::optional<std::int64_t> present; ///< as read: may always be written back
+    bool physical = false;               ///< numbers in their unit
+    bool inCell = false;                 ///< small, framed, above its neighbours
+};
+
+class RegisterEditor : public QWidget {
+    Q_OBJECT
+
+public:
+    RegisterEditor(EditContext context, QWidget* parent);
+
+    const EditContext& context() const { return m_context; }
+    /// What the registers that decide its meaning say now.
+    void setContext(const EditContext& context);
+
+    /// Nullopt: nothing is known, the editor starts empty. Not a change by the user.
+    virtual void setRaw(std::optional<std::int64_t> raw) = 0;
+    virtual QString typed() const = 0;
+    /// BadArgument, ReadOnly, OutOfRange.
+    base::Result<std::int64_t> value() const;
+    /// Why value() fails, in words; empty when all is well.
+    QString complaint() const;
+    bool touched() const { return m_touched; } ///< by the user, since setRaw()
+
+    /// The widgets that take keys, for the delegate's event filter.
+    virtual QList<QWidget*> keyTakers() const = 0;
+    virtual void selectAll() {}
+
+Q_SIGNALS:
+    void edited(); ///< by the user
+    void chosen(); ///< picked from a list: there is nothing more to say
+
+protected:
+    virtual base::Result<std::int64_t> parse() const;
+    virtual void contextChanged() {}
+    void userEdited();
+    void untouched() { m_touched = false; }
+
+private:
+    EditContext m_context;
+    bool m_touched = false;
+};
+
+RegisterEditor* makeRegisterEditor(const EditContext& context, QWidget* parent);
+} // namespace ui

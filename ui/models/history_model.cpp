@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/history_model.h"
+
+#include "text/language.h"
+#include "ui/models/memory_words.h"
+
+#include <QLocale>
+
+namespace ui {
+namespace {
+/// How it ended, as a sign; the tool tip has the words.
+QString endSign(const QString& end, bool temporary)
+{
+    if (end == QLatin1String("done"))
+        return temporary ? QStringLiteral("◷") : QStringLiteral("✓");
+    if (end == QLatin1String("undone"))
+        return QStringLiteral("↶");
+    return end.isEmpty() ? QStringLiteral("…") : QStringLiteral("✗");
+}
+} // namespace
+
+bool HistoryModel::Line::operator==(const Line& other) const
+{
+    return uuid == other.uuid && end == other.end && item.key == other.item.key &&
+           item.newRaw == other.item.newRaw;
+}
+
+std::vector<HistoryModel::Line> HistoryModel::linesOf(const session::ServoEntry& entry)
+{
+    std::vector<Line> lines;
+    for (auto it = entry.history.rbegin(); it != entry.history.rend(); ++it) {
+        const base::Intent& intent = it->intent;
+        const QString end = it->end ? it->end->outcome : QString();
+        for (const base::JournalItem& item : intent.items)
+            lines.push_back({intent.uuid, intent.at, intent.kind, intent.temporary, end, item});
+    }
+    return lines;
+}
+
+void HistoryModel::setEntry(const session::ServoEntry* entry)
+{
+    std::vector<Line> fresh = entry != nullptr ? linesOf(*entry) : std::vector<Line>();
+    const session::ServoRef ref = entry != nullptr ? entry->ref : 0;
+    const catalog::ProfilePtr profile = entry != nullptr ? entry->servo.profile : nullptr;
+    if (ref == m_ref && profile == m_profile && fresh == m_lines)
+        return;
+    beginResetModel();
+    m_ref = ref;
+    m_profile = profile;
+    m_lines = std::move(fresh);
+    endResetModel();
+}
+
+void HistoryModel::retranslate()
+{
+    if (!m_lines.empty())
+        Q_EMIT dataChanged(index(0), index(rowCount() - 1));
+}
+
+int HistoryModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
+}
+
+QString HistoryModel::valueWord(const Line& line, std::int64_t raw) const
+{
+    const catalog::Register* reg = m_profile ? m_profile->find(line.item.key) : nullptr;
+    if (reg == nullptr || reg->encoding != catalog::Encoding::Enum)
+        return QString::number(raw);
+    return rawWord(raw, *reg, catalog::meaningOf(*reg, *m_profile, catalog::knowNothing));
+}
+
+QString HistoryModel::text(const Line& line) const
+{
+    const catalog::Register* reg = m_profile ? m_profile->find(line.item.key) : nullptr;
+    const QString name = reg != nullptr ? reg->name.in(::text::inChinese()) : line.item.key;
+    const QDateTime at = line.at.toLocalTime();
+    const bool today = at.date() == QDate::currentDate();
+    return QStringLiteral("%1  %2 %3 → %4 %5")
+        .arg(at.toString(today ? QStringLiteral("HH:mm:ss") : QStringLiteral("yyyy-MM-dd HH:mm")),
+             name, QString::number(line.item.oldRaw), QString::number(line.item.newRaw),
+             endSign(line.end, line.temporary));
+}
+
+QString HistoryModel::tip(const Line& line) const
+{
+    QString how;
+    if (line.end.isEmpty())
+        how = tr("Not ended: still being written, or interrupted.");
+    else if (line.end == QLatin1String("undone"))
+        how = tr("Begun and taken back: the old value was restored.");
+    else if (line.end == QLatin1String("abandoned"))
+        how = tr("Given up: it was never finished or undone.");
+    else if (line.end != QLatin1String("done"))
+        how = tr("It did not end as wanted.");
+    else if (line.temporary)
+        how = tr("Written temporarily: lost at power-off.");
+    else
+        how = tr("Written and read back.");
+    return QStringLiteral("%1\n%2: %3 → %4\n%5")
+        .arg(QLocale().toString(line.at.toLocalTime(), QLocale::LongFormat), line.item.key,
+             valueWord(line, line.item.oldRaw), valueWord(line, line.item.newRaw), how);
+}
+
+QVariant HistoryModel::data(const QModelIndex& index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const Line& line = m_lines[static_cast<std::size_t>(index.row())];
+    if (role == Qt::DisplayRole)
+        return text(line);
+    if (role == Qt::ToolTipRole)
+        return tip(line);
+    return {};
+}
+} // namespace ui

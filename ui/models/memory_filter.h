@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which rows of the memory table are shown: by words typed, by group, only changed, only different
+// from a known default. Rows stay in the table's order. Owned by the page; main thread.
+#pragma once
+
+#include "catalog/register.h"
+
+#include <QSortFilterProxyModel>
+
+#include <optional>
+
+namespace ui {
+enum class RowChoice : std::uint8_t {
+    All,
+    Changed,   ///< not what was read first in this session
+    Different, ///< not the factory's default, where that is known
+};
+
+class MemoryFilter final : public QSortFilterProxyModel {
+    Q_OBJECT
+
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+
+    /// Every word must occur in the address, a name of either language, the key or the help. A
+    /// number alone is an address, or the beginning of one.
+    void setText(const QString& text);
+    void setGroup(std::optional<catalog::Area> group);
+    void setChoice(RowChoice choice);
+    bool narrows() const;
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+private:
+    bool textFits(const QModelIndex& index) const;
+
+    QStringList m_words;
+    std::optional<catalog::Area> m_group;
+    RowChoice m_choice = RowChoice::All;
+};
+} // namespace ui

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One row of the memory table as plain data: what was read of a register, how old that is, and what
+// became of the latest write to it. Raw values and states only; words are in memory_words.h. Pure
+// functions on a servo entry; any thread.
+#pragma once
+
+#include "session/servo_entry.h"
+
+namespace ui {
+enum class RowState : std::uint8_t {
+    NotRead,    ///< never read
+    Read,       ///< read, nothing written to it in this session
+    Unreadable, ///< the latest reading failed: no number is shown
+    Pending,    ///< a write is on its way
+    Kept,
+    Temporary,
+    Mismatch,
+    Refused,
+    NoAnswer,
+    Unknown,
+    NotWritten, ///< refused before the first byte; error says why
+    Superseded, ///< what was written there has changed since
+};
+
+/// How old a reading is, in the steps in which it is shown: 0, 1, 2, 3, 5, 10 … seconds.
+struct RowAge {
+    int seconds = -1; ///< -1: never read
+    bool operator==(const RowAge&) const = default;
+};
+RowAge rowAge(std::optional<base::Duration> readAt, base::Duration now);
+
+/// The circumstances all rows of one servo share.
+struct RowClock {
+    base::Duration now{};
+    bool linkOpen = true; ///< false: nothing shown is of this moment
+};
+
+struct MemoryRow {
+    const catalog::Register* reg = nullptr; ///< lives as long as the profile
+    catalog::Meaning meaning;
+    std::optional<std::int64_t> raw;   ///< nullopt: not read, or the latest reading failed
+    std::optional<std::int64_t> first; ///< as read first in this session
+    std::int64_t wanted = 0;           ///< of the latest write
+    int pending = 0;                   ///< writes not ended yet
+    RowState state = RowState::NotRead;
+    std::optional<base::Error> error; ///< of the latest write that failed
+    RowAge age;
+    bool stale = false;    ///< too old to be taken for the present
+    bool measured = true;  ///< false: the servo has the register, but no sensor for it
+    bool writable = false; ///< of this servo, now that its map is known
+
+    bool changed() const { return raw && first && *raw != *first; }
+    /// Nullopt: the default or the value is not known.
+    std::optional<bool> differs() const;
+    /// What an editor starts from: the value on its way, else the one that was read.
+    std::optional<std::int64_t> editable() const { return pending > 0 ? wanted : raw; }
+    bool sameAs(const MemoryRow& other) const;
+};
+
+MemoryRow memoryRow(const session::ServoEntry& entry, const catalog::Register& reg,
+                    const RowClock& clock);
+
+/// Registers whose write decides in which mode the servo is.
+bool decidesMode(const catalog::Register& reg);
+} // namespace ui

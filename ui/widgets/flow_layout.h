@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A row of widgets that goes on in the next line where the width ends, so that a tool row needs no
+// room it does not have. Owned by its widget; main thread.
+#pragma once
+
+#include <QLayout>
+
+#include <vector>
+
+namespace ui {
+class FlowLayout final : public QLayout {
+public:
+    explicit FlowLayout(QWidget* parent = nullptr, int spacing = 8);
+    ~FlowLayout() override;
+
+    void addItem(QLayoutItem* item) override;
+    int count() const override { return static_cast<int>(m_items.size()); }
+    QLayoutItem* itemAt(int index) const override;
+    QLayoutItem* takeAt(int index) override;
+    Qt::Orientations expandingDirections() const override { return Qt::Horizontal; }
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+    QSize sizeHint() const override;
+    QSize minimumSize() const override;
+    void setGeometry(const QRect& rect) override;
+
+private:
+    /// Places the items, or only measures; the height they need.
+    int arrange(const QRect& rect, bool measureOnly) const;
+
+    std::vector<QLayoutItem*> m_items; ///< owned
+};
+} // namespace ui
