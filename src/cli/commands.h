@@ -16,6 +16,8 @@ Command setBaudCommand();
 Command centerCommand();
 Command restoreDefaultsCommand();
 Command rebootCommand();
+Command identifyCommand();
+Command clearAlarmCommand();
 Command torqueCommand();
 Command stopCommand();
 Command modeCommand();

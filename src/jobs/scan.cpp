@@ -33,6 +33,25 @@ bool concernsServo(ErrorCode code)
     }
 }
 
+std::vector<catalog::Role> stateRoles(const device::Servo& servo)
+{
+    using catalog::Role;
+    std::vector<Role> wanted;
+    const auto want = [&](std::initializer_list<Role> roles) {
+        for (const Role role : roles) {
+            if (servo.profile->byRole(role) != nullptr && !servo.raw(role))
+                wanted.push_back(role);
+        }
+    };
+    want({Role::BaudRate, Role::Lock});
+    if (!servo.repliesCarryStatus())
+        want({Role::Status});
+    if (!servo.repliesCarryStatus() && servo.profile->byRole(Role::Status) == nullptr)
+        want({Role::PresentTemperature, Role::MaxTemperature, Role::PresentVoltage,
+              Role::MinVoltage, Role::MaxVoltage});
+    return wanted;
+}
+
 class Scan {
 public:
     Scan(const device::Context& context, const ScanSpec& spec, const ProgressFn& progress,
@@ -243,15 +262,16 @@ private:
         if (!twins)
             return tl::unexpected(twins.error());
         found.twinsSuspected = found.twinsSuspected || *twins;
-        return readRate(found.servo);
+        return readState(found.servo);
     }
 
-    /// Feetech servos have told it with their identity.
-    base::Result<void> readRate(device::Servo& servo)
+    /// What the list shows beside the name and the identity has not told: an open lock, and alarms
+    /// where they do not come with every reply.
+    base::Result<void> readState(device::Servo& servo)
     {
-        if (servo.raw(catalog::Role::BaudRate) || m_context.stop.requested())
+        if (m_context.stop.requested())
             return {};
-        const auto read = device::readRoles(m_context, servo, {catalog::Role::BaudRate});
+        const auto read = device::readRoles(m_context, servo, stateRoles(servo));
         return read || concernsServo(read.error().code) ? base::Result<void>{} : read;
     }
 

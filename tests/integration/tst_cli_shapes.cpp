@@ -435,11 +435,12 @@ void TestCliShapes::helpInBothLanguages_data()
 {
     QTest::addColumn<QString>("command");
     QTest::newRow("all") << QString();
-    for (const char* command : {"ports",  "scan",   "info",     "dump",          "read",
-                                "write",  "set-id", "set-baud", "center",        "restore-defaults",
-                                "reboot", "torque", "stop",     "mode",          "move",
-                                "watch",  "raw",    "recover",  "snapshot save", "snapshot show",
-                                "tour"})
+    for (const char* command :
+         {"ports",    "scan",        "info",     "dump",          "read",
+          "write",    "set-id",      "set-baud", "center",        "restore-defaults",
+          "reboot",   "torque",      "stop",     "mode",          "move",
+          "watch",    "raw",         "recover",  "snapshot save", "snapshot show",
+          "identify", "clear-alarm", "tour"})
         QTest::newRow(command) << QString::fromLatin1(command);
 }
 
