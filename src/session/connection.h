@@ -24,12 +24,12 @@ struct PortRequest {
     QString name; ///< device path, tcp://host:port, sim:PRESET, sim:sts3215@1,scs15@2
     /// None: the rate that most servos of a simulated bus have; 115200 where only LX or Modbus is
     /// spoken; else 1 Mbaud.
-    std::optional<int> baud;
+    std::optional<int> baud{};
     Parity parity = Parity::None;
-    std::optional<base::Protocol> protocol; ///< none: whatever can exist at the rate
-    std::optional<base::Duration> patience; ///< beyond wire time and reply delay
-    std::optional<base::Duration> silence;  ///< between Modbus frames, instead of the standard's
-    std::optional<int> retries;
+    std::optional<base::Protocol> protocol{}; ///< none: whatever can exist at the rate
+    std::optional<base::Duration> patience{}; ///< beyond wire time and reply delay
+    std::optional<base::Duration> silence{};  ///< between Modbus frames, instead of the standard's
+    std::optional<int> retries{};
 };
 
 class Connection {

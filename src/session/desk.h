@@ -229,6 +229,9 @@ private:
     void remember(ServoRef ref, const WriteOrder& order, WriteKind kind,
                   const std::optional<device::WriteReport>& report);
 
+    // interrupted writes (desk_intents.cpp)
+    void recoverIntents(jobs::RecoverAction action, const QString& uuid);
+
     // live (desk_live.cpp)
     bool mayPoll(const ServoEntry& entry) const;
     void updateLive();

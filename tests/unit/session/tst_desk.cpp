@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bench behind the window on a simulated bus: everything asked for returns at once and comes
+// back as a signal; what is in the list was really read; writes end in one of the six words.
+#include "record/snapshot.h"
+#include "session/desk.h"
+#include "session/paths.h"
+#include "sim/sim_link.h"
+
+#include <QDir>
+#include <QSignalSpy>
+#include <QtTest>
+
+using session::Desk;
+using session::LinkState;
+using session::ServoRef;
+
+namespace {
+struct Bench {
+    explicit Bench(const QString& port = QStringLiteral("sim:demo"))
+        : opened(open(port))
+    {}
+
+    bool open(const QString& port)
+    {
+        desk.connectTo({.name = port});
+        return QTest::qWaitFor([this] { return desk.state() == LinkState::Open; });
+    }
+    bool search(const jobs::ScanSpec& spec = {})
+    {
+        desk.search(spec);
+        return QTest::qWaitFor([this] { return !desk.searching(); }, 30000);
+    }
+    ServoRef at(int id, base::Protocol protocol = base::Protocol::Feetech) const
+    {
+        return desk.find(protocol, id);
+    }
+    const session::ServoEntry& entry(ServoRef ref) const { return *desk.servo(ref); }
+    bool settle()
+    {
+        return QTest::qWaitFor([this] { return !desk.busy(); }, 10000);
+    }
+    bool write(ServoRef ref, const QString& key, std::int64_t raw, bool temporary = false)
+    {
+        desk.write(ref, {{{key, raw}}, temporary, true});
+        return settle();
+    }
+    std::optional<std::int64_t> raw(ServoRef ref, const QString& key) const
+    {
+        return entry(ref).servo.raw(key);
+    }
+    std::optional<device::WriteOutcome> outcome(ServoRef ref, const QString& key) const
+    {
+        const auto& writes = entry(ref).writes;
+        return writes.count(key) > 0 ? writes.at(key).outcome : std::nullopt;
+    }
+    template <typename Function>
+    void withWire(Function&& function)
+    {
+        desk.connection()->simulation()->with(std::forward<Function>(function));
+    }
+
+    session::Session session;
+    Desk desk{session};
+    bool opened;
+};
+
+const QString minAngle = QStringLiteral("min_angle");
+const QString positionP = QStringLiteral("position_p");
+} // namespace
+
+class TestDesk : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
+        QDir(session::dataFolder()).removeRecursively();
+    }
+
+    void aPortThatIsNotThereSaysSo()
+    {
+        session::Session session;
+        Desk desk(session);
+        QSignalSpy failed(&desk, &Desk::connectFailed);
+        desk.connectTo({.name = QStringLiteral("/dev/no-such-port")});
+        QVERIFY(failed.wait());
+        QCOMPARE(failed.front().front().value<base::Error>().code, base::ErrorCode::PortMissing);
+        QCOMPARE(desk.state(), LinkState::Off);
+    }
+
+    void servosAppearWhileTheSearchRuns()
+    {
+        Bench bench;
+        QVERIFY(bench.opened);
+        bool foundDuring = false;
+        connect(&bench.desk, &Desk::servoAdded, this,
+                [&](ServoRef) { foundDuring = foundDuring || bench.desk.searching(); });
+        QVERIFY(bench.search());
+        QVERIFY(foundDuring);
+        QCOMPARE(bench.desk.servos().size(), std::size_t(6));
+        QVERIFY(bench.desk.lastSearch());
+        QCOMPARE(bench.entry(bench.at(1)).servo.profile->modelName, QStringLiteral("STS3215"));
+    }
+
+    void aServoThatIsGoneLeavesTheListAtTheNextSearch()
+    {
+        Bench bench(QStringLiteral("sim:sts3215@1,sts3215@2"));
+        QVERIFY(bench.search());
+        const ServoRef second = bench.at(2);
+        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {2}; });
+        QSignalSpy removed(&bench.desk, &Desk::servoRemoved);
+        QVERIFY(bench.search());
+        QCOMPARE(removed.size(), 1);
+        QCOMPARE(removed.front().front().value<ServoRef>(), second);
+        QVERIFY(bench.desk.servo(second) == nullptr);
+        QVERIFY(bench.at(1) != 0);
+    }
+
+    void stoppingASearchEndsItSoon()
+    {
+        Bench bench;
+        jobs::ScanSpec all;
+        all.bauds = {1'000'000, 500'000, 115'200, 57'600, 38'400};
+        bench.desk.search(all);
+        QVERIFY(bench.desk.searching());
+        QSignalSpy progress(&bench.desk, &Desk::searchProgress);
+        QVERIFY(progress.wait());
+        bench.desk.stopSearch();
+        QTRY_VERIFY(!bench.desk.searching());
+        QVERIFY(bench.desk.lastSearch()->stopped);
+        QCOMPARE(bench.desk.baud(), 1'000'000);
+    }
+
+    void readingATableWritesNothing()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        bench.desk.readTable(ref);
+        QVERIFY(bench.entry(ref).reading);
+        QVERIFY(bench.settle());
+        QVERIFY(bench.entry(ref).tableRead);
+        QCOMPARE(bench.raw(ref, positionP), std::optional<std::int64_t>(32));
+        QVERIFY(bench.entry(ref).writes.empty());
+        QVERIFY(bench.session.journal().entries()->empty());
+    }
+
+    void aFailedReadingShowsNoNumber()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        bench.desk.readTable(ref);
+        QVERIFY(bench.settle());
+        const catalog::Register& reg = *bench.entry(ref).servo.profile->find(positionP);
+        QVERIFY(bench.entry(ref).shown(reg));
+        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
+        bench.desk.readTable(ref);
+        QVERIFY(bench.settle());
+        QVERIFY(!bench.entry(ref).shown(reg));
+        QVERIFY(bench.entry(ref).silent);
+        QCOMPARE(bench.entry(ref).readError->code, base::ErrorCode::NoAnswer);
+    }
+
+    void keptSurvivesPowerOffAndTemporaryDoesNot()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        QVERIFY(bench.write(ref, positionP, 40));
+        QCOMPARE(bench.outcome(ref, positionP), std::optional(device::WriteOutcome::Kept));
+        QVERIFY(bench.write(ref, minAngle, 100, true));
+        QCOMPARE(bench.outcome(ref, minAngle), std::optional(device::WriteOutcome::Temporary));
+        QCOMPARE(bench.raw(ref, minAngle), std::optional<std::int64_t>(100));
+        bench.desk.powerCycle();
+        bench.desk.readTable(ref);
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.raw(ref, positionP), std::optional<std::int64_t>(40));
+        QCOMPARE(bench.raw(ref, minAngle), std::optional<std::int64_t>(0));
+    }
+
+    void theTableIsSavedOnceBeforeTheFirstWrite()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        QVERIFY(bench.write(ref, positionP, 40));
+        const QString path = bench.entry(ref).snapshotPath;
+        QVERIFY(QFile::exists(path));
+        const auto saved = record::loadSnapshot(path);
+        QVERIFY(saved);
+        const auto row =
+            std::find_if(saved->registers.begin(), saved->registers.end(),
+                         [](const record::SnapshotRegister& one) { return one.key == positionP; });
+        QCOMPARE(row->raw, std::optional<std::int64_t>(32));
+        QVERIFY(bench.write(ref, positionP, 41));
+        QCOMPARE(bench.entry(ref).snapshotPath, path);
+        QCOMPARE(QFileInfo(path).dir().entryList(QDir::Files).size(), 1);
+    }
+
+    void twoQuickWritesOfOneRowBothHappenInOrder()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        QSignalSpy happened(&bench.desk, &Desk::happened);
+        bench.desk.write(ref, {{{positionP, 40}}, false, false});
+        bench.desk.write(ref, {{{positionP, 50}}, false, false});
+        QCOMPARE(bench.entry(ref).writes.at(positionP).pending, 2);
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.entry(ref).writes.at(positionP).pending, 0);
+        QCOMPARE(bench.raw(ref, positionP), std::optional<std::int64_t>(50));
+        QCOMPARE(bench.session.journal().entries()->size(), std::size_t(2));
+    }
+
+    void undoAndRedoWriteTheOldAndTheNewValue()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        QVERIFY(bench.desk.nextUndo() == nullptr);
+        QVERIFY(bench.write(ref, positionP, 40));
+        QVERIFY(bench.desk.nextUndo() != nullptr);
+        bench.desk.undo();
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.raw(ref, positionP), std::optional<std::int64_t>(32));
+        QCOMPARE(bench.outcome(ref, positionP), std::optional(device::WriteOutcome::Kept));
+        QVERIFY(bench.desk.nextUndo() == nullptr);
+        bench.desk.redo();
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.raw(ref, positionP), std::optional<std::int64_t>(40));
+        QVERIFY(bench.desk.nextRedo() == nullptr);
+    }
+
+    void aNewIdKeepsTheServoAndUndoGivesTheOldOneBack()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        QVERIFY(bench.write(ref, QStringLiteral("id"), 77));
+        QCOMPARE(bench.entry(ref).servo.id, 77);
+        QCOMPARE(bench.outcome(ref, QStringLiteral("id")),
+                 std::optional(device::WriteOutcome::Kept));
+        QCOMPARE(bench.desk.servos().back(), ref);
+        bench.desk.undo();
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.entry(ref).servo.id, 1);
+    }
+
+    void aTakenIdIsRefusedAndNothingChanges()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        QVERIFY(bench.write(ref, QStringLiteral("id"), 2));
+        QCOMPARE(bench.entry(ref).servo.id, 1);
+        QCOMPARE(bench.entry(ref).writes.at(QStringLiteral("id")).error->code,
+                 base::ErrorCode::IdInUse);
+    }
+
+    void aNewRateIsFollowedAndTheOthersStayReachable()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        const catalog::Register& rate =
+            *bench.entry(ref).servo.profile->byRole(catalog::Role::BaudRate);
+        const auto slow =
+            std::find_if(rate.values.begin(), rate.values.end(),
+                         [](const auto& value) { return value.key == QLatin1String("115200"); });
+        QVERIFY(bench.write(ref, rate.key, slow->value));
+        QCOMPARE(bench.entry(ref).servo.baud, 115'200);
+        bench.desk.readTable(bench.at(2));
+        QVERIFY(bench.settle());
+        QVERIFY(!bench.entry(bench.at(2)).readError);
+        bench.desk.readTable(ref);
+        QVERIFY(bench.settle());
+        QVERIFY(!bench.entry(ref).readError);
+    }
+
+    void liveReadingFollowsTheServo()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        const QString position = QStringLiteral("present_position");
+        bench.desk.watchLive(ref, {position}, base::Duration{});
+        const catalog::Register& reg = *bench.entry(ref).servo.profile->find(position);
+        QTRY_VERIFY(bench.entry(ref).servo.image.readAt(reg.offset).has_value());
+        const auto first = *bench.entry(ref).servo.image.readAt(reg.offset);
+        QTRY_VERIFY(*bench.entry(ref).servo.image.readAt(reg.offset) > first);
+        QVERIFY(bench.write(ref, QStringLiteral("id"), 70));
+        const auto moved = bench.desk.now();
+        QTRY_VERIFY(*bench.entry(ref).servo.image.readAt(reg.offset) > moved);
+        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {70}; });
+        QTRY_VERIFY(!bench.entry(ref).shown(reg));
+        bench.desk.watchLive(0, {}, {});
+    }
+
+    void aCutCableEndsEverythingAndSaysSo()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        bench.desk.write(ref, {{{positionP, 40}}, false, false});
+        bench.desk.write(ref, {{{positionP, 41}}, false, false});
+        bench.withWire([](sim::VirtualBus& bus) { bus.cutLink(); });
+        QTRY_COMPARE(bench.desk.state(), LinkState::Lost);
+        QTRY_VERIFY(!bench.entry(ref).writing());
+        QCOMPARE(bench.outcome(ref, positionP), std::optional(device::WriteOutcome::NoAnswer));
+        QVERIFY(bench.open(QStringLiteral("sim:demo"))); // and on it goes
+        QVERIFY(bench.search());
+        QCOMPARE(bench.at(1), ref);
+    }
+
+    void closingEndsTheRunningWriteFirst()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        QSignalSpy closed(&bench.desk, &Desk::closed);
+        bench.desk.write(ref, {{{positionP, 40}}, false, false});
+        bench.desk.write(ref, {{{minAngle, 50}}, false, false});
+        bench.desk.close();
+        QVERIFY(closed.wait());
+        QCOMPARE(bench.desk.state(), LinkState::Off);
+        QVERIFY(bench.session.journal().open()->empty());
+        QCOMPARE(bench.outcome(ref, positionP), std::optional(device::WriteOutcome::Kept));
+        QCOMPARE(bench.outcome(ref, minAngle), std::optional(device::WriteOutcome::Refused));
+    }
+
+    void theEmergencyStopTakesTorqueOff()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        QVERIFY(bench.write(ref, QStringLiteral("torque_switch"), 1));
+        QCOMPARE(bench.raw(ref, QStringLiteral("torque_switch")), std::optional<std::int64_t>(1));
+        bench.desk.emergencyStop();
+        QTRY_VERIFY([&] {
+            bench.desk.readTable(ref);
+            return bench.settle() && bench.raw(ref, QStringLiteral("torque_switch")) == 0;
+        }());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDesk)
+#include "tst_desk.moc"
