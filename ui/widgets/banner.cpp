@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/banner.h"
+
+#include "text/error_words.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QIcon>
+#include <QLabel>
+#include <QPainter>
+#include <QToolButton>
+
+namespace ui {
+namespace {
+constexpr int edge = 4;
+
+QString signOf(Tone tone)
+{
+    switch (tone) {
+    case Tone::Good:
+        return QStringLiteral("✓");
+    case Tone::Quiet:
+    case Tone::Accent:
+        return QStringLiteral("i");
+    case Tone::Warn:
+        return QStringLiteral("!");
+    case Tone::Bad:
+        break;
+    }
+    return QStringLiteral("✗");
+}
+
+QLabel* copyableLabel(QWidget* parent, const char* name)
+{
+    auto* label = new QLabel(parent);
+    label->setObjectName(QLatin1String(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    return label;
+}
+} // namespace
+
+Banner::Banner(QWidget* parent)
+    : QFrame(parent)
+    , m_sign(new QLabel(this))
+    , m_what(copyableLabel(this, "bannerWhat"))
+    , m_more(copyableLabel(this, "bannerMore"))
+    , m_buttons(new QHBoxLayout)
+    , m_close(new QToolButton(this))
+{
+    setObjectName(QStringLiteral("banner"));
+    QFont bold = font();
+    bold.setBold(true);
+    m_what->setFont(bold);
+    m_sign->setFont(bold);
+    m_close->setObjectName(QStringLiteral("bannerClose"));
+    m_close->setIcon(QIcon::fromTheme(QStringLiteral("window-close")));
+    m_close->setText(QStringLiteral("×"));
+    m_close->setAutoRaise(true);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(2);
+    words->addWidget(m_what);
+    words->addWidget(m_more);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(12 + edge, 8, 8, 8);
+    row->addWidget(m_sign, 0, Qt::AlignTop);
+    row->addLayout(words, 1);
+    row->addLayout(m_buttons);
+    row->addWidget(m_close, 0, Qt::AlignTop);
+    connect(m_close, &QToolButton::clicked, this, [this] {
+        clear();
+        Q_EMIT dismissed();
+    });
+    hide();
+}
+
+void Banner::present(Wording wording, const QList<QAction*>& actions)
+{
+    m_wording = std::move(wording);
+    while (QLayoutItem* item = m_buttons->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater(); // it may be the one that was pressed
+        delete item;
+    }
+    for (QAction* action : actions) {
+        auto* button = new QToolButton(this);
+        button->setObjectName(QStringLiteral("bannerAction"));
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setDefaultAction(action);
+        button->setAccessibleName(action->text());
+        m_buttons->addWidget(button);
+    }
+    fill();
+    show();
+}
+
+void Banner::present(const base::Error& error, const QList<QAction*>& actions)
+{
+    present(
+        [error] {
+            const text::Description words = text::describe(error);
+            return BannerWords{Tone::Bad, words.what, words.cause, words.remedy};
+        },
+        actions);
+}
+
+void Banner::clear()
+{
+    m_wording = {};
+    hide();
+}
+
+void Banner::fill()
+{
+    m_close->setToolTip(tr("Close this message"));
+    m_close->setAccessibleName(tr("Close this message"));
+    if (!m_wording)
+        return;
+    const BannerWords words = m_wording();
+    m_tone = words.tone;
+    m_sign->setText(signOf(words.tone));
+    m_what->setText(words.what);
+    QStringList more;
+    for (const QString& sentence : {words.cause, words.remedy}) {
+        if (!sentence.isEmpty())
+            more << sentence;
+    }
+    m_more->setText(more.join(QLatin1Char('\n')));
+    m_more->setVisible(!more.isEmpty());
+    const QString all = (QStringList(words.what) + more).join(QLatin1Char('\n'));
+    m_what->setToolTip(all);
+    m_more->setToolTip(all);
+    setAccessibleName(words.what);
+    setAccessibleDescription(more.join(QLatin1Char(' ')));
+    update();
+}
+
+void Banner::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        fill();
+}
+
+void Banner::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+    painter.setPen(palette().color(QPalette::Mid));
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRoundedRect(frame, 4, 4);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tone(m_tone, palette()));
+    painter.drawRoundedRect(QRectF(frame.left(), frame.top(), edge, frame.height()), 2, 2);
+}
+} // namespace ui

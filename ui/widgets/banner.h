@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Says in the window what went wrong, why and what to do about it, until it is closed or settled;
+// never stops the work. The text can be copied. Words are made by a function, so that they follow
+// the language. Owned by the window; main thread.
+#pragma once
+
+#include "base/error.h"
+#include "ui/app/theme.h"
+
+#include <QFrame>
+
+#include <functional>
+
+class QAction;
+class QHBoxLayout;
+class QLabel;
+class QToolButton;
+
+namespace ui {
+struct BannerWords {
+    Tone tone = Tone::Bad;
+    QString what;
+    QString cause{};
+    QString remedy{};
+};
+
+class Banner final : public QFrame {
+    Q_OBJECT
+
+public:
+    using Wording = std::function<BannerWords()>;
+
+    explicit Banner(QWidget* parent = nullptr);
+
+    /// Replaces what it said before. The actions stay their owner's; each becomes a button.
+    void present(Wording wording, const QList<QAction*>& actions = {});
+    void present(const base::Error& error, const QList<QAction*>& actions = {});
+    /// Hides it, without `dismissed`.
+    void clear();
+
+Q_SIGNALS:
+    void dismissed(); ///< closed by the user
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void fill();
+
+    Wording m_wording;
+    Tone m_tone = Tone::Bad;
+    QLabel* m_sign;
+    QLabel* m_what;
+    QLabel* m_more;
+    QHBoxLayout* m_buttons;
+    QToolButton* m_close;
+};
+} // namespace ui

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/link_options.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QLabel>
+#include <QScreen>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+namespace ui {
+namespace {
+constexpr int longestPatienceMs = 2000;
+constexpr int longestSilenceUs = 100'000;
+constexpr int mostRetries = 10;
+
+QSpinBox* spinBox(QWidget* parent, const char* name, int min, int max, int step)
+{
+    auto* box = new QSpinBox(parent);
+    box->setObjectName(QLatin1String(name));
+    box->setRange(min, max);
+    box->setSingleStep(step);
+    return box;
+}
+} // namespace
+
+LinkOptions::LinkOptions(QWidget* parent)
+    : QFrame(parent, Qt::Popup)
+    , m_parity(new QComboBox(this))
+    , m_patience(spinBox(this, "patienceBox", 0, longestPatienceMs, 5))
+    , m_silence(spinBox(this, "silenceBox", 0, longestSilenceUs, 250))
+    , m_retries(spinBox(this, "retriesBox", -1, mostRetries, 1))
+    , m_form(new QFormLayout(this))
+{
+    setObjectName(QStringLiteral("linkOptions"));
+    setFrameShape(QFrame::StyledPanel);
+    m_parity->setObjectName(QStringLiteral("parityBox"));
+    for (int i = 0; i < 3; ++i)
+        m_parity->addItem(QString());
+    m_retries->setValue(-1);
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{m_parity, m_patience, m_silence, m_retries})
+        m_form->addRow(QString(), field);
+    connect(m_parity, &QComboBox::currentIndexChanged, this, &LinkOptions::changed);
+    for (QSpinBox* box : {m_patience, m_silence, m_retries})
+        connect(box, &QSpinBox::valueChanged, this, &LinkOptions::changed);
+    retranslate();
+}
+
+void LinkOptions::apply(session::PortRequest& request) const
+{
+    request.parity = session::Parity(m_parity->currentIndex());
+    request.patience.reset();
+    request.silence.reset();
+    request.retries.reset();
+    if (m_patience->value() > 0)
+        request.patience = std::chrono::milliseconds(m_patience->value());
+    if (m_silence->value() > 0)
+        request.silence = base::Duration(m_silence->value());
+    if (m_retries->value() >= 0)
+        request.retries = m_retries->value();
+}
+
+void LinkOptions::show(const session::PortRequest& request)
+{
+    const QSignalBlocker quiet(this);
+    m_parity->setCurrentIndex(int(request.parity));
+    m_patience->setValue(int(request.patience.value_or(base::Duration{}).count() / 1000));
+    m_silence->setValue(int(request.silence.value_or(base::Duration{}).count()));
+    m_retries->setValue(request.retries.value_or(-1));
+}
+
+bool LinkOptions::isUsual() const
+{
+    return m_parity->currentIndex() == 0 && m_patience->value() == 0 && m_silence->value() == 0 &&
+           m_retries->value() < 0;
+}
+
+void LinkOptions::popUpBelow(const QWidget& button)
+{
+    adjustSize();
+    QPoint place = button.mapToGlobal(QPoint(0, button.height()));
+    const QRect screen = button.screen()->availableGeometry();
+    place.setX(qBound(screen.left(), place.x(), qMax(screen.left(), screen.right() - width())));
+    place.setY(qBound(screen.top(), place.y(), qMax(screen.top(), screen.bottom() - height())));
+    move(place);
+    QFrame::show();
+    m_parity->setFocus();
+}
+
+void LinkOptions::retranslate()
+{
+    const auto name = [this](QWidget* field, const QString& label, const QString& tip) {
+        auto* words = qobject_cast<QLabel*>(m_form->labelForField(field));
+        words->setText(label);
+        words->setToolTip(tip);
+        field->setToolTip(tip);
+        field->setAccessibleName(label);
+    };
+    const QSignalBlocker quiet(m_parity);
+    m_parity->setItemText(0, tr("none"));
+    m_parity->setItemText(1, tr("even"));
+    m_parity->setItemText(2, tr("odd"));
+    for (QSpinBox* box : {m_patience, m_silence, m_retries})
+        box->setSpecialValueText(tr("auto"));
+    m_patience->setSuffix(tr(" ms"));
+    m_silence->setSuffix(tr(" µs"));
+    name(m_parity, tr("Parity"), tr("Servos leave the factory without parity"));
+    name(m_patience, tr("Time-out"),
+         tr("How long to wait for an answer beyond its time on the wire. Auto: as long as this "
+            "adapter has shown to need"));
+    name(m_silence, tr("Modbus silence"),
+         tr("Pause between Modbus frames. Auto: as the standard says for the rate"));
+    name(m_retries, tr("Retries"),
+         tr("How often a lost question is asked again, where it may be repeated"));
+}
+
+void LinkOptions::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui

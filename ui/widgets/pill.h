@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A short state in a rounded frame: a light in its tone and words; shorter words where the room is
+// narrow, and then the whole in the tooltip. Filled, it is a badge that cannot be overlooked. Owned
+// by its parent; main thread.
+#pragma once
+
+#include "ui/app/theme.h"
+
+#include <QWidget>
+
+namespace ui {
+class Pill final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit Pill(QWidget* parent = nullptr, bool filled = false);
+
+    /// `brief` where `words` find no room; the tooltip begins with `words` and goes on with `more`.
+    void setState(Tone light, const QString& words, const QString& brief = {},
+                  const QString& more = {});
+    const QString& words() const { return m_words; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    int widthFor(const QString& text) const;
+
+    bool m_filled;
+    Tone m_light = Tone::Quiet;
+    QString m_words;
+    QString m_brief;
+};
+} // namespace ui

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The choice of a port: adapters of this computer as they are plugged in, names typed by hand, the
+// simulated buses. The choice belongs to the user: what is plugged in or out never changes it. A
+// chosen adapter that is gone stays, marked so, and is followed when it comes back elsewhere. Owned
+// by its parent; main thread.
+#pragma once
+
+#include "session/port_watch.h"
+
+#include <QComboBox>
+
+class QStandardItem;
+
+namespace ui {
+class PortPicker final : public QComboBox {
+    Q_OBJECT
+
+public:
+    explicit PortPicker(session::PortWatch& ports, QWidget* parent = nullptr);
+
+    QString port() const { return m_port; } ///< empty: none chosen
+    /// A name that is in no list becomes an entry of its own. Emits nothing.
+    void setPort(const QString& port);
+    /// Chosen by the program because the user has chosen nothing yet; a better one may replace it.
+    void suggest(const QString& port);
+    bool chosenByUser() const { return m_byUser; }
+    /// Chosen, an adapter, and not plugged in.
+    bool isMissing() const;
+
+    void keyPressEvent(QKeyEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+Q_SIGNALS:
+    void chosen(const QString& port); ///< by the user, or the adapter is elsewhere now
+    void otherWanted();               ///< the entry for typing a name
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Entry {
+        QString key; ///< port name; "-1" …: a line between groups
+        QString text;
+        QString tip;
+        bool separator = false;
+    };
+    std::vector<Entry> wanted() const;
+    Entry entryFor(const session::PortInfo& info) const;
+    void refresh();
+    void sync(const std::vector<Entry>& entries);
+    void follow();
+    void take(const QString& port);
+    void activatedAt(int index);
+    void showTip();
+
+    session::PortWatch& m_ports;
+    QString m_port;
+    QString m_key;     ///< of the adapter, as known while it was there
+    QString m_shownAs; ///< its text while it was there
+    QStringList m_typed;
+    bool m_byUser = false;
+};
+} // namespace ui
