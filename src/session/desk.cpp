@@ -138,7 +138,7 @@ void Desk::disconnectFrom()
         setState(LinkState::Off);
         return;
     }
-    dropQueue(base::ErrorCode::Stopped);
+    dropQueue(base::ErrorCode::Stopped, true);
     stopSearch();
     const bool opening = m_state == LinkState::Opening;
     setState(LinkState::Closing);
@@ -176,7 +176,8 @@ void Desk::lookAtLink()
 /// begins.
 void Desk::goOn()
 {
-    const bool idle = !m_running && !(m_search && m_search->started);
+    startNext();
+    const bool idle = !m_running && m_queue.empty() && !(m_search && m_search->started);
     if (idle && (m_state == LinkState::Closing || m_state == LinkState::Lost)) {
         m_search.reset();
         m_live.poll = 0;
@@ -186,7 +187,6 @@ void Desk::goOn()
         return;
     }
     startSearch();
-    startNext();
     updateLive();
 }
 

@@ -113,8 +113,8 @@ public:
 
     /// Closes what is open first. linkChanged follows; a failure arrives as connectFailed.
     void connectTo(const PortRequest& request);
-    /// Ends searches and polls, lets the running write end, drops tasks that wait. The list stays,
-    /// greyed by the state.
+    /// Ends searches and polls, finishes the writes asked for, drops other tasks that wait. The
+    /// list stays, greyed by the state.
     void disconnectFrom();
     /// Like disconnectFrom(), for closing the window: closed() follows, at once when idle.
     void close();
@@ -213,7 +213,7 @@ private:
     void startNext();
     void runWork(Work& work);
     void workEnded(const std::shared_ptr<Work>& work);
-    void dropQueue(base::ErrorCode why);
+    void dropQueue(base::ErrorCode why, bool finishWrites = false);
     void endUnrun(Work& work, base::ErrorCode why);
     ServoEntry* entry(ServoRef ref);
     void merge(ServoEntry& into, const device::Servo& from, base::Duration since);

@@ -22,12 +22,7 @@ void Desk::stopTask()
 {
     if (m_running)
         m_running->stop.request();
-    while (!m_queue.empty()) {
-        const auto work = m_queue.front();
-        m_queue.pop_front();
-        endUnrun(*work, base::ErrorCode::Stopped);
-    }
-    Q_EMIT taskChanged();
+    dropQueue(base::ErrorCode::Stopped);
 }
 
 void Desk::perform(ServoRef ref, Task task)
@@ -62,7 +57,8 @@ bool Desk::mayRun(const Work& work) const
 
 void Desk::startNext()
 {
-    if (m_running || m_queue.empty() || m_state != LinkState::Open || !mayRun(*m_queue.front()))
+    const bool usable = m_state == LinkState::Open || m_state == LinkState::Closing;
+    if (m_running || m_queue.empty() || !usable || !m_connection || !mayRun(*m_queue.front()))
         return;
     m_running = m_queue.front();
     m_queue.pop_front();
@@ -164,12 +160,16 @@ void Desk::endUnrun(Work& work, base::ErrorCode why)
     });
 }
 
-void Desk::dropQueue(base::ErrorCode why)
+void Desk::dropQueue(base::ErrorCode why, bool finishWrites)
 {
-    std::deque<std::shared_ptr<Work>> dropped;
-    dropped.swap(m_queue);
-    for (const auto& work : dropped)
-        endUnrun(*work, why);
+    std::deque<std::shared_ptr<Work>> waiting;
+    waiting.swap(m_queue);
+    for (const auto& work : waiting) {
+        if (finishWrites && work->finishes)
+            m_queue.push_back(work);
+        else
+            endUnrun(*work, why);
+    }
     Q_EMIT taskChanged();
 }
 

@@ -10,6 +10,7 @@ struct Desk::Work {
     ServoRef ref = 0; ///< 0: concerns the whole bus
     Task task;
     bool readOnly = false;             ///< may run beside a search at the same rate
+    bool finishes = false;             ///< a write: begun or not, it is done before the port closes
     std::function<void(Work&)> merged; ///< main thread, after the servo has been merged
 
     device::Servo servo; ///< a copy, made when the work starts

@@ -1,86 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "jobs/change.h"
 #include "session/desk_work.h"
+#include "session/ordered_write.h"
 
 #include <algorithm>
 
 namespace session {
 namespace {
 using device::WriteOutcome;
-
-/// The rate a code of the baud register stands for.
-std::optional<int> rateOf(const catalog::Register& reg, std::int64_t raw)
-{
-    for (const catalog::NamedValue& value : reg.values) {
-        bool number = false;
-        const int rate = value.key.toInt(&number);
-        if (value.value == raw && number)
-            return rate;
-    }
-    return std::nullopt;
-}
-
-void append(std::optional<device::WriteReport>& sum, const device::WriteReport& part)
-{
-    if (!sum) {
-        sum = part;
-        return;
-    }
-    sum->id = part.id;
-    sum->lock = part.lock;
-    for (const device::WriteResult& write : part.writes)
-        sum->writes.push_back(write);
-}
-
-base::Result<device::WriteReport> changeRate(const device::Context& context, device::Servo& servo,
-                                             const device::WriteItem& item)
-{
-    const catalog::Register* reg = servo.profile->find(item.key);
-    const auto rate = rateOf(*reg, item.raw);
-    if (!rate) {
-        return tl::unexpected(base::Error{base::ErrorCode::OutOfRange, QStringLiteral("write"),
-                                          QString::number(item.raw), servo.id, item.key});
-    }
-    return jobs::changeBaud(context, servo, *rate);
-}
-
-/// After ID and rate a servo answers elsewhere, so they come last, and each by its own manoeuvre.
-base::Result<void> writeInOrder(const device::Context& context, device::Servo& servo,
-                                const WriteOrder& order, bool asBefore,
-                                std::optional<device::WriteReport>& report)
-{
-    std::vector<device::WriteItem> plain;
-    std::optional<device::WriteItem> id;
-    std::optional<device::WriteItem> rate;
-    for (const device::WriteItem& item : order.items) {
-        const catalog::Register* reg = servo.profile->find(item.key);
-        const auto role = reg != nullptr ? reg->role : catalog::Role::None;
-        if (role == catalog::Role::Id)
-            id = item;
-        else if (role == catalog::Role::BaudRate)
-            rate = item;
-        else
-            plain.push_back(item);
-    }
-    const auto take = [&](const base::Result<device::WriteReport>& part) -> base::Result<void> {
-        if (!part)
-            return tl::unexpected(part.error());
-        append(report, *part);
-        return {};
-    };
-    device::WriteOptions options;
-    options.temporary = order.temporary;
-    options.dangerous = order.dangerous;
-    options.asBefore = asBefore;
-    base::Result<void> done;
-    if (!plain.empty())
-        done = take(device::write(context, servo, plain, options));
-    if (done && rate)
-        done = take(changeRate(context, servo, *rate));
-    if (done && id)
-        done = take(jobs::changeId(context, servo, static_cast<int>(id->raw)));
-    return done;
-}
 
 /// The word for a register whose write never began.
 WriteOutcome outcomeOf(const base::Error& error)
@@ -100,6 +26,13 @@ bool concerns(const base::Intent& intent, const base::ServoIdentity& who)
     const bool becameThis = intent.kind == base::IntentKind::SetId && !intent.items.empty() &&
                             intent.items.front().newRaw == who.id;
     return intent.servo.id == who.id || becameThis;
+}
+
+bool moves(const ServoEntry* entry, const QString& key)
+{
+    const catalog::Register* reg =
+        entry != nullptr && entry->servo.profile ? entry->servo.profile->find(key) : nullptr;
+    return reg != nullptr && reg->motion;
 }
 
 bool took(const device::WriteResult& result)
@@ -130,8 +63,13 @@ void Desk::enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind)
     work->task.name = QStringLiteral("write");
     work->task.savesTable = true;
     work->task.quiet = true;
+    work->finishes = true;
     work->task.work = [order, kind, report](TaskContext& task) {
-        return writeInOrder(task.device, task.servo, order, kind != WriteKind::New, *report);
+        device::WriteOptions options;
+        options.temporary = order.temporary;
+        options.dangerous = order.dangerous;
+        options.asBefore = kind != WriteKind::New;
+        return writeInOrder(task.device, task.servo, order.items, options, *report);
     };
     work->merged = [this, order, kind, report](Work& ended) {
         writeEnded(ended, order, kind, *report);
@@ -174,14 +112,16 @@ void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind
           .undone = kind != WriteKind::New});
 }
 
-/// What really changed can be taken back; a way back that failed stays where it was.
+/// What really changed can be taken back; a way back that failed stays where it was. What moves or
+/// energises is left out: undoing a setting must not turn a shaft.
 void Desk::remember(ServoRef ref, const WriteOrder& order, WriteKind kind,
                     const std::optional<device::WriteReport>& report)
 {
     UndoStep step{ref, {}, {}, order.temporary};
     if (report) {
         for (const device::WriteResult& result : report->writes) {
-            if (!took(result) || !result.oldRaw || *result.oldRaw == result.newRaw)
+            if (!took(result) || !result.oldRaw || *result.oldRaw == result.newRaw ||
+                moves(servo(ref), result.key))
                 continue;
             step.before.push_back({result.key, *result.oldRaw});
             step.after.push_back({result.key, result.newRaw});

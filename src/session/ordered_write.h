@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any mixture of registers written as the table's user means it: torque and centring by their own
+// manoeuvres, plain registers by the safe write, then rate and ID, after which the servo answers
+// elsewhere. The job's thread. Errors as device::write and the jobs; what had ended before stands
+// in the report.
+#pragma once
+
+#include "device/writer.h"
+
+namespace session {
+base::Result<void> writeInOrder(const device::Context& context, device::Servo& servo,
+                                const std::vector<device::WriteItem>& items,
+                                const device::WriteOptions& options,
+                                std::optional<device::WriteReport>& report);
+} // namespace session
