@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/history_panel.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QListView>
+#include <QVBoxLayout>
+
+namespace ui {
+HistoryPanel::HistoryPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_title(new QLabel(this))
+    , m_nothing(new QLabel(this))
+    , m_list(new QListView(this))
+{
+    setObjectName(QStringLiteral("historyPanel"));
+    m_list->setObjectName(QStringLiteral("historyList"));
+    m_list->setModel(&m_model);
+    m_list->setUniformItemSizes(true);
+    m_list->setTextElideMode(Qt::ElideMiddle);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_nothing->setWordWrap(true);
+    QFont bold = m_title->font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 8, 0, 0);
+    layout->addWidget(m_title);
+    layout->addWidget(m_nothing);
+    layout->addWidget(m_list, 1);
+    retranslate();
+}
+
+void HistoryPanel::setEntry(const session::ServoEntry* entry)
+{
+    m_model.setEntry(entry);
+    showWhich();
+}
+
+void HistoryPanel::showWhich()
+{
+    const bool empty = m_model.rowCount() == 0;
+    m_nothing->setVisible(empty);
+    m_list->setVisible(!empty);
+}
+
+void HistoryPanel::retranslate()
+{
+    m_title->setText(tr("History of this servo"));
+    m_nothing->setText(tr("Nothing has been written to a servo of this model and ID yet."));
+    m_list->setAccessibleName(m_title->text());
+    m_list->setToolTip(tr("Writes to a servo of this model, firmware and ID, newest first"));
+    m_model.retranslate();
+    showWhich();
+}
+
+void HistoryPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui

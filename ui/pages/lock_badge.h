@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The padlock: whether the servo's EPROM lock is closed, and if it stands open, whether ServoDesk
+// or somebody else opened it, with the button that closes it. Owned by the tool row; main thread.
+#pragma once
+
+#include "session/servo_entry.h"
+#include "ui/app/theme.h"
+
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QToolButton;
+
+namespace ui {
+class LockBadge final : public QWidget {
+    Q_OBJECT
+
+public:
+    LockBadge(QAction* closeLock, QWidget* parent);
+
+    /// Null: no servo; hidden.
+    void setEntry(const session::ServoEntry* entry);
+
+    enum class Lock : std::uint8_t { NoServo, None, NotRead, Closed, OpenByUs, OpenByOthers };
+    Lock lock() const { return m_lock; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void showSign();
+
+    QLabel* m_sign;
+    QLabel* m_word;
+    QToolButton* m_close;
+    Lock m_lock = Lock::NoServo;
+};
+} // namespace ui

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The memory table of the selected servo: reads it when it is selected, keeps the rows in sight
+// fresh, takes edits and has them written safely, asking first where a write is dangerous or
+// changes the mode. Selecting, filtering and reading write nothing. Owned by the window; main
+// thread, never waits.
+#pragma once
+
+#include "ui/app/commands.h"
+#include "ui/models/memory_filter.h"
+#include "ui/models/memory_model.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+class QSplitter;
+class QStackedWidget;
+
+namespace ui {
+class Banner;
+class HistoryPanel;
+class MemoryOutput;
+class MemoryToolbar;
+class MemoryView;
+class RegisterDelegate;
+class RegisterPanel;
+
+class MemoryPage final : public QWidget {
+    Q_OBJECT
+
+public:
+    MemoryPage(session::Desk& desk, Commands& commands, Selection& selection,
+               session::Settings& settings, QWidget* parent = nullptr);
+    ~MemoryPage() override;
+
+    /// Asks first where that is due, then has it written.
+    void orderWrite(const QString& key, std::int64_t raw, bool temporary);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void build(session::Settings& settings);
+    void connectTable();
+    void connectToolbar();
+    void connectDesk();
+    void connectCommands();
+    void retranslate();
+
+    const session::ServoEntry* entry() const;
+    void select();
+    void read();
+    void refresh();
+    void refreshSoon();
+    void showPanel();
+    void showWhich();
+    void showStanding();
+    void complain(const QString& words);
+    void explainReadOnly(const QModelIndex& index);
+    void updateLive();
+
+    bool writeOtherwise(const session::ServoEntry& entry, const catalog::Register& reg,
+                        std::int64_t raw);
+    void send(session::ServoRef ref, const QString& key, std::int64_t raw, bool temporary);
+    void setTorque(std::int64_t raw);
+    void closeLock();
+
+    session::Desk& m_desk;
+    Commands& m_commands;
+    Selection& m_selection;
+    MemoryModel m_model;
+    MemoryFilter m_filter;
+
+    MemoryToolbar* m_toolbar = nullptr;
+    Banner* m_banner = nullptr;
+    QStackedWidget* m_stack = nullptr;
+    QLabel* m_nothing = nullptr;
+    QSplitter* m_splitter = nullptr;
+    MemoryView* m_view = nullptr;
+    RegisterDelegate* m_delegate = nullptr;
+    RegisterPanel* m_panel = nullptr;
+    HistoryPanel* m_history = nullptr;
+    MemoryOutput* m_output = nullptr;
+
+    QTimer m_refresh;        ///< many changes, one look
+    QTimer m_age;            ///< values grow old
+    QTimer m_live;           ///< scrolling and typing first come to rest
+    bool m_standing = false; ///< the banner tells of the servo, not of an input
+};
+} // namespace ui

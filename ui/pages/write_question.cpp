@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/write_question.h"
+
+#include "text/language.h"
+#include "text/translate.h"
+#include "ui/models/memory_words.h"
+
+namespace ui {
+using catalog::Role;
+using text::translate;
+
+namespace {
+/// What a role's register will hold when everything asked for so far has been written.
+std::optional<std::int64_t> soon(const session::ServoEntry& entry, Role role)
+{
+    const catalog::Register* reg = entry.servo.profile->byRole(role);
+    if (reg == nullptr)
+        return std::nullopt;
+    const auto write = entry.writes.find(reg->key);
+    if (write != entry.writes.end() && write->second.pending > 0)
+        return write->second.wanted;
+    return entry.servo.raw(*reg);
+}
+
+QString nameOf(const catalog::Register& reg)
+{
+    return QStringLiteral("%1 (%2)").arg(reg.name.in(text::inChinese())).arg(reg.address);
+}
+
+QString nameOf(const session::ServoEntry& entry, Role role)
+{
+    const catalog::Register* reg = entry.servo.profile->byRole(role);
+    return reg != nullptr ? nameOf(*reg) : QString();
+}
+
+QString sentences(QStringList lines)
+{
+    lines.removeAll(QString());
+    return lines.join(translate("WriteQuestion", " ", "between sentences"));
+}
+
+QString howKept(bool temporary)
+{
+    return temporary ? translate("WriteQuestion", "The value is lost at power-off.") : QString();
+}
+
+QString modeRisk(const session::ServoEntry& entry, const catalog::Mode& to)
+{
+    if (to.command != Role::GoalPosition)
+        return translate("WriteQuestion", "In this mode the shaft turns without end as soon as it "
+                                          "is given a command. Clear the mechanism first.");
+    if (to.limitsZero && entry.servo.profile->byRole(Role::MinAngle) != nullptr)
+        return translate("WriteQuestion", "In this mode no angle limit keeps the shaft inside its "
+                                          "range. Clear the mechanism first.");
+    return {};
+}
+
+Question modeQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
+                      std::int64_t raw, const ModeStep& step, bool temporary)
+{
+    const bool chinese = text::inChinese();
+    const QString target = step.to->name.in(chinese);
+    Question question;
+    question.title = translate("WriteQuestion", "Change the mode to “%1”?").arg(target);
+    const QString change =
+        step.from != nullptr
+            ? translate("WriteQuestion", "Writing %1 to %2 takes the servo from “%3” to “%4”.")
+                  .arg(QString::number(raw), nameOf(reg), step.from->name.in(chinese), target)
+            : translate("WriteQuestion", "Writing %1 to %2 leads to “%3”.")
+                  .arg(QString::number(raw), nameOf(reg), target);
+    const QString command = nameOf(entry, step.to->command);
+    const QString zeroed =
+        step.to->command == Role::GoalPosition || command.isEmpty()
+            ? QString()
+            : translate("WriteQuestion", "The command of the new mode, %1, is set to 0.")
+                  .arg(command);
+    question.text = sentences(
+        {change,
+         translate("WriteQuestion", "ServoDesk switches torque off first, writes, and reads back."),
+         zeroed, translate("WriteQuestion", "Torque stays off until you switch it on."),
+         howKept(temporary)});
+    question.risk = modeRisk(entry, *step.to);
+    question.yes = translate("WriteQuestion", "Change the mode");
+    return question;
+}
+
+QString roleRisk(const catalog::Register& reg, std::int64_t raw)
+{
+    switch (reg.role) {
+    case Role::Id:
+        return translate("WriteQuestion", "From now on the servo answers as %1. Programs that know "
+                                          "it by its old ID no longer find it.")
+            .arg(raw);
+    case Role::BaudRate:
+        return translate("WriteQuestion", "The servo leaves this rate. ServoDesk follows it; other "
+                                          "programs and servos stay where they are.");
+    case Role::ResponseLevel:
+    case Role::ReturnDelay:
+        return translate("WriteQuestion", "Programs that wait for its answers in another way may "
+                                          "take the servo for lost.");
+    case Role::UnloadCondition:
+        return translate("WriteQuestion", "A protection that is switched off no longer saves motor "
+                                          "and gears: they can burn or break.");
+    case Role::Phase:
+        return translate("WriteQuestion", "Direction, feedback and drive of the motor change. A "
+                                          "wrong value can make it run away.");
+    case Role::PositionOffset:
+    case Role::AngleResolution:
+        return translate("WriteQuestion",
+                         "Every position means another angle afterwards. Clear the "
+                         "mechanism before torque is switched on.");
+    default:
+        return translate("WriteQuestion", "A wrong value can make the servo unreachable or "
+                                          "dangerous. Note the old value before you go on.");
+    }
+}
+
+Question dangerQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
+                        std::int64_t raw, bool temporary)
+{
+    const catalog::Meaning meaning = entry.servo.meaning(reg);
+    const auto present = entry.shown(reg);
+    Question question;
+    question.title = translate("WriteQuestion", "Write %1?").arg(nameOf(reg));
+    const QString change =
+        present ? translate("WriteQuestion", "From %1 to %2.")
+                      .arg(rawWord(*present, reg, meaning), rawWord(raw, reg, meaning))
+                : translate("WriteQuestion", "To %1; the present value could not be read.")
+                      .arg(rawWord(raw, reg, meaning));
+    const QString torque =
+        reg.torqueOff == catalog::TorqueOff::Needed
+            ? translate("WriteQuestion", "Torque is switched off first and stays off.")
+            : QString();
+    question.text = change + QStringLiteral("\n\n") + reg.help.in(text::inChinese()) +
+                    (torque.isEmpty() && !temporary
+                         ? QString()
+                         : QStringLiteral("\n\n") + sentences({torque, howKept(temporary)}));
+    question.risk =
+        sentences({reg.motion ? translate("WriteQuestion", "The shaft turns as soon as this is "
+                                                           "written: keep clear of the mechanism.")
+                              : QString(),
+                   roleRisk(reg, raw)});
+    question.yes = translate("WriteQuestion", "Write");
+    return question;
+}
+} // namespace
+
+ModeStep modeStep(const session::ServoEntry& entry, const catalog::Register& reg, std::int64_t raw)
+{
+    const auto after = [&](Role role) {
+        return reg.role == role ? std::optional(raw) : soon(entry, role);
+    };
+    const catalog::Profile& profile = *entry.servo.profile;
+    return {device::modeFor(profile, soon(entry, Role::OperatingMode), soon(entry, Role::MinAngle),
+                            soon(entry, Role::MaxAngle)),
+            device::modeFor(profile, after(Role::OperatingMode), after(Role::MinAngle),
+                            after(Role::MaxAngle))};
+}
+
+std::optional<Question> writeQuestion(const session::ServoEntry& entry,
+                                      const catalog::Register& reg, std::int64_t raw,
+                                      bool temporary)
+{
+    const bool decides =
+        reg.role == Role::OperatingMode || reg.role == Role::MinAngle || reg.role == Role::MaxAngle;
+    if (decides) {
+        const ModeStep step = modeStep(entry, reg, raw);
+        if (step.to != nullptr && step.to != step.from)
+            return modeQuestion(entry, reg, raw, step, temporary);
+        if (step.to != nullptr)
+            return std::nullopt;
+    }
+    if (!reg.dangerous)
+        return std::nullopt;
+    return dangerQuestion(entry, reg, raw, temporary);
+}
+} // namespace ui
