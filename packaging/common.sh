@@ -64,7 +64,7 @@ install_packages() {
     mapfile -t wanted < <(packages_of "$@")
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
         say "This is not Debian, so nothing is installed. Needed are a C++20 compiler, CMake 3.22," \
-            "Ninja, Qt 6.4 (Core, Network, SerialPort, Linguist tools, Test), CLI11 and tl-expected;" \
+            "Ninja, Qt 6.4 (Widgets, PrintSupport, DBus, Network, SerialPort, Linguist tools, Test, its Chinese translation and the SVG plugin), CLI11 and tl-expected;" \
             "Debian calls them: ${wanted[*]}"
         return 0
     fi
