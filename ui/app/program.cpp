@@ -39,15 +39,20 @@ void screenshotLater(MainWindow& window, const Options& options)
 }
 } // namespace
 
+void initProgram()
+{
+    initIcons();
+    QIcon::setThemeSearchPaths(QIcon::themeSearchPaths() << QStringLiteral(":/icons"));
+    QIcon::setFallbackThemeName(QStringLiteral("breeze"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/servodesk.svg")));
+}
+
 int runProgram(int argc, char* argv[])
 {
     QApplication::setApplicationName(QStringLiteral("servodesk"));
     QApplication::setApplicationVersion(QStringLiteral(SERVODESK_VERSION));
     QApplication app(argc, argv);
-    initIcons();
-    QIcon::setThemeSearchPaths(QIcon::themeSearchPaths() << QStringLiteral(":/icons"));
-    QIcon::setFallbackThemeName(QStringLiteral("breeze"));
-    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/servodesk.svg")));
+    initProgram();
 
     LanguageSwitch language;
     language.apply({});

@@ -135,6 +135,8 @@ void TestWords::errorsNameWhatIsConcerned_data()
         "Servo 1, goal_position: the value is outside what is allowed (0 … 4095).");
     row("busy", {ErrorCode::PortBusy, {}, QStringLiteral("minicom (411)")},
         "The port is in use by minicom (411).");
+    row("taken", {ErrorCode::PortMissing, {}, QStringLiteral("/dev/ttyUSB0, brltty")},
+        "The braille service (brltty) has taken the adapter (/dev/ttyUSB0).");
     row("no key twice",
         {ErrorCode::UnknownRegister, {}, QStringLiteral("speeed"), 2, QStringLiteral("speeed")},
         "Servo 2, speeed: this servo has no register of that name.");
@@ -165,6 +167,10 @@ void TestWords::remediesAreSpecific_data()
     QTest::newRow("vanishing CH340")
         << base::Error{ErrorCode::PortMissing, {}, QStringLiteral("/dev/ttyUSB0")}
         << QStringLiteral("brltty");
+    QTest::newRow("CH340 taken") << base::Error{ErrorCode::PortMissing,
+                                                {},
+                                                QStringLiteral("/dev/ttyUSB0, brltty")}
+                                 << QStringLiteral("sudo apt remove brltty");
     QTest::newRow("id by its own command")
         << base::Error{ErrorCode::NotSupported, QStringLiteral("write"), QStringLiteral("set-id"),
                        1, QStringLiteral("id")}

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window at its smallest useful size, in both languages: nothing is cut off without a tooltip
+// that says the rest, and whatever can be used has a name for people, for screen readers and for
+// tests.
+#include "gui/window_bench.h"
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTabBar>
+#include <QTableView>
+#include <QTreeView>
+
+namespace {
+QString called(const QWidget& widget)
+{
+    QString path;
+    for (const QWidget* w = &widget; w != nullptr && !w->isWindow(); w = w->parentWidget()) {
+        const QString name = w->objectName().isEmpty()
+                                 ? QString::fromLatin1(w->metaObject()->className())
+                                 : w->objectName();
+        path.prepend(QLatin1Char('/') + name);
+    }
+    return path;
+}
+
+/// Qt's own parts of bigger widgets answer through those.
+bool isInner(const QWidget& widget)
+{
+    const QWidget* parent = widget.parentWidget();
+    return widget.objectName().startsWith(QLatin1String("qt_")) ||
+           qobject_cast<const QAbstractSpinBox*>(parent) != nullptr ||
+           qobject_cast<const QComboBox*>(parent) != nullptr ||
+           qobject_cast<const QLineEdit*>(parent) != nullptr ||
+           qobject_cast<const QTabBar*>(parent) != nullptr ||
+           (parent != nullptr && parent->inherits("QMenuBar")) ||
+           (parent != nullptr && parent->inherits("QToolBar") &&
+            widget.inherits("QToolBarExtension")) ||
+           widget.inherits("QDockWidgetTitleButton") || widget.inherits("QTableCornerButton");
+}
+
+bool isInteractive(const QWidget& widget)
+{
+    return qobject_cast<const QAbstractButton*>(&widget) != nullptr ||
+           qobject_cast<const QLineEdit*>(&widget) != nullptr ||
+           qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr ||
+           qobject_cast<const QComboBox*>(&widget) != nullptr ||
+           (qobject_cast<const QAbstractItemView*>(&widget) != nullptr &&
+            qobject_cast<const QHeaderView*>(&widget) == nullptr);
+}
+
+/// What a label or button cannot show although it wants to.
+QString cutOff(const QWidget& widget)
+{
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+        if (label->text().isEmpty() || !label->toolTip().isEmpty())
+            return {};
+        const int wanted =
+            label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+        const bool narrow = !label->wordWrap() && label->width() < label->sizeHint().width();
+        return narrow || label->height() < wanted ? label->text() : QString();
+    }
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
+        const QSize hint = button->minimumSizeHint().isValid()
+                               ? button->minimumSizeHint().boundedTo(button->sizeHint())
+                               : button->sizeHint();
+        const bool small = button->width() < hint.width() || button->height() < hint.height() - 1;
+        return !button->text().isEmpty() && small ? button->text() : QString();
+    }
+    return {};
+}
+
+QStringList cutHeaders(const QHeaderView& header)
+{
+    QStringList cut;
+    if (header.orientation() != Qt::Horizontal || header.model() == nullptr || header.isHidden())
+        return cut;
+    for (int i = 0; i < header.count(); ++i) {
+        const QString text = header.model()->headerData(i, Qt::Horizontal).toString();
+        const int wanted = QFontMetrics(header.font()).horizontalAdvance(text);
+        const bool tip =
+            !header.model()->headerData(i, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty();
+        if (!header.isSectionHidden(i) && header.sectionSize(i) < wanted && !tip)
+            cut << text;
+    }
+    return cut;
+}
+
+/// Cells whose text is wider than they are, and that do not say the rest in a tooltip.
+QStringList silentCells(const QAbstractItemView& view)
+{
+    QStringList silent;
+    const QAbstractItemModel* model = view.model();
+    if (model == nullptr)
+        return silent;
+    for (int row = 0; row < model->rowCount(); ++row) {
+        for (int column = 0; column < model->columnCount(); ++column) {
+            const QModelIndex index = model->index(row, column);
+            const QString text = index.data(Qt::DisplayRole).toString();
+            const QRect rect = view.visualRect(index);
+            const int wanted = QFontMetrics(view.font()).horizontalAdvance(text);
+            if (rect.width() > 0 && wanted > rect.width() &&
+                index.data(Qt::ToolTipRole).toString().isEmpty())
+                silent << text;
+        }
+    }
+    return silent;
+}
+} // namespace
+
+class TestLayout : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void nothingIsCutOff_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("port");
+        QTest::newRow("English, no port") << "en"
+                                          << "";
+        QTest::newRow("Chinese, no port") << "zh_CN"
+                                          << "";
+        QTest::newRow("English, STS") << "en"
+                                      << "sim:demo";
+        QTest::newRow("Chinese, STS") << "zh_CN"
+                                      << "sim:demo";
+        QTest::newRow("English, LX") << "en"
+                                     << "sim:lx";
+        QTest::newRow("Chinese, Modbus") << "zh_CN"
+                                         << "sim:modbus";
+    }
+    void nothingIsCutOff()
+    {
+        QFETCH(QString, language);
+        QFETCH(QString, port);
+        gui::WindowBench bench(language);
+        bench.window->resize(1024, 700);
+        if (!port.isEmpty())
+            QVERIFY(bench.ready(1, port));
+        QVERIFY(QTest::qWaitForWindowExposed(bench.window.get()));
+        QCOMPARE(bench.window->size(), QSize(1024, 700));
+        QStringList faults;
+        for (const QWidget* widget : bench.window->findChildren<QWidget*>()) {
+            if (!widget->isVisible() || isInner(*widget))
+                continue;
+            if (const QString text = cutOff(*widget); !text.isEmpty())
+                faults << called(*widget) + QStringLiteral(": ") + text;
+            if (const auto* header = qobject_cast<const QHeaderView*>(widget)) {
+                for (const QString& text : cutHeaders(*header))
+                    faults << called(*widget) + QStringLiteral(": header ") + text;
+            } else if (const auto* view = qobject_cast<const QAbstractItemView*>(widget)) {
+                for (const QString& text : silentCells(*view))
+                    faults << called(*widget) + QStringLiteral(": cell ") + text;
+            }
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    }
+
+    void whateverCanBeUsedHasNames()
+    {
+        gui::WindowBench bench;
+        QVERIFY(bench.ready(1));
+        QStringList faults;
+        int seen = 0;
+        for (const QWidget* widget : bench.window->findChildren<QWidget*>()) {
+            if (!isInteractive(*widget) || isInner(*widget))
+                continue;
+            ++seen;
+            if (widget->objectName().isEmpty())
+                faults << called(*widget) + QStringLiteral(": no object name");
+            if (widget->accessibleName().isEmpty())
+                faults << called(*widget) + QStringLiteral(": no accessible name");
+            if (widget->toolTip().isEmpty())
+                faults << called(*widget) + QStringLiteral(": no tooltip");
+        }
+        QVERIFY(seen > 20);
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    }
+
+    void theSwitchToChineseLeavesNoEnglishSentence()
+    {
+        gui::WindowBench bench;
+        QVERIFY(bench.ready(1));
+        bench.languages.apply(QStringLiteral("zh_CN"));
+        gui::WindowBench* const both = &bench;
+        static const QRegularExpression sentence(
+            QStringLiteral("\\b[A-Za-z]{3,} [a-z]{2,} [a-z]{2,}\\b"));
+        QStringList faults;
+        for (const QWidget* widget : both->window->findChildren<QWidget*>()) {
+            QStringList texts{widget->toolTip(), widget->accessibleName()};
+            if (const auto* label = qobject_cast<const QLabel*>(widget))
+                texts << label->text();
+            if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+                texts << button->text();
+            for (const QString& text : texts) {
+                if (text.contains(sentence))
+                    faults << called(*widget) + QStringLiteral(": ") + text;
+            }
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    }
+};
+
+QTEST_MAIN(TestLayout)
+#include "tst_layout.moc"

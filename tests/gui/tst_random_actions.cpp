@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A thousand things a user might do, in no order at all: clicks, keys, commands, switches, wrong
+// text, trouble on the line. Nothing crashes, nothing hangs, no lock stays open, and what was begun
+// has an end. The seed is printed; SERVODESK_SEED repeats a run.
+#include "gui/window_bench.h"
+#include "sim/sim_link.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QLineEdit>
+#include <QRandomGenerator>
+#include <QTabBar>
+
+using ui::Command;
+
+namespace {
+constexpr int actions = 1000;
+
+class Monkey {
+public:
+    Monkey(gui::WindowBench& bench, quint32 seed)
+        : m_bench(bench)
+        , m_dice(seed)
+    {}
+
+    void act()
+    {
+        const int what = m_dice.bounded(100);
+        if (what < 45)
+            click();
+        else if (what < 70)
+            type();
+        else if (what < 88)
+            command();
+        else if (what < 93)
+            switchLooks();
+        else if (what < 98)
+            trouble();
+        else
+            reconnect();
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 4);
+    }
+
+private:
+    template <typename T>
+    T pick(const QList<T>& list)
+    {
+        return list[m_dice.bounded(list.size())];
+    }
+
+    /// What the mouse can reach now.
+    QWidget* window()
+    {
+        if (QWidget* popup = QApplication::activePopupWidget())
+            return popup;
+        if (QWidget* modal = QApplication::activeModalWidget())
+            return modal;
+        return m_bench.window.get();
+    }
+
+    void click()
+    {
+        QList<QWidget*> targets;
+        for (QWidget* widget : window()->findChildren<QWidget*>()) {
+            const bool useful = qobject_cast<QAbstractButton*>(widget) != nullptr ||
+                                qobject_cast<QComboBox*>(widget) != nullptr ||
+                                qobject_cast<QLineEdit*>(widget) != nullptr ||
+                                qobject_cast<QTabBar*>(widget) != nullptr ||
+                                widget->objectName() == QLatin1String("qt_scrollarea_viewport");
+            if (useful && widget->isVisible() && widget->isEnabled() &&
+                !widget->objectName().contains(QLatin1String("export"), Qt::CaseInsensitive) &&
+                !widget->objectName().contains(QLatin1String("print"), Qt::CaseInsensitive))
+                targets << widget;
+        }
+        if (targets.isEmpty())
+            return;
+        QPointer<QWidget> target = pick(targets);
+        const QPoint at(m_dice.bounded(std::max(1, target->width())),
+                        m_dice.bounded(std::max(1, target->height())));
+        const Qt::MouseButton button = m_dice.bounded(10) == 0 ? Qt::RightButton : Qt::LeftButton;
+        QTest::mouseClick(target, button, {}, at);
+        if (target && m_dice.bounded(3) == 0)
+            QTest::mouseDClick(target, Qt::LeftButton, {}, at);
+    }
+
+    void type()
+    {
+        static const QList<int> keys{Qt::Key_Tab,    Qt::Key_Return, Qt::Key_Escape, Qt::Key_Up,
+                                     Qt::Key_Down,   Qt::Key_Left,   Qt::Key_Right,  Qt::Key_Space,
+                                     Qt::Key_Delete, Qt::Key_F2,     Qt::Key_PageUp, Qt::Key_Home,
+                                     Qt::Key_9,      Qt::Key_0,      Qt::Key_Minus,  Qt::Key_Period,
+                                     Qt::Key_X,      Qt::Key_F5,     Qt::Key_F6};
+        QWidget* focus = QApplication::focusWidget();
+        QWidget* target = focus != nullptr ? focus : window();
+        if (m_dice.bounded(4) == 0 && qobject_cast<QLineEdit*>(target) != nullptr) {
+            static const QStringList rubbish{QStringLiteral("99999999999999999999"),
+                                             QStringLiteral("abc"),
+                                             QStringLiteral("-1"),
+                                             QStringLiteral("12,5 V"),
+                                             QStringLiteral("\u0000\u4e2d"),
+                                             QStringLiteral("0x1F")};
+            static_cast<QLineEdit*>(target)->insert(pick(rubbish));
+            return;
+        }
+        QTest::keyClick(target, static_cast<Qt::Key>(pick(keys)));
+    }
+
+    void command()
+    {
+        const auto command = static_cast<Command>(m_dice.bounded(static_cast<int>(Command::Count)));
+        // Those that end the program or open the system's own windows.
+        if (command == Command::Quit || command == Command::PrintTable ||
+            command == Command::ExportTable)
+            return;
+        if (QApplication::activeModalWidget() == nullptr)
+            m_bench.action(command)->trigger();
+    }
+
+    void switchLooks()
+    {
+        if (m_dice.bounded(2) == 0)
+            m_bench.languages.apply(m_bench.languages.chinese() ? QStringLiteral("en")
+                                                                : QStringLiteral("zh_CN"));
+        else
+            m_bench.themes.apply(static_cast<session::Theme>(m_dice.bounded(3)));
+    }
+
+    void trouble()
+    {
+        if (m_bench.desk().connection() == nullptr ||
+            m_bench.desk().connection()->simulation() == nullptr)
+            return;
+        const int what = m_dice.bounded(5);
+        m_bench.desk().connection()->simulation()->with([what](sim::VirtualBus& bus) {
+            auto& faults = bus.config().faults;
+            faults = {};
+            if (what == 0)
+                faults.drop = 0.2;
+            if (what == 1)
+                faults.corrupt = 0.2;
+            if (what == 2)
+                faults.muteIds = {1, 2};
+            if (what == 3 && bus.servo(3) != nullptr)
+                bus.servo(3)->poke(QStringLiteral("lock"), 0);
+        });
+    }
+
+    void reconnect()
+    {
+        if (m_bench.desk().state() == session::LinkState::Open)
+            return;
+        m_bench.window->start({.port = session::PortRequest{.name = QStringLiteral("sim:demo")}});
+    }
+
+    gui::WindowBench& m_bench;
+    QRandomGenerator m_dice;
+};
+
+void closeEverything()
+{
+    while (QWidget* popup = QApplication::activePopupWidget())
+        popup->close();
+    while (QWidget* modal = QApplication::activeModalWidget())
+        modal->close();
+}
+} // namespace
+
+class TestRandomActions : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void nothingBreaks()
+    {
+        bool given = false;
+        const auto asked = qEnvironmentVariableIntValue("SERVODESK_SEED", &given);
+        const quint32 seed = given ? static_cast<quint32>(asked) : 20261121U;
+        qInfo("seed %u", seed);
+        gui::WindowBench bench;
+        QVERIFY(bench.ready(1));
+        Monkey monkey(bench, seed);
+        for (int i = 0; i < actions; ++i) {
+            monkey.act();
+            QVERIFY(bench.window->isVisible());
+        }
+        closeEverything();
+        if (bench.desk().connection() != nullptr)
+            bench.desk().connection()->simulation()->with(
+                [](sim::VirtualBus& bus) { bus.config().faults = {}; });
+        bench.desk().stopSearch();
+        bench.desk().stopTask();
+        QVERIFY(bench.settled());
+        closeEverything();
+        bench.window->close();
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.window->isVisible(), 20000);
+        const auto open = bench.session.journal().open();
+        QVERIFY(open);
+        for (const base::Intent& intent : *open)
+            qInfo("left open: %s", qPrintable(intent.items.front().key));
+    }
+};
+
+QTEST_MAIN(TestRandomActions)
+#include "tst_random_actions.moc"

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole program for a test: session, settings of its own, themes, languages and the real
+// window on a simulated bus, without a screen. One at a time; main thread.
+#pragma once
+
+#include "session/paths.h"
+#include "ui/app/language_switch.h"
+#include "ui/app/main_window.h"
+#include "ui/app/program.h"
+#include "ui/app/theme.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QtTest>
+
+namespace gui {
+class WindowBench {
+public:
+    explicit WindowBench(const QString& language = QStringLiteral("en"),
+                         session::Theme look = session::Theme::Light)
+    {
+        ui::initProgram();
+        QDir(session::dataFolder()).removeRecursively();
+        languages.apply(language);
+        themes.apply(look);
+        window = std::make_unique<ui::MainWindow>(session, settings, themes, languages);
+        window->resize(1280, 800);
+        window->show();
+    }
+
+    ui::MainWindow& operator*() { return *window; }
+    session::Desk& desk() { return window->desk(); }
+    ui::Selection& selection() { return window->selection(); }
+    QAction* action(ui::Command command) { return window->commands().action(command); }
+
+    /// Connected, searched (IDs 0 to 10), and `id` selected and read.
+    bool ready(int id, const QString& port = QStringLiteral("sim:demo"))
+    {
+        return connectTo(port) && choose(id);
+    }
+    bool connectTo(const QString& port)
+    {
+        window->start({.port = session::PortRequest{.name = port}});
+        return QTest::qWaitFor(
+            [this] { return desk().lastSearch().has_value() && !desk().searching(); }, 30000);
+    }
+    bool choose(int id)
+    {
+        for (const session::ServoRef ref : desk().servos()) {
+            if (desk().servo(ref)->servo.id == id)
+                selection().select(ref);
+        }
+        return selection().current() != 0 && settled() && entry().tableRead;
+    }
+    bool settled()
+    {
+        return QTest::qWaitFor([this] { return !desk().busy() && !desk().searching(); }, 20000);
+    }
+    const session::ServoEntry& entry() { return *desk().servo(selection().current()); }
+    std::optional<std::int64_t> raw(const char* key)
+    {
+        return entry().servo.raw(QString::fromLatin1(key));
+    }
+
+    template <typename Widget>
+    Widget* find(const char* name)
+    {
+        return window->findChild<Widget*>(QString::fromLatin1(name));
+    }
+
+private:
+    QTemporaryDir m_folder;
+
+public:
+    session::Settings settings{m_folder.filePath(QStringLiteral("servodesk.ini"))};
+    ui::LanguageSwitch languages;
+    ui::ThemeSwitch themes;
+    session::Session session;
+    std::unique_ptr<ui::MainWindow> window; ///< goes first
+};
+} // namespace gui
