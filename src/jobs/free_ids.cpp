@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/free_ids.h"
+
+#include "jobs/change_steps.h"
+
+#include <algorithm>
+
+namespace jobs {
+using base::ErrorCode;
+
+namespace {
+constexpr base::Duration patience = std::chrono::milliseconds(10);
+
+std::vector<base::Protocol> languages(const device::Context& context, base::Protocol own)
+{
+    std::vector<base::Protocol> all{own};
+    if (!context.bus.hasBaud())
+        return all;
+    for (const base::Protocol other : context.catalog.protocolsAt(context.bus.baud())) {
+        if (other != own)
+            all.push_back(other);
+    }
+    return all;
+}
+
+bool endsAll(ErrorCode code)
+{
+    return code == ErrorCode::LinkLost || code == ErrorCode::Stopped || code == ErrorCode::Held ||
+           code == ErrorCode::Preempted;
+}
+} // namespace
+
+base::Result<std::vector<int>> freeIds(const device::Context& context, base::Protocol protocol,
+                                       const std::vector<int>& ids, std::size_t wanted)
+{
+    const std::vector<base::Protocol> asked = languages(context, protocol);
+    std::vector<int> free;
+    for (const int id : ids) {
+        if (free.size() >= wanted)
+            break;
+        bool silent = true;
+        for (const base::Protocol language : asked) {
+            if (context.stop.requested())
+                return base::fail(ErrorCode::Stopped, QStringLiteral("free-ids"));
+            const auto here = answers(context, language, id, patience);
+            if (!here && endsAll(here.error().code))
+                return tl::unexpected(here.error());
+            silent = silent && here && !*here;
+        }
+        if (silent)
+            free.push_back(id);
+    }
+    return free;
+}
+} // namespace jobs

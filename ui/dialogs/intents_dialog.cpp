@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/intents_dialog.h"
+
+#include "text/translate.h"
+#include "ui/dialogs/ask.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace ui {
+using jobs::Finding;
+using jobs::RecoverAction;
+using jobs::Recovered;
+using session::Desk;
+using session::Event;
+using text::translate;
+
+namespace {
+constexpr int startWidth = 880;
+constexpr int startHeight = 420;
+constexpr int margin = 24;
+
+bool settleable(const Recovered& one)
+{
+    return one.before.finding != Finding::NoAnswer && one.before.finding != Finding::OtherServo;
+}
+} // namespace
+
+IntentsDialog::IntentsDialog(Desk& desk, const std::vector<Recovered>& intents, QWidget* parent)
+    : QDialog(parent)
+    , m_desk(desk)
+    , m_model(new IntentsModel(this))
+    , m_explanation(new QLabel(this))
+    , m_table(new QTableView(this))
+    , m_result(new TaskResult(startWidth - margin, this))
+    , m_finish(new QPushButton(this))
+    , m_undo(new QPushButton(this))
+    , m_forget(new QPushButton(this))
+    , m_later(new QPushButton(this))
+{
+    setObjectName(QStringLiteral("intentsDialog"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    connect(&desk, &Desk::openIntents, this, &IntentsDialog::found);
+    connect(&desk, &Desk::happened, this, &IntentsDialog::happened);
+    connect(&desk, &Desk::linkChanged, this, &IntentsDialog::updateButtons);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &IntentsDialog::updateButtons);
+    connect(m_finish, &QPushButton::clicked, this, [this] { settle(RecoverAction::Finish); });
+    connect(m_undo, &QPushButton::clicked, this, [this] { settle(RecoverAction::Undo); });
+    connect(m_forget, &QPushButton::clicked, this, &IntentsDialog::forget);
+    connect(m_later, &QPushButton::clicked, this, &QDialog::reject);
+    retranslate();
+    found(intents);
+}
+
+void IntentsDialog::build()
+{
+    m_explanation->setObjectName(QStringLiteral("explanation"));
+    m_explanation->setWordWrap(true);
+    m_table->setObjectName(QStringLiteral("intents"));
+    m_table->setModel(m_model);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->setTabKeyNavigation(false);
+    auto* row = new QHBoxLayout;
+    const std::pair<QPushButton*, const char*> buttons[] = {{m_finish, "intentFinish"},
+                                                            {m_undo, "intentUndo"},
+                                                            {m_forget, "intentForget"},
+                                                            {m_later, "intentLater"}};
+    for (const auto& [button, name] : buttons) {
+        button->setObjectName(QLatin1String(name));
+        button->setAutoDefault(false);
+    }
+    row->addWidget(m_finish);
+    row->addWidget(m_undo);
+    row->addWidget(m_forget);
+    row->addStretch();
+    row->addWidget(m_later);
+    m_later->setDefault(true);
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(12);
+    column->addWidget(m_explanation);
+    column->addWidget(m_table, 1);
+    column->addWidget(m_result);
+    column->addLayout(row);
+    resize(startWidth, startHeight);
+}
+
+void IntentsDialog::retranslate()
+{
+    setWindowTitle(translate("ServoTasks", "Interrupted writes"));
+    setAccessibleName(windowTitle());
+    m_explanation->setText(
+        translate("ServoTasks",
+                  "These changes were begun and have no end in the journal: a cable was pulled, "
+                  "power failed, or the program was ended. Looking at them wrote nothing. Choose "
+                  "what to do with each; what is left for later is offered again at the next "
+                  "connection."));
+    const auto say = [](QPushButton* button, const QString& text, const QString& tip) {
+        button->setText(text);
+        button->setAccessibleName(text);
+        button->setToolTip(tip);
+    };
+    say(m_finish, translate("ServoTasks", "Finish"),
+        translate("ServoTasks", "Write what is missing, prove it, and close the lock"));
+    say(m_undo, translate("ServoTasks", "Undo"),
+        translate("ServoTasks", "Put the old values back, prove them, and close the lock"));
+    say(m_forget, translate("ServoTasks", "Forget…"),
+        translate("ServoTasks", "Strike it from the journal; the servo is left as it is"));
+    say(m_later, translate("ServoTasks", "Later"),
+        translate("ServoTasks", "Close this list; nothing is written"));
+    m_table->setAccessibleName(translate("ServoTasks", "Interrupted writes"));
+    m_table->setToolTip(translate("ServoTasks", "Writes without an end in the journal"));
+    m_model->retranslate();
+}
+
+const Recovered* IntentsDialog::current() const
+{
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    return rows.isEmpty() ? nullptr : m_model->at(rows.first().row());
+}
+
+void IntentsDialog::updateButtons()
+{
+    const Recovered* one = current();
+    const bool free = one != nullptr && m_settling.isEmpty();
+    const bool open = m_desk.state() == session::LinkState::Open;
+    m_finish->setEnabled(free && open && settleable(*one));
+    m_undo->setEnabled(free && open && settleable(*one));
+    m_forget->setEnabled(free && open);
+}
+
+void IntentsDialog::settle(RecoverAction action)
+{
+    const Recovered* one = current();
+    if (one == nullptr || !m_settling.isEmpty())
+        return;
+    m_settling = one->before.intent.uuid;
+    m_action = action;
+    m_result->tell([] { return TaskWords{Tone::Quiet, translate("ServoTasks", "Working…")}; });
+    updateButtons();
+    m_desk.settleIntent(m_settling, action);
+}
+
+void IntentsDialog::forget()
+{
+    const Recovered* one = current();
+    if (one == nullptr)
+        return;
+    Question question;
+    question.title = translate("ServoTasks", "Forget this change?");
+    question.text = translate("ServoTasks", "ServoDesk no longer offers to finish or undo it. The "
+                                            "servo is left as it is.");
+    question.risk = translate("ServoTasks", "Its EPROM lock may stand open, and its values may be "
+                                            "half old and half new.");
+    question.yes = translate("ServoTasks", "Forget");
+    question.guard = this;
+    ask(this, question, [this, uuid = one->before.intent.uuid] { m_desk.forgetIntent(uuid); });
+}
+
+/// Of a look all that is open; of a settlement the one that was worked on.
+void IntentsDialog::found(const std::vector<Recovered>& all)
+{
+    if (!m_settling.isEmpty()) {
+        settled(all);
+        return;
+    }
+    m_model->setIntents(all);
+    if (!all.empty())
+        m_table->selectRow(0);
+    for (int column = 0; column < m_model->columnCount() - 1; ++column)
+        m_table->resizeColumnToContents(column);
+    if (all.empty() && !m_result->isVisibleTo(this))
+        m_result->tell([] {
+            return TaskWords{Tone::Good, translate("ServoTasks", "No change was left open.")};
+        });
+    updateButtons();
+}
+
+void IntentsDialog::settled(const std::vector<Recovered>& one)
+{
+    const QString uuid = std::exchange(m_settling, QString());
+    const bool undone = m_action == RecoverAction::Undo;
+    if (!one.empty() && one.front().before.intent.uuid == uuid) {
+        m_result->tell([first = one.front(), undone] {
+            if (first.error)
+                return errorWords(*first.error);
+            TaskWords words{Tone::Good,
+                            undone ? translate("ServoTasks", "The old values are back.")
+                                   : translate("ServoTasks", "The change has been finished.")};
+            if (first.report)
+                words.more << lockLine(first.report->lock);
+            words.more.removeAll(QString());
+            return words;
+        });
+    }
+    // What is open now is a matter of looking.
+    m_desk.lookForIntents();
+    updateButtons();
+}
+
+void IntentsDialog::happened(const Event& event)
+{
+    if (event.kind != Event::Kind::Failed || !event.error || m_settling.isEmpty())
+        return;
+    m_result->tell([error = *event.error] { return errorWords(error); });
+}
+
+void IntentsDialog::changeEvent(QEvent* event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_later != nullptr)
+        retranslate();
+}
+} // namespace ui

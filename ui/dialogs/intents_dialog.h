@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Interrupted writes of earlier sessions, each to be finished, undone, forgotten or left for later.
+// Nothing is done unasked. Follows Desk::openIntents as long as it is open. Main thread.
+#pragma once
+
+#include "session/desk.h"
+#include "ui/dialogs/intents_model.h"
+#include "ui/dialogs/task_result.h"
+
+#include <QDialog>
+
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace ui {
+class IntentsDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    IntentsDialog(session::Desk& desk, const std::vector<jobs::Recovered>& found, QWidget* parent);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void retranslate();
+    void updateButtons();
+    const jobs::Recovered* current() const;
+    void settle(jobs::RecoverAction action);
+    void forget();
+    void found(const std::vector<jobs::Recovered>& all);
+    void settled(const std::vector<jobs::Recovered>& one);
+    void happened(const session::Event& event);
+
+    session::Desk& m_desk;
+    IntentsModel* m_model;
+    QLabel* m_explanation;
+    QTableView* m_table;
+    TaskResult* m_result;
+    QPushButton* m_finish;
+    QPushButton* m_undo;
+    QPushButton* m_forget;
+    QPushButton* m_later;
+    QString m_settling; ///< uuid of the one being worked on
+    jobs::RecoverAction m_action = jobs::RecoverAction::Look;
+    bool m_linkWasOpen = true;
+};
+} // namespace ui

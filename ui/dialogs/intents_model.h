@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Interrupted writes as rows: when, which servo, what was to be changed, and what was found of it.
+// Values as jobs::recover found them; main thread. Every cell has a tooltip with all of it.
+#pragma once
+
+#include "jobs/recover.h"
+
+#include <QAbstractTableModel>
+
+namespace ui {
+enum class IntentColumn : std::uint8_t { When, Servo, What, Change, Found, Lock, Count };
+
+class IntentsModel final : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setIntents(std::vector<jobs::Recovered> intents);
+    const jobs::Recovered* at(int row) const; ///< null: no such row
+    void retranslate();
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    std::vector<jobs::Recovered> m_intents;
+};
+
+/// "write", "set ID" …
+QString intentWord(base::IntentKind kind);
+/// What stands in the servo now.
+QString findingWord(jobs::Finding finding);
+} // namespace ui

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Back to the stored defaults: the table is saved first and the place shown, then said what became
+// of ID, rate and settings. Main thread.
+#pragma once
+
+#include "jobs/change.h"
+#include "ui/dialogs/task_dialog.h"
+
+namespace ui {
+class RestoreDialog final : public TaskDialog {
+    Q_OBJECT
+
+public:
+    RestoreDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent);
+
+protected:
+    void retranslate() override;
+    void refresh() override;
+    void act() override;
+
+private:
+    struct Outcome {
+        QString path; ///< empty: the table was not saved
+        std::optional<jobs::RestoreReport> report;
+    };
+    TaskWords wordsOf(const Outcome& outcome, const session::TaskEnd& end) const;
+    bool possible() const;
+
+    QLabel* m_what;
+};
+} // namespace ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/servo_tasks.h"
+
+#include "ui/dialogs/alarm_dialog.h"
+#include "ui/dialogs/center_dialog.h"
+#include "ui/dialogs/identify_dialog.h"
+#include "ui/dialogs/intents_dialog.h"
+#include "ui/dialogs/reboot_dialog.h"
+#include "ui/dialogs/restore_dialog.h"
+#include "ui/dialogs/set_baud_dialog.h"
+#include "ui/dialogs/set_id_dialog.h"
+
+#include <algorithm>
+
+namespace ui {
+using session::Desk;
+
+ServoTasks::ServoTasks(Desk& desk, Commands& commands, Selection& selection, QWidget* window)
+    : QObject(window)
+    , m_desk(desk)
+    , m_commands(commands)
+    , m_selection(selection)
+    , m_window(window)
+{
+    offer<SetIdDialog>(Command::SetId);
+    offer<SetBaudDialog>(Command::SetBaud);
+    offer<CenterDialog>(Command::Center);
+    offer<RestoreDialog>(Command::RestoreDefaults);
+    offer<RebootDialog>(Command::Reboot);
+    offer<IdentifyDialog>(Command::Identify);
+    offer<AlarmDialog>(Command::ClearAlarm);
+    connect(commands.action(Command::OpenIntents), &QAction::triggered, this,
+            &ServoTasks::lookForIntents);
+    connect(&desk, &Desk::openIntents, this, &ServoTasks::intentsFound);
+    connect(&desk, &Desk::linkChanged, this, [this] {
+        if (m_desk.state() != session::LinkState::Open)
+            m_shown.clear();
+    });
+}
+
+template <typename Dialog>
+void ServoTasks::offer(Command command)
+{
+    connect(m_commands.action(command), &QAction::triggered, this, [this] {
+        const session::ServoEntry* servo = m_desk.servo(m_selection.current());
+        if (servo == nullptr || !servo->servo.profile)
+            return;
+        (new Dialog(m_desk, servo->ref, m_window))->open();
+    });
+}
+
+void ServoTasks::lookForIntents()
+{
+    m_asked = true;
+    m_desk.lookForIntents();
+}
+
+void ServoTasks::intentsFound(const std::vector<jobs::Recovered>& found)
+{
+    const bool asked = std::exchange(m_asked, false);
+    if (m_intents)
+        return; // it follows by itself
+    const bool news = std::any_of(found.begin(), found.end(), [this](const auto& one) {
+        return !m_shown.contains(one.before.intent.uuid);
+    });
+    if (!asked && !news)
+        return;
+    for (const jobs::Recovered& one : found)
+        m_shown.insert(one.before.intent.uuid);
+    m_intents = new IntentsDialog(m_desk, found, m_window);
+    m_intents->open();
+}
+} // namespace ui

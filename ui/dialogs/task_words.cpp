@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/task_words.h"
+
+#include "text/error_words.h"
+#include "text/language.h"
+#include "text/notice_words.h"
+#include "text/translate.h"
+#include "ui/models/rate_words.h"
+
+namespace ui {
+using text::translate;
+
+QString modelName(const session::ServoEntry& entry)
+{
+    return entry.servo.profile ? entry.servo.profile->modelName
+                               : translate("ServoTasks", "unknown model");
+}
+
+QString servoTitle(const session::ServoEntry& entry)
+{
+    QStringList parts{translate("ServoTasks", "ID %1").arg(entry.servo.id), modelName(entry)};
+    if (entry.servo.profile && entry.servo.profile->identity.firmwareMajor >= 0) {
+        parts
+            << translate("ServoTasks", "firmware %1").arg(entry.servo.profile->identity.firmware());
+    }
+    return parts.join(QStringLiteral(" · "));
+}
+
+QString valueWord(const device::Servo& servo, const QString& key,
+                  const std::optional<std::int64_t>& raw)
+{
+    const catalog::Register* reg = servo.profile ? servo.profile->find(key) : nullptr;
+    if (reg == nullptr || !raw)
+        return QStringLiteral("–");
+    const catalog::Meaning meaning = servo.meaning(*reg);
+    const QString shown = catalog::formatValue(*raw, *reg, meaning, text::inChinese());
+    return meaning.unit.isEmpty() ? shown : QStringLiteral("%1 (%2)").arg(*raw).arg(shown);
+}
+
+QString lockLine(device::LockState lock)
+{
+    if (lock == device::LockState::None)
+        return {};
+    return translate("ServoTasks", "EPROM lock: %1").arg(text::lockWord(device::lockName(lock)));
+}
+
+QStringList noticeLines(const device::Notices& notices)
+{
+    QStringList lines;
+    for (const base::Notice& notice : notices) {
+        const QString line = text::describe(notice);
+        if (!lines.contains(line))
+            lines << line;
+    }
+    return lines;
+}
+
+TaskWords errorWords(const base::Error& error)
+{
+    const text::Description words = text::describe(error);
+    TaskWords told{Tone::Bad, words.what};
+    if (!words.cause.isEmpty())
+        told.more << translate("ServoTasks", "Likely cause: %1").arg(words.cause);
+    told.more << translate("ServoTasks", "What to do: %1").arg(words.remedy);
+    return told;
+}
+
+TaskWords refusedWords(const base::Error& error, const QString& what)
+{
+    TaskWords told = errorWords(error);
+    told.tone = Tone::Warn;
+    told.more.prepend(told.what);
+    told.what = what;
+    return told;
+}
+
+TaskWords writeWords(const session::ServoEntry& entry, const device::WriteReport& report,
+                     const QString& done)
+{
+    TaskWords told{Tone::Good, done};
+    for (const device::WriteResult& write : report.writes) {
+        const QString before =
+            write.oldRaw ? valueWord(entry.servo, write.key, write.oldRaw) : QStringLiteral("?");
+        told.more << QStringLiteral("%1: %2 → %3, %4")
+                         .arg(write.key, before, valueWord(entry.servo, write.key, write.newRaw),
+                              text::outcomeWord(device::outcomeName(write.outcome)));
+        if (!write.error)
+            continue;
+        const TaskWords failed = errorWords(*write.error);
+        told.tone = Tone::Bad;
+        told.what = failed.what;
+        told.more += failed.more;
+    }
+    if (told.tone == Tone::Good && !report.allGood()) {
+        told.tone = Tone::Warn;
+        told.what = translate("ServoTasks", "Not everything ended as it should.");
+    }
+    if (const QString lock = lockLine(report.lock); !lock.isEmpty())
+        told.more << lock;
+    told.more << (entry.servo.baud > 0
+                      ? translate("ServoTasks", "The servo answers as ID %1 at %2 baud.")
+                            .arg(entry.servo.id)
+                            .arg(rateText(entry.servo.baud))
+                      : translate("ServoTasks", "The servo answers as ID %1.").arg(entry.servo.id));
+    return told;
+}
+} // namespace ui

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the dialogs of the servo menu say about servos, writes and their ends. Pure functions, in
+// the language of the moment; main thread.
+#pragma once
+
+#include "base/error.h"
+#include "device/writer.h"
+#include "session/servo_entry.h"
+#include "ui/app/theme.h"
+
+namespace ui {
+/// What a dialog tells: a headline with its sign, and what there is more to say.
+struct TaskWords {
+    Tone tone = Tone::Quiet;
+    QString what;
+    QStringList more{};
+};
+
+QString servoTitle(const session::ServoEntry& entry); ///< "ID 3 · STS3250 · firmware 3.10"
+QString modelName(const session::ServoEntry& entry);
+
+/// A register's number as a person reads it, or a dash.
+QString valueWord(const device::Servo& servo, const QString& key,
+                  const std::optional<std::int64_t>& raw);
+
+QString lockLine(device::LockState lock); ///< "EPROM lock: closed"
+QStringList noticeLines(const device::Notices& notices);
+TaskWords errorWords(const base::Error& error); ///< what, likely cause, what to do
+TaskWords refusedWords(const base::Error& error, const QString& what);
+
+/// How a write ended, with where the servo answers now. `done` is the headline if all is well.
+TaskWords writeWords(const session::ServoEntry& entry, const device::WriteReport& report,
+                     const QString& done);
+} // namespace ui
