@@ -110,6 +110,14 @@ QString badArgument(const base::Error& error)
     return {};
 }
 
+const QLatin1StringView brailleMark(", brltty");
+
+/// The port is missing because the braille service has taken the adapter.
+bool takenByBraille(const base::Error& error)
+{
+    return error.code == ErrorCode::PortMissing && error.detail.endsWith(brailleMark);
+}
+
 QString refused(const base::Error& error)
 {
     if (error.operation == QLatin1String("arrive") && error.detail == QLatin1String("time"))
@@ -144,6 +152,11 @@ QString specialCase(const base::Error& error)
         return badArgument(error);
     case ErrorCode::Refused:
         return refused(error);
+    case ErrorCode::PortMissing:
+        return takenByBraille(error)
+                   ? translate("text", "the braille service (brltty) has taken the adapter (%1)")
+                         .arg(error.detail.chopped(brailleMark.size()))
+                   : QString();
     case ErrorCode::PortBusy:
         return error.detail.isEmpty()
                    ? QString()
@@ -162,6 +175,9 @@ QString specialCause(const base::Error& error)
         return translate("text", words->cause);
     if (standsOutside(error))
         return translate("text", "Holding it where it is would mean a goal beyond its limits.");
+    if (takenByBraille(error))
+        return translate("text", "It takes adapters with this chip for braille displays, and their "
+                                 "port vanishes.");
     if (manoeuvreRemedy(error) != nullptr)
         return translate("text", "Changing it safely takes more than writing one register.");
     return {};
@@ -173,6 +189,9 @@ QString specialRemedy(const base::Error& error)
         return translate("text", words->remedy);
     if (standsOutside(error))
         return translate("text", "Turn it by hand into its range, or move it to a goal inside.");
+    if (takenByBraille(error))
+        return translate("text", "If nobody here reads braille, run \"sudo apt remove brltty\", "
+                                 "then plug the adapter in again.");
     if (const QString key = insteadWrite(error); !key.isEmpty())
         return translate("text", "Write the register %1 instead.").arg(key);
     if (const char* remedy = manoeuvreRemedy(error))

@@ -2,6 +2,7 @@
 #include "transport/serial_link.h"
 
 #include "transport/io_link.h"
+#include "transport/port_inventory.h"
 #include "transport/port_lease.h"
 #include "transport/tty_speed.h"
 
@@ -127,7 +128,8 @@ base::Error openFailure(const QSerialPort& port, const QString& path)
 {
     switch (port.error()) {
     case QSerialPort::DeviceNotFoundError:
-        return {base::ErrorCode::PortMissing, openOperation(), path};
+        return {base::ErrorCode::PortMissing, openOperation(),
+                takenByBraille().isEmpty() ? path : path + QStringLiteral(", brltty")};
     case QSerialPort::PermissionError:
         // Qt reports a port in use this way as well.
         return deniedError(path, QFileInfo(path).isReadable() && QFileInfo(path).isWritable());

@@ -89,7 +89,6 @@ void Banner::present(Wording wording, const QList<QAction*>& actions)
         button->setObjectName(QStringLiteral("bannerAction"));
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setDefaultAction(action);
-        button->setAccessibleName(action->text());
         m_buttons->addWidget(button);
     }
     fill();
@@ -118,6 +117,10 @@ void Banner::fill()
     m_close->setAccessibleName(tr("Close this message"));
     if (!m_wording)
         return;
+    for (int i = 0; i < m_buttons->count(); ++i) {
+        auto* button = qobject_cast<QToolButton*>(m_buttons->itemAt(i)->widget());
+        button->setAccessibleName(button->defaultAction()->text());
+    }
     const BannerWords words = m_wording();
     m_tone = words.tone;
     m_sign->setText(signOf(words.tone));

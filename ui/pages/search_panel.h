@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The left dock: what to search, how far it is, the servos as they are found, and where nobody
+// answered, why that may be. Selecting a servo here selects it everywhere, and the other way round.
+// Does the work of Command::Search. Searching writes nothing. Owned by the window; main thread.
+#pragma once
+
+#include "session/desk.h"
+#include "session/settings.h"
+#include "ui/app/commands.h"
+#include "ui/app/selection.h"
+#include "ui/models/search_advice.h"
+
+#include <QWidget>
+
+class QLabel;
+class QListView;
+class QProgressBar;
+class QPushButton;
+class QScrollArea;
+class QStackedWidget;
+
+namespace ui {
+class ChecklistView;
+class SearchScope;
+class ServoDelegate;
+class ServoListModel;
+
+class SearchPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    SearchPanel(session::Desk& desk, Commands& commands, Selection& selection,
+                session::Settings& settings, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    QWidget* buildList();
+    void connectDesk();
+    void connectList();
+    void search();
+    void searchEverything();
+    void searchChanged();
+    void searchEnded();
+    void showProgress(const jobs::Progress& progress);
+    void showStatus();
+    void showScope();
+    void showList(bool list);
+    void showChecklist();
+    void listMenu(const QPoint& place);
+    void followSelection();
+    void note(const session::Event& event);
+    void linkChanged();
+    void retranslate();
+
+    session::Desk& m_desk;
+    Commands& m_commands;
+    Selection& m_selection;
+
+    SearchScope* m_scope;
+    QLabel* m_estimate;
+    QPushButton* m_search;
+    QPushButton* m_stop;
+    QProgressBar* m_progress;
+    QLabel* m_status;
+    QStackedWidget* m_stack;
+    QListView* m_list;
+    QLabel* m_empty;
+    ServoListModel* m_model;
+    ServoDelegate* m_delegate;
+    QScrollArea* m_scroll;
+    ChecklistView* m_checklist;
+    QPushButton* m_why;
+
+    QTimer m_tick;
+    bool m_searching = false;
+    std::optional<jobs::Progress> m_lastProgress;
+    std::optional<base::Error> m_error; ///< of the latest search
+    int m_removed = 0;                  ///< since the search began
+    SearchHistory m_history;
+};
+} // namespace ui

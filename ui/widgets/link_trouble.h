@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tells in the banner what is wrong with the port: why it could not be opened, that it was
+// unplugged, that the braille service has taken an adapter; and offers to go on when the adapter is
+// back. Opens nothing unasked. Owned by the window; main thread.
+#pragma once
+
+#include "session/desk.h"
+#include "session/port_watch.h"
+#include "ui/widgets/banner.h"
+
+class QAction;
+
+namespace ui {
+class ConnectBar;
+
+class LinkTrouble final : public QObject {
+    Q_OBJECT
+
+public:
+    LinkTrouble(session::Desk& desk, session::PortWatch& ports, ConnectBar& bar, Banner& banner,
+                QObject* parent = nullptr);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void failed(const base::Error& error);
+    void linkChanged();
+    void lost();
+    void lookForAdapter();
+    void lookForBraille();
+    void goOn();
+    void settled();
+    void retranslate();
+
+    session::Desk& m_desk;
+    session::PortWatch& m_ports;
+    ConnectBar& m_bar;
+    Banner& m_banner;
+    QAction* m_retry;
+    QAction* m_again;
+    session::ReplugWatch m_replug;
+    QString m_openKey;   ///< of the adapter in use, as known while it is there
+    QString m_backAt;    ///< where it is again
+    bool m_ours = false; ///< the banner shows something of ours
+    QStringList m_brailleTold;
+};
+} // namespace ui

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/welcome.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+constexpr int columnWidth = 460;
+constexpr double titleScale = 1.5;
+
+QLabel* words(QWidget* parent, const char* name)
+{
+    auto* label = new QLabel(parent);
+    label->setObjectName(QLatin1String(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+} // namespace
+
+Welcome::Welcome(Commands& commands, QWidget* parent)
+    : QWidget(parent)
+    , m_commands(commands)
+    , m_title(words(this, "welcomeTitle"))
+    , m_adapterWords(words(this, "welcomeAdapterWords"))
+    , m_simulationWords(words(this, "welcomeSimulationWords"))
+    , m_adapter(new QPushButton(this))
+    , m_simulation(new QPushButton(this))
+{
+    setObjectName(QStringLiteral("welcome"));
+    m_adapter->setObjectName(QStringLiteral("welcomeConnect"));
+    m_simulation->setObjectName(QStringLiteral("welcomeSimulation"));
+    m_adapter->setProperty("mainAction", true);
+    QFont large = font();
+    large.setPointSizeF(large.pointSizeF() * titleScale);
+    m_title->setFont(large);
+    auto* column = new QVBoxLayout;
+    column->setSpacing(8);
+    column->addWidget(m_title);
+    column->addSpacing(12);
+    column->addWidget(m_adapterWords);
+    column->addWidget(m_adapter, 0, Qt::AlignLeft);
+    column->addSpacing(20);
+    column->addWidget(m_simulationWords);
+    column->addWidget(m_simulation, 0, Qt::AlignLeft);
+    auto* room = new QGridLayout(this);
+    room->setRowStretch(0, 1);
+    room->setRowStretch(2, 2);
+    room->setColumnStretch(0, 1);
+    room->setColumnStretch(2, 1);
+    room->addLayout(column, 1, 1);
+    room->setColumnMinimumWidth(1, columnWidth);
+    connect(m_adapter, &QPushButton::clicked, m_commands.action(Command::Connect),
+            &QAction::trigger);
+    connect(m_simulation, &QPushButton::clicked, m_commands.action(Command::UseSimulation),
+            &QAction::trigger);
+    for (const Command command : {Command::Connect, Command::UseSimulation})
+        connect(m_commands.action(command), &QAction::changed, this, &Welcome::follow);
+    retranslate();
+    follow();
+}
+
+void Welcome::follow()
+{
+    m_adapter->setEnabled(m_commands.action(Command::Connect)->isEnabled());
+    m_simulation->setEnabled(m_commands.action(Command::UseSimulation)->isEnabled());
+}
+
+void Welcome::retranslate()
+{
+    m_title->setText(tr("No servos connected yet"));
+    m_adapterWords->setText(
+        tr("Plug the adapter in, switch the servos' supply on, choose the port above. Connecting "
+           "and searching write nothing, and nothing moves."));
+    m_adapter->setText(tr("Connect the chosen port"));
+    m_adapter->setToolTip(tr("Open the port chosen above and search it"));
+    m_simulationWords->setText(
+        tr("No hardware at hand? The simulated bus has servos of several families, with a fault "
+           "or two to find."));
+    m_simulation->setText(tr("Try it on a simulated bus"));
+    m_simulation->setToolTip(tr("Simulated servos; nothing needs to be connected"));
+    for (QPushButton* button : {m_adapter, m_simulation})
+        button->setAccessibleName(button->text());
+}
+
+void Welcome::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui

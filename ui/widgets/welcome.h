@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands in the middle of the window while nothing is connected: the two ways to begin, each
+// one click. Owned by the window; main thread.
+#pragma once
+
+#include "ui/app/commands.h"
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace ui {
+class Welcome final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit Welcome(Commands& commands, QWidget* parent = nullptr);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void follow();
+
+    Commands& m_commands;
+    QLabel* m_title;
+    QLabel* m_adapterWords;
+    QLabel* m_simulationWords;
+    QPushButton* m_adapter;
+    QPushButton* m_simulation;
+};
+} // namespace ui
