@@ -41,7 +41,7 @@ LinkOptions::LinkOptions(QWidget* parent)
     m_retries->setValue(-1);
     for (QWidget* field :
          std::initializer_list<QWidget*>{m_parity, m_patience, m_silence, m_retries})
-        m_form->addRow(QString(), field);
+        m_form->addRow(new QLabel(this), field); // an empty string would make no label
     connect(m_parity, &QComboBox::currentIndexChanged, this, &LinkOptions::changed);
     for (QSpinBox* box : {m_patience, m_silence, m_retries})
         connect(box, &QSpinBox::valueChanged, this, &LinkOptions::changed);
