@@ -39,7 +39,7 @@ QuestionDialog::QuestionDialog(QWidget* parent, const Question& question)
     setWindowTitle(question.title);
     setAccessibleName(question.title);
     auto* column = new QVBoxLayout(this);
-    column->setSizeConstraint(QLayout::SetFixedSize);
+    column->setSizeConstraint(QLayout::SetNoConstraint);
     column->setSpacing(12);
     QLabel* title = addText(column, question.title, QStringLiteral("questionTitle"));
     QFont font = title->font();
@@ -50,6 +50,7 @@ QuestionDialog::QuestionDialog(QWidget* parent, const Question& question)
     if (!question.risk.isEmpty())
         addRisk(column, question.risk);
     addButtons(column, question);
+    setFixedSize(sizeHint());
     if (question.guard != nullptr)
         connect(question.guard, &QObject::destroyed, this, &QDialog::reject);
 }

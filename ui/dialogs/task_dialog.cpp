@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace ui {
 using session::Desk;
 using text::translate;
@@ -38,7 +40,7 @@ TaskDialog::TaskDialog(Desk& desk, session::ServoRef servo, const char* name, QW
     m_progress->setTextVisible(false);
     m_progress->hide();
     auto* column = new QVBoxLayout(this);
-    column->setSizeConstraint(QLayout::SetFixedSize);
+    column->setSizeConstraint(QLayout::SetNoConstraint); // fit() does it
     column->setSpacing(12);
     column->addWidget(m_who);
     column->addWidget(m_explanation);
@@ -106,6 +108,23 @@ void TaskDialog::begin()
     retranslate();
     refresh();
     updateButtons();
+    setMinimumWidth(sizeHint().width());
+    fit();
+}
+
+/// As high as its words need, which change while it is open.
+void TaskDialog::fit()
+{
+    const QSize wanted = sizeHint();
+    resize(std::max(width(), wanted.width()), wanted.height());
+}
+
+bool TaskDialog::event(QEvent* event)
+{
+    const bool handled = QDialog::event(event);
+    if (event->type() == QEvent::LayoutRequest)
+        fit();
+    return handled;
 }
 
 void TaskDialog::translateOwn()

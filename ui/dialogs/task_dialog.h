@@ -56,11 +56,13 @@ protected:
     void tell(TaskResult::Wording wording) { m_result->tell(std::move(wording)); }
     void tellError(const base::Error& error);
 
+    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     void buildButtons(QVBoxLayout* column);
     void translateOwn();
+    void fit();
     void updateButtons();
     void showProgress(const jobs::Progress& progress);
 
