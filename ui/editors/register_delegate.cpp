@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editors/register_delegate.h"
 
+#include "ui/app/theme.h"
 #include "ui/editors/bits_editor.h"
 #include "ui/models/memory_model.h"
 

@@ -104,7 +104,7 @@ QString HistoryModel::tip(const Line& line) const
 
 QVariant HistoryModel::data(const QModelIndex& index, int role) const
 {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+    if (!index.isValid())
         return {};
     const Line& line = m_lines[static_cast<std::size_t>(index.row())];
     if (role == Qt::DisplayRole)

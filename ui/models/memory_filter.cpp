@@ -33,9 +33,10 @@ bool MemoryFilter::textFits(const QModelIndex& index) const
         return true;
     const QString found = index.data(MemoryModel::SearchRole).toString();
     const QString address = found.section(QLatin1Char('\n'), 0, 0);
+    constexpr int longestAddress = 3;
     bool number = false;
     m_words.front().toUInt(&number);
-    if (number && m_words.size() == 1)
+    if (number && m_words.size() == 1 && m_words.front().size() <= longestAddress)
         return address.startsWith(m_words.front());
     return std::all_of(m_words.begin(), m_words.end(), [&found](const QString& word) {
         return found.contains(word, Qt::CaseInsensitive);

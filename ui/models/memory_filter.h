@@ -23,7 +23,7 @@ public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
     /// Every word must occur in the address, a name of either language, the key or the help. A
-    /// number alone is an address, or the beginning of one.
+    /// short number alone is an address, or the beginning of one.
     void setText(const QString& text);
     void setGroup(std::optional<catalog::Area> group);
     void setChoice(RowChoice choice);

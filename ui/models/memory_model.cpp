@@ -142,7 +142,7 @@ QVariant MemoryModel::rawData(const MemoryRow& row, int role) const
 
 QVariant MemoryModel::data(const QModelIndex& index, int role) const
 {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+    if (!index.isValid())
         return {};
     const MemoryRow& shown = row(index.row());
     const MemoryColumn column = memoryColumn(index);
@@ -165,7 +165,7 @@ QVariant MemoryModel::data(const QModelIndex& index, int role) const
 
 bool MemoryModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
-    if (role != Qt::EditRole || !checkIndex(index, CheckIndexOption::IndexIsValid) ||
+    if (role != Qt::EditRole || !index.isValid() ||
         (flags(index) & Qt::ItemIsEditable) == 0)
         return false;
     bool whole = false;
@@ -178,7 +178,7 @@ bool MemoryModel::setData(const QModelIndex& index, const QVariant& value, int r
 
 Qt::ItemFlags MemoryModel::flags(const QModelIndex& index) const
 {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+    if (!index.isValid())
         return Qt::NoItemFlags;
     Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemNeverHasChildren;
     const MemoryRow& shown = row(index.row());

@@ -4,10 +4,11 @@
 // worded.
 #pragma once
 
-#include "ui/app/theme.h"
 #include "ui/models/memory_row.h"
 
 namespace ui {
+enum class Tone : std::uint8_t; ///< ui/app/theme.h
+
 enum class MemoryColumn : std::uint8_t {
     Address,
     Name,

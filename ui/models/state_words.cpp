@@ -2,6 +2,7 @@
 #include "text/error_words.h"
 #include "text/notice_words.h"
 #include "text/translate.h"
+#include "ui/app/theme.h"
 #include "ui/models/memory_words.h"
 
 namespace ui {

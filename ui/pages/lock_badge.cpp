@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/lock_badge.h"
 
+#include "ui/app/theme.h"
+
 #include <QAction>
 #include <QEvent>
 #include <QHBoxLayout>

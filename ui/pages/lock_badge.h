@@ -4,7 +4,6 @@
 #pragma once
 
 #include "session/servo_entry.h"
-#include "ui/app/theme.h"
 
 #include <QWidget>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/memory_page.h"
 
-#include "device/motion.h"
+#include "device/writer.h"
 #include "text/error_words.h"
 #include "ui/editors/register_delegate.h"
 #include "ui/pages/history_panel.h"
@@ -325,16 +325,13 @@ void MemoryPage::orderWrite(const QString& key, std::int64_t raw, bool temporary
 bool MemoryPage::writeOtherwise(const session::ServoEntry& entry, const catalog::Register& reg,
                                 std::int64_t raw)
 {
-    constexpr std::int64_t centre = 128;
+    constexpr std::int64_t makeMiddle = 128;
     constexpr std::int64_t centreBit = 4;
-    const bool centres = (reg.role == Role::TorqueSwitch && raw == centre) ||
+    const bool centres = (reg.role == Role::TorqueSwitch && raw == makeMiddle) ||
                          (reg.role == Role::FaultReset && (raw & centreBit) != 0);
-    if (centres) {
-        m_commands.action(Command::Center)->trigger();
-        return true;
-    }
-    if (reg.role == Role::TorqueSwitch && raw != 0) {
-        setTorque(raw);
+    QAction* centre = m_commands.action(Command::Center);
+    if (centres && centre->isEnabled()) {
+        centre->trigger();
         return true;
     }
     if (reg.role == Role::Lock && raw != 0 && entry.lockOpen().value_or(false)) {
@@ -352,19 +349,6 @@ void MemoryPage::send(session::ServoRef ref, const QString& key, std::int64_t ra
     order.temporary = temporary;
     order.dangerous = true;
     m_desk.write(ref, order);
-}
-
-/// Torque on holds where the servo is, which is more than a write.
-void MemoryPage::setTorque(std::int64_t raw)
-{
-    const auto torque = raw == 1 ? device::Torque::On : device::Torque::Damp;
-    session::Task task;
-    task.name = QStringLiteral("torque");
-    task.savesTable = true;
-    task.work = [torque](session::TaskContext& context) {
-        return device::setTorque(context.device, context.servo, torque);
-    };
-    m_desk.perform(m_selection.current(), std::move(task));
 }
 
 void MemoryPage::closeLock()

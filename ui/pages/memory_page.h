@@ -5,6 +5,7 @@
 // thread, never waits.
 #pragma once
 
+#include "session/settings.h"
 #include "ui/app/commands.h"
 #include "ui/models/memory_filter.h"
 #include "ui/models/memory_model.h"
@@ -64,7 +65,6 @@ private:
     bool writeOtherwise(const session::ServoEntry& entry, const catalog::Register& reg,
                         std::int64_t raw);
     void send(session::ServoRef ref, const QString& key, std::int64_t raw, bool temporary);
-    void setTorque(std::int64_t raw);
     void closeLock();
 
     session::Desk& m_desk;

@@ -2,6 +2,7 @@
 #include "ui/pages/register_panel.h"
 
 #include "text/language.h"
+#include "ui/app/theme.h"
 #include "ui/models/memory_words.h"
 #include "ui/pages/register_help.h"
 
