@@ -23,15 +23,14 @@ public:
         QDir(session::dataFolder()).removeRecursively();
         languages.apply(language);
         themes.apply(look);
-        window = std::make_unique<ui::MainWindow>(session, settings, themes, languages);
+        window = std::make_unique<ui::MainWindow>(bench, settings, themes, languages);
         window->resize(1280, 800);
         window->show();
     }
 
-    ui::MainWindow& operator*() { return *window; }
-    session::Desk& desk() { return window->desk(); }
-    ui::Selection& selection() { return window->selection(); }
-    QAction* action(ui::Command command) { return window->commands().action(command); }
+    session::Desk& desk() { return bench.desk; }
+    ui::Selection& selection() { return bench.selection; }
+    QAction* action(ui::Command command) { return bench.commands.action(command); }
 
     /// Connected, searched (IDs 0 to 10), and `id` selected and read.
     bool ready(int id, const QString& port = QStringLiteral("sim:demo"))
@@ -76,6 +75,7 @@ public:
     ui::LanguageSwitch languages;
     ui::ThemeSwitch themes;
     session::Session session;
+    ui::Bench bench{session};
     std::unique_ptr<ui::MainWindow> window; ///< goes first
 };
 } // namespace gui

@@ -13,6 +13,7 @@
 #include "ui/pages/memory_page.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/connect_bar.h"
+#include "ui/widgets/link_trouble.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -22,20 +23,23 @@
 #include <QToolButton>
 
 namespace ui {
-MainWindow::MainWindow(session::Session& session, session::Settings& settings, ThemeSwitch& theme,
+MainWindow::MainWindow(Bench& bench, session::Settings& settings, ThemeSwitch& theme,
                        LanguageSwitch& language, QWidget* parent)
     : QMainWindow(parent)
     , m_settings(settings)
     , m_theme(theme)
     , m_language(language)
-    , m_desk(session)
-    , m_commands(m_desk, m_selection)
+    , m_desk(bench.desk)
+    , m_ports(bench.ports)
+    , m_selection(bench.selection)
+    , m_commands(bench.commands)
 {
     build();
     connectCommands();
     connectDesk();
     connectSwitches();
     new ServoTasks(m_desk, m_commands, m_selection, this);
+    new LinkTrouble(m_desk, m_ports, *m_connectBar, *m_banner, this);
     restoreGeometry(m_settings.windowGeometry());
     restoreState(m_settings.windowState());
     retranslate();

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window as a shell: connect bar on top, search at the left, the pages in the middle, message
-// line and stop button below. Knows which page stands where and nothing of what they do. Owns desk,
-// commands and pages; the session must outlive it. Main thread.
+// line and stop button below. Knows which page stands where and nothing of what they do. Owns the
+// pages; bench, settings and switches must outlive it. Main thread.
 #pragma once
 
-#include "session/desk.h"
-#include "session/port_watch.h"
 #include "session/settings.h"
-#include "ui/app/commands.h"
+#include "ui/app/bench.h"
 #include "ui/app/options.h"
-#include "ui/app/selection.h"
 
 #include <QMainWindow>
 
@@ -33,16 +30,12 @@ class MainWindow final : public QMainWindow {
     Q_OBJECT
 
 public:
-    MainWindow(session::Session& session, session::Settings& settings, ThemeSwitch& theme,
+    MainWindow(Bench& bench, session::Settings& settings, ThemeSwitch& theme,
                LanguageSwitch& language, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     /// Page, port and selection as the command line wants them.
     void start(const Options& options);
-
-    session::Desk& desk() { return m_desk; }
-    Commands& commands() { return m_commands; }
-    Selection& selection() { return m_selection; }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -66,10 +59,10 @@ private:
     session::Settings& m_settings;
     ThemeSwitch& m_theme;
     LanguageSwitch& m_language;
-    session::Desk m_desk;
-    session::PortWatch m_ports;
-    Selection m_selection;
-    Commands m_commands;
+    session::Desk& m_desk;
+    session::PortWatch& m_ports;
+    Selection& m_selection;
+    Commands& m_commands;
 
     ConnectBar* m_connectBar = nullptr;
     Banner* m_banner = nullptr;

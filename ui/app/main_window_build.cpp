@@ -103,6 +103,7 @@ void MainWindow::buildStatusBar()
     m_stop->setProperty("stopAction", true);
     m_stop->setFocusPolicy(Qt::NoFocus); // pressing it must not close an editor first
     statusBar()->setSizeGripEnabled(false);
+    statusBar()->setContentsMargins(0, 3, 8, 3);
     statusBar()->addWidget(m_message, 1);
     statusBar()->addPermanentWidget(m_stop);
 }

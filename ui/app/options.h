@@ -9,12 +9,12 @@
 
 namespace ui {
 struct Options {
-    std::optional<session::PortRequest> port; ///< connect and search at the start
-    QString language;                         ///< empty: as remembered
-    std::optional<session::Theme> theme;
-    QString page;
-    std::optional<int> select; ///< ID
-    QString screenshot;        ///< file; the program then ends
+    std::optional<session::PortRequest> port{}; ///< connect and search at the start
+    QString language{};                         ///< empty: as remembered
+    std::optional<session::Theme> theme{};
+    QString page{};
+    std::optional<int> select{}; ///< ID
+    QString screenshot{};        ///< file; the program then ends
     int afterMs = 1500;
 };
 

@@ -71,7 +71,8 @@ int runProgram(int argc, char* argv[])
     ThemeSwitch theme;
     theme.apply(options.theme.value_or(settings.theme()));
     session::Session session;
-    MainWindow window(session, settings, theme, language);
+    Bench bench(session);
+    MainWindow window(bench, settings, theme, language);
     window.show();
     window.start(options);
     screenshotLater(window, options);

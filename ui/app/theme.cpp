@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/theme.h"
 
+#include "ui/app/desktop_look.h"
+
 #include <QApplication>
-#include <QDBusConnection>
-#include <QDBusMessage>
-#include <QDBusPendingCallWatcher>
-#include <QDBusPendingReply>
 #include <QIcon>
 #include <QStyle>
 #include <QStyleFactory>
 
 namespace ui {
 namespace {
-// The desktop portal's way to say light or dark; every larger desktop has it.
-const QString portalService = QStringLiteral("org.freedesktop.portal.Desktop");
-const QString portalPath = QStringLiteral("/org/freedesktop/portal/desktop");
-const QString portalInterface = QStringLiteral("org.freedesktop.portal.Settings");
-const QString appearance = QStringLiteral("org.freedesktop.appearance");
-const QString colorScheme = QStringLiteral("color-scheme");
-constexpr uint prefersDark = 1;
-
 struct Colours {
     QRgb window, base, alternate, text, quiet, button, line, accent, onAccent, tip;
 };
@@ -75,6 +65,13 @@ QPushButton[mainAction="true"]:disabled {
     background: palette(button); color: palette(mid); border-color: palette(mid);
 }
 QPushButton[mainAction="true"]:focus { border: 2px solid palette(window-text); }
+QPushButton[stopAction="true"] {
+    background: #c62f2f; color: white; font-weight: 600;
+    border: 1px solid #a32222; border-radius: 4px; padding: 5px 14px;
+}
+QPushButton[stopAction="true"]:hover { background: #d63c3c; }
+QPushButton[stopAction="true"]:pressed { background: #a32222; }
+QPushButton[stopAction="true"]:disabled { background: palette(button); color: palette(mid); }
 QHeaderView::section {
     padding: 4px 6px; border: none; border-bottom: 1px solid palette(mid);
     background: palette(base); font-weight: 600;
@@ -108,9 +105,12 @@ QColor tone(Tone tone, const QPalette& palette)
 
 ThemeSwitch::ThemeSwitch(QObject* parent)
     : QObject(parent)
-    , m_systemDark(isDark(QApplication::palette()))
+    , m_desktop(new DesktopLook(this))
 {
-    askPortal();
+    connect(m_desktop, &DesktopLook::changed, this, [this] {
+        if (m_theme == session::Theme::System)
+            show();
+    });
 }
 
 void ThemeSwitch::apply(session::Theme theme)
@@ -121,7 +121,8 @@ void ThemeSwitch::apply(session::Theme theme)
 
 bool ThemeSwitch::dark() const
 {
-    return m_theme == session::Theme::Dark || (m_theme == session::Theme::System && m_systemDark);
+    return m_theme == session::Theme::Dark ||
+           (m_theme == session::Theme::System && m_desktop->dark());
 }
 
 void ThemeSwitch::show()
@@ -135,37 +136,5 @@ void ThemeSwitch::show()
     // Set anew each time: rules with palette(...) are resolved when they are set.
     qApp->setStyleSheet(QString::fromLatin1(styleRules));
     Q_EMIT changed();
-}
-
-/// Asks without waiting; nobody answers where there is no portal.
-void ThemeSwitch::askPortal()
-{
-    QDBusConnection bus = QDBusConnection::sessionBus();
-    if (!bus.isConnected())
-        return;
-    bus.connect(portalService, portalPath, portalInterface, QStringLiteral("SettingChanged"), this,
-                SLOT(portalSetting(QString, QString, QDBusVariant)));
-    QDBusMessage call = QDBusMessage::createMethodCall(portalService, portalPath, portalInterface,
-                                                       QStringLiteral("Read"));
-    call << appearance << colorScheme;
-    auto* watcher = new QDBusPendingCallWatcher(bus.asyncCall(call), this);
-    connect(watcher, &QDBusPendingCallWatcher::finished, this, [this, watcher] {
-        const QDBusPendingReply<QDBusVariant> reply = *watcher;
-        if (reply.isValid())
-            portalSetting(appearance, colorScheme, reply.value());
-        watcher->deleteLater();
-    });
-}
-
-void ThemeSwitch::portalSetting(const QString& group, const QString& key, const QDBusVariant& value)
-{
-    if (group != appearance || key != colorScheme)
-        return;
-    QVariant inner = value.variant();
-    if (inner.canConvert<QDBusVariant>())
-        inner = inner.value<QDBusVariant>().variant();
-    m_systemDark = inner.toUInt() == prefersDark;
-    if (m_theme == session::Theme::System)
-        show();
 }
 } // namespace ui

@@ -7,7 +7,6 @@
 #include "session/settings.h"
 
 #include <QColor>
-#include <QDBusVariant>
 #include <QObject>
 #include <QPalette>
 
@@ -17,6 +16,8 @@ enum class Tone : std::uint8_t { Good, Warn, Bad, Quiet, Accent };
 /// Readable on the base and window colours of this palette. Never the only sign of anything.
 QColor tone(Tone tone, const QPalette& palette);
 bool isDark(const QPalette& palette);
+
+class DesktopLook;
 
 class ThemeSwitch final : public QObject {
     Q_OBJECT
@@ -31,15 +32,11 @@ public:
 Q_SIGNALS:
     void changed(); ///< palette and icon theme have been set
 
-private Q_SLOTS:
-    void portalSetting(const QString& group, const QString& key, const QDBusVariant& value);
-
 private:
-    void askPortal();
     void show();
     bool dark() const;
 
     session::Theme m_theme = session::Theme::System;
-    bool m_systemDark = false;
+    DesktopLook* m_desktop;
 };
 } // namespace ui

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether the desktop is light or dark: what the application was given at its start, and what the
+// desktop portal says, then and later. Nobody answers where there is no portal. Main thread; asks
+// without waiting.
+#pragma once
+
+#include <QDBusVariant>
+#include <QObject>
+
+namespace ui {
+class DesktopLook final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Needs the QApplication, before it gets a palette of its own.
+    explicit DesktopLook(QObject* parent = nullptr);
+
+    bool dark() const { return m_dark; }
+
+Q_SIGNALS:
+    void changed();
+
+private Q_SLOTS:
+    void portalSetting(const QString& group, const QString& key, const QDBusVariant& value);
+
+private:
+    void askPortal();
+
+    bool m_dark;
+};
+} // namespace ui
