@@ -39,7 +39,7 @@ class TestCommands : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+    void init() { gui::failOnWarnings(); }
 
     void everyCommandHasWordsInBothLanguages()
     {

@@ -46,7 +46,7 @@ class TestWalk : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+    void init() { gui::failOnWarnings(); }
 
     void everyFamily_data()
     {
