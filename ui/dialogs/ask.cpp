@@ -19,6 +19,10 @@ class QuestionDialog final : public QDialog {
 public:
     QuestionDialog(QWidget* parent, const Question& question);
 
+    /// False once the guard has gone. Not asked of a QPointer: a widget announces its end before
+    /// its own pointers are cleared, but after its members are gone.
+    bool wanted() const { return m_wanted; }
+
 protected:
     void changeEvent(QEvent* event) override;
 
@@ -29,6 +33,7 @@ private:
     void showSign();
 
     QLabel* m_sign = nullptr;
+    bool m_wanted = true;
 };
 
 QuestionDialog::QuestionDialog(QWidget* parent, const Question& question)
@@ -52,7 +57,10 @@ QuestionDialog::QuestionDialog(QWidget* parent, const Question& question)
     addButtons(column, question);
     setFixedSize(sizeHint());
     if (question.guard != nullptr)
-        connect(question.guard, &QObject::destroyed, this, &QDialog::reject);
+        connect(question.guard, &QObject::destroyed, this, [this] {
+            m_wanted = false;
+            reject();
+        });
 }
 
 QLabel* QuestionDialog::addText(QVBoxLayout* column, const QString& text, const QString& name)
@@ -125,14 +133,10 @@ void QuestionDialog::changeEvent(QEvent* event)
 void ask(QWidget* parent, const Question& question, std::function<void()> yes)
 {
     auto* dialog = new QuestionDialog(parent, question);
-    const QPointer<QObject> guard = question.guard;
-    const bool guarded = question.guard != nullptr;
     QObject::connect(dialog, &QDialog::finished, dialog,
-                     [guard, guarded, yes = std::move(yes), no = question.refused](int result) {
-                         if (guarded && !guard)
-                             return;
+                     [dialog, yes = std::move(yes), no = question.refused](int result) {
                          const auto& answer = result == QDialog::Accepted ? yes : no;
-                         if (answer)
+                         if (dialog->wanted() && answer)
                              answer();
                      });
     dialog->open();

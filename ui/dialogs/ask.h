@@ -4,7 +4,6 @@
 // on the main thread. Enter and Esc mean "no", unless the question is harmless.
 #pragma once
 
-#include <QPointer>
 #include <QString>
 #include <QWidget>
 

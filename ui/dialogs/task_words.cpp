@@ -48,6 +48,11 @@ QStringList noticeLines(const device::Notices& notices)
 {
     QStringList lines;
     for (const base::Notice& notice : notices) {
+        // Where it answers now is said in full.
+        if (notice.code == base::NoticeCode::IdChanged ||
+            notice.code == base::NoticeCode::RateChanged ||
+            notice.code == base::NoticeCode::AckFromNewId)
+            continue;
         const QString line = text::describe(notice);
         if (!lines.contains(line))
             lines << line;
@@ -81,8 +86,11 @@ TaskWords writeWords(const session::ServoEntry& entry, const device::WriteReport
     for (const device::WriteResult& write : report.writes) {
         const QString before =
             write.oldRaw ? valueWord(entry.servo, write.key, write.oldRaw) : QStringLiteral("?");
+        const catalog::Register* reg =
+            entry.servo.profile ? entry.servo.profile->find(write.key) : nullptr;
         told.more << QStringLiteral("%1: %2 → %3, %4")
-                         .arg(write.key, before, valueWord(entry.servo, write.key, write.newRaw),
+                         .arg(reg != nullptr ? reg->name.in(text::inChinese()) : write.key, before,
+                              valueWord(entry.servo, write.key, write.newRaw),
                               text::outcomeWord(device::outcomeName(write.outcome)));
         if (!write.error)
             continue;
