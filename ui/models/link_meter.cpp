@@ -17,9 +17,9 @@ void LinkMeter::look(const bus::Statistics& now, bool searching, base::Duration 
         const std::uint64_t before = last.total.*counter;
         return now.total.*counter > before ? now.total.*counter - before : 0;
     };
-    m_figures.errors += grown(&bus::Counters::badChecks) + grown(&bus::Counters::foreign);
     if (!searched)
-        m_figures.errors += grown(&bus::Counters::timeOuts);
+        m_figures.errors += grown(&bus::Counters::timeOuts) + grown(&bus::Counters::badChecks) +
+                            grown(&bus::Counters::foreign);
     const double seconds = double((at - m_lastAt).count()) / 1e6;
     if (m_last && seconds > 0) {
         m_figures.readsPerSecond = int(double(grown(&bus::Counters::ok)) / seconds + 0.5);

@@ -7,12 +7,12 @@
 #include "ui/pages/search_scope.h"
 #include "ui/widgets/checklist_view.h"
 #include "ui/widgets/servo_delegate.h"
+#include "ui/widgets/thin_progress.h"
 
 #include <QEvent>
 #include <QLabel>
 #include <QListView>
 #include <QMenu>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
@@ -27,7 +27,6 @@ using namespace std::chrono_literals;
 namespace {
 constexpr int panelWidth = 300;
 constexpr int permille = 1000;
-constexpr int barHeight = 6;
 
 QLabel* quietLabel(QWidget* parent, const char* name)
 {
@@ -50,7 +49,7 @@ SearchPanel::SearchPanel(session::Desk& desk, Commands& commands, Selection& sel
     , m_estimate(quietLabel(this, "searchEstimate"))
     , m_search(new QPushButton(this))
     , m_stop(new QPushButton(this))
-    , m_progress(new QProgressBar(this))
+    , m_progress(new ThinProgress(this))
     , m_status(quietLabel(this, "searchStatus"))
     , m_stack(new QStackedWidget(this))
     , m_list(new QListView(this))
@@ -65,8 +64,8 @@ SearchPanel::SearchPanel(session::Desk& desk, Commands& commands, Selection& sel
     connectDesk();
     connectList();
     linkChanged();
+    showList(true);
     followSelection();
-    retranslate();
 }
 
 QSize SearchPanel::sizeHint() const
@@ -82,8 +81,6 @@ void SearchPanel::build()
     m_stop->setObjectName(QStringLiteral("stopSearchButton"));
     m_progress->setObjectName(QStringLiteral("searchProgress"));
     m_progress->setRange(0, permille);
-    m_progress->setTextVisible(false);
-    m_progress->setFixedHeight(barHeight);
     m_why->setObjectName(QStringLiteral("whyButton"));
     m_why->setFlat(true);
     auto* buttons = new QHBoxLayout;

@@ -14,7 +14,6 @@
 
 class QLabel;
 class QListView;
-class QProgressBar;
 class QPushButton;
 class QScrollArea;
 class QStackedWidget;
@@ -24,6 +23,7 @@ class ChecklistView;
 class SearchScope;
 class ServoDelegate;
 class ServoListModel;
+class ThinProgress;
 
 class SearchPanel final : public QWidget {
     Q_OBJECT
@@ -65,7 +65,7 @@ private:
     QLabel* m_estimate;
     QPushButton* m_search;
     QPushButton* m_stop;
-    QProgressBar* m_progress;
+    ThinProgress* m_progress;
     QLabel* m_status;
     QStackedWidget* m_stack;
     QListView* m_list;

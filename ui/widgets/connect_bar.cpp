@@ -61,14 +61,12 @@ void ConnectBar::build()
         m_protocol->addItem(QString(), base::protocolName(protocol));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(m_port, 2);
+    row->addWidget(m_port);
     for (QWidget* field : std::initializer_list<QWidget*>{m_baud, m_protocol, m_more, m_button})
         row->addWidget(field);
-    row->addWidget(m_status, 1);
+    row->addWidget(m_status);
     row->addStretch(1);
     row->addWidget(m_simulated);
-    m_port->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    m_port->setMaximumWidth(420);
 }
 
 void ConnectBar::connectSignals()
@@ -236,7 +234,8 @@ void ConnectBar::showStatistics()
     const LinkMeter::Figures& now = m_meter.figures();
     const bus::Statistics sum = m_desk.statistics();
     const auto figure = [this](auto value) { return locale().toString(qulonglong(value)); };
-    const QString words = tr("%1 reads/s · %2 errors · wire %3 %")
+    const QString words = (now.errors == 1 ? tr("%1 reads/s · %2 error · wire %3 %")
+                                           : tr("%1 reads/s · %2 errors · wire %3 %"))
                               .arg(figure(now.readsPerSecond), figure(now.errors))
                               .arg(int(now.wireUse * 100 + 0.5));
     const QString brief = tr("%1/s · %2 err").arg(figure(now.readsPerSecond), figure(now.errors));
