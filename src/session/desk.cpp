@@ -103,6 +103,7 @@ void Desk::forgetServos()
     m_order.clear();
     m_undo.clear();
     m_redo.clear();
+    m_returning.reset();
     m_live = {};
     m_lastSearch.reset();
     Q_EMIT servosCleared();

@@ -3,6 +3,7 @@
 #include "session/ordered_write.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace session {
 namespace {
@@ -100,10 +101,10 @@ void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind
                 row.at = now();
             }
         }
-        remember(ended.ref, order, kind, report);
         loadHistory(ended.ref);
         Q_EMIT tableChanged(ended.ref);
     }
+    remember(ended.ref, order, kind, report);
     tell({.kind = Event::Kind::Written,
           .servo = ended.ref,
           .error = ended.error,
@@ -112,46 +113,33 @@ void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind
           .undone = kind != WriteKind::New});
 }
 
-/// What really changed can be taken back; a way back that failed stays where it was. What moves or
-/// energises is left out: undoing a setting must not turn a shaft.
+/// What really changed can be taken back. What moves or energises is left out: undoing a setting
+/// must not turn a shaft. A way back that failed stays where it was.
 void Desk::remember(ServoRef ref, const WriteOrder& order, WriteKind kind,
                     const std::optional<device::WriteReport>& report)
 {
+    if (kind != WriteKind::New) {
+        const bool done = report && std::all_of(report->writes.begin(), report->writes.end(), took);
+        const bool toUndo = (kind == WriteKind::Undo) != done;
+        const auto step = std::exchange(m_returning, std::nullopt);
+        if (step && servo(ref) != nullptr)
+            (toUndo ? m_undo : m_redo).push_back(*step);
+        Q_EMIT undoChanged();
+        return;
+    }
     UndoStep step{ref, {}, {}, order.temporary};
-    if (report) {
-        for (const device::WriteResult& result : report->writes) {
-            if (!took(result) || !result.oldRaw || *result.oldRaw == result.newRaw ||
-                moves(servo(ref), result.key))
-                continue;
-            step.before.push_back({result.key, *result.oldRaw});
-            step.after.push_back({result.key, result.newRaw});
-        }
+    for (const device::WriteResult& result :
+         report ? report->writes : std::vector<device::WriteResult>{}) {
+        if (!took(result) || !result.oldRaw || *result.oldRaw == result.newRaw ||
+            moves(servo(ref), result.key))
+            continue;
+        step.before.push_back({result.key, *result.oldRaw});
+        step.after.push_back({result.key, result.newRaw});
     }
-    const bool changedSomething = !step.before.empty();
-    switch (kind) {
-    case WriteKind::New:
-        if (changedSomething) {
-            m_undo.push_back(step);
-            m_redo.clear();
-        }
-        break;
-    case WriteKind::Undo:
-        if (changedSomething) {
-            std::swap(step.before, step.after);
-            m_redo.push_back(step);
-        } else if (m_returning) {
-            m_undo.push_back(*m_returning);
-        }
-        break;
-    case WriteKind::Redo:
-        if (changedSomething)
-            m_undo.push_back(step);
-        else if (m_returning)
-            m_redo.push_back(*m_returning);
-        break;
-    }
-    if (kind != WriteKind::New)
-        m_returning.reset();
+    if (step.before.empty() || servo(ref) == nullptr)
+        return;
+    m_undo.push_back(step);
+    m_redo.clear();
     Q_EMIT undoChanged();
 }
 

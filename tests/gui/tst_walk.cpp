@@ -65,7 +65,7 @@ private Q_SLOTS:
         QTest::newRow("Modbus") << "sim:smsmb@1"
                                 << "position_p" << 41 << true;
         QTest::newRow("LX") << "sim:lx16a@1,lx16a@2"
-                            << "max_temperature" << 70 << false;
+                            << "temp_limit" << 70 << false;
     }
     void everyFamily()
     {

@@ -246,6 +246,40 @@ private Q_SLOTS:
         QVERIFY(bench.desk.nextRedo() == nullptr);
     }
 
+    void undoPassesWhatIsSoAlready()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        QVERIFY(bench.write(ref, minAngle, 100));
+        QVERIFY(bench.write(ref, positionP, 40, true));
+        bench.desk.powerCycle(); // takes the temporary value back by itself
+        bench.desk.readTable(ref);
+        QVERIFY(bench.settle());
+        bench.desk.undo();
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.raw(ref, positionP), std::optional<std::int64_t>(32));
+        bench.desk.undo();
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.raw(ref, minAngle), std::optional<std::int64_t>(0));
+    }
+
+    void anUndoThatFailsCanBeTriedAgain()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        QVERIFY(bench.write(ref, positionP, 40));
+        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
+        bench.desk.undo();
+        QVERIFY(bench.settle());
+        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
+        QVERIFY(bench.desk.nextUndo() != nullptr);
+        bench.desk.undo();
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.raw(ref, positionP), std::optional<std::int64_t>(32));
+    }
+
     void aNewIdKeepsTheServoAndUndoGivesTheOldOneBack()
     {
         Bench bench;
