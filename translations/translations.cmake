@@ -2,7 +2,8 @@
 # :/i18n/NAME.qm. `cmake --build build --target update_translations` brings the .ts files up to
 # date with the sources; a test fails while they are not, or while an entry is unfinished.
 set(SERVODESK_TS_FILES ${CMAKE_SOURCE_DIR}/translations/servodesk_zh_CN.ts)
-set(SERVODESK_LUPDATE ${CMAKE_SOURCE_DIR}/src ${CMAKE_SOURCE_DIR}/ui -no-obsolete -locations none -silent
+# With the include folders it knows in which namespace a class is, as tr() does.
+set(SERVODESK_LUPDATE ${CMAKE_SOURCE_DIR}/src ${CMAKE_SOURCE_DIR}/ui -I ${CMAKE_SOURCE_DIR} -I ${CMAKE_SOURCE_DIR}/src -no-obsolete -locations none -silent
     CACHE INTERNAL "What lupdate reads and how; the test of the translations does the same")
 
 set(qm_files)

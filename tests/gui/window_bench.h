@@ -27,6 +27,7 @@ public:
     {
         ui::initProgram();
         QDir(session::dataFolder()).removeRecursively();
+        settings.setChoice(QStringLiteral("search/last_id"), 10); // where the simulated ones are
         languages.apply(language);
         themes.apply(look);
         window = std::make_unique<ui::MainWindow>(bench, settings, themes, languages);
@@ -38,7 +39,7 @@ public:
     ui::Selection& selection() { return bench.selection; }
     QAction* action(ui::Command command) { return bench.commands.action(command); }
 
-    /// Connected, searched (IDs 0 to 10), and `id` selected and read.
+    /// Connected, searched, and `id` selected and read.
     bool ready(int id, const QString& port = QStringLiteral("sim:demo"))
     {
         return connectTo(port) && choose(id);

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/options.h"
 
+#include "text/translate.h"
+
 #include <QCommandLineParser>
 #include <QCoreApplication>
 
 namespace ui {
 namespace {
-QString words(const char* text)
-{
-    return QCoreApplication::translate("Options", text);
-}
-
 // clang-format off
 struct OptionRow {
     const char* name;
@@ -41,7 +38,8 @@ std::optional<int> number(const QCommandLineParser& parser, const char* option, 
     const int value = given.toInt(&sound);
     if (sound && value >= min)
         return value;
-    error = words("--%1: \"%2\" is no number that fits").arg(QLatin1String(option), given);
+    error = text::translate("Options", "--%1: \"%2\" is no number that fits")
+                .arg(QLatin1String(option), given);
     return std::nullopt;
 }
 
@@ -55,7 +53,8 @@ void takePort(const QCommandLineParser& parser, ParsedOptions& parsed)
     if (!protocol.isEmpty() && protocol != QLatin1String("auto")) {
         request.protocol = base::protocolFromName(protocol);
         if (!request.protocol)
-            parsed.error = words("--protocol: there is no \"%1\"").arg(protocol);
+            parsed.error =
+                text::translate("Options", "--protocol: there is no \"%1\"").arg(protocol);
     }
     if (!request.name.isEmpty())
         parsed.options.port = request;
@@ -70,17 +69,18 @@ void takeTheme(const QString& theme, ParsedOptions& parsed)
     else if (theme == QLatin1String("dark"))
         parsed.options.theme = session::Theme::Dark;
     else if (!theme.isEmpty())
-        parsed.error = words("--theme: there is no \"%1\"").arg(theme);
+        parsed.error = text::translate("Options", "--theme: there is no \"%1\"").arg(theme);
 }
 } // namespace
 
 ParsedOptions parseOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(words("Bench program for serial bus servos"));
+    parser.setApplicationDescription(
+        text::translate("Options", "Bench program for serial bus servos"));
     for (const OptionRow& row : rows)
-        parser.addOption(
-            {QString::fromLatin1(row.name), words(row.help), QString::fromLatin1(row.value)});
+        parser.addOption({QString::fromLatin1(row.name), text::translate("Options", row.help),
+                          QString::fromLatin1(row.value)});
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     ParsedOptions parsed;
@@ -93,7 +93,8 @@ ParsedOptions parseOptions(const QStringList& arguments)
     else if (parser.isSet(version))
         parsed.print = QStringLiteral("servodesk %1\n").arg(QCoreApplication::applicationVersion());
     if (!parser.positionalArguments().isEmpty())
-        parsed.error = words("\"%1\" is not understood").arg(parser.positionalArguments().front());
+        parsed.error = text::translate("Options", "\"%1\" is not understood")
+                           .arg(parser.positionalArguments().front());
     Options& options = parsed.options;
     takePort(parser, parsed);
     takeTheme(parser.value(QStringLiteral("theme")), parsed);
