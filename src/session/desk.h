@@ -231,6 +231,7 @@ private:
 
     // interrupted writes (desk_intents.cpp)
     void recoverIntents(jobs::RecoverAction action, const QString& uuid);
+    void followRecovered(const jobs::Recovered& one);
 
     // live (desk_live.cpp)
     bool mayPoll(const ServoEntry& entry) const;

@@ -15,6 +15,21 @@ base::Result<bool> anyOpen(const device::Context& context)
     return std::any_of(open->begin(), open->end(),
                        [&](const base::Intent& intent) { return intent.servo.port == port; });
 }
+/// The rate a report says was written.
+std::optional<int> rateAfter(const catalog::Profile& profile, const device::WriteReport& report)
+{
+    const catalog::Register* reg = profile.byRole(catalog::Role::BaudRate);
+    for (const device::WriteResult& result : report.writes) {
+        if (reg == nullptr || result.key != reg->key ||
+            result.outcome != device::WriteOutcome::Kept)
+            continue;
+        for (const catalog::NamedValue& value : reg->values) {
+            if (value.value == result.newRaw)
+                return value.key.toInt();
+        }
+    }
+    return std::nullopt;
+}
 } // namespace
 
 void Desk::lookForIntents()
@@ -48,9 +63,28 @@ void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid)
     work->merged = [this, found](Work& ended) {
         if (ended.error)
             tell({.kind = Event::Kind::Failed, .error = ended.error});
+        for (const jobs::Recovered& one : *found)
+            followRecovered(one);
         Q_EMIT openIntents(*found);
     };
     enqueue(work);
+}
+
+/// Settling an ID or a rate leads the servo away from where the list has it.
+void Desk::followRecovered(const jobs::Recovered& one)
+{
+    const ServoRef ref = find(one.before.intent.servo.protocol, one.before.foundId);
+    ServoEntry* known = entry(ref);
+    if (!one.done || known == nullptr || known->servo.baud != one.before.foundBaud)
+        return;
+    device::Servo moved = known->servo;
+    if (one.report && one.report->id >= 0)
+        moved.id = one.report->id;
+    if (one.report && moved.profile)
+        moved.baud = rateAfter(*moved.profile, *one.report).value_or(moved.baud);
+    merge(*known, moved, now());
+    readTable(ref);
+    loadHistory(ref);
 }
 
 void Desk::forgetIntent(const QString& uuid)

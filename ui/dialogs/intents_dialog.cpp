@@ -33,7 +33,7 @@ bool settleable(const Recovered& one)
 IntentsDialog::IntentsDialog(Desk& desk, const std::vector<Recovered>& intents, QWidget* parent)
     : QDialog(parent)
     , m_desk(desk)
-    , m_model(new IntentsModel(this))
+    , m_model(new IntentsModel(desk.catalog(), this))
     , m_explanation(new QLabel(this))
     , m_table(new QTableView(this))
     , m_result(new TaskResult(startWidth - margin, this))
@@ -86,12 +86,14 @@ void IntentsDialog::build()
     row->addWidget(m_later);
     m_later->setDefault(true);
     auto* column = new QVBoxLayout(this);
+    // A result that appears must not resize the window under the user's hand.
+    column->setSizeConstraint(QLayout::SetNoConstraint);
     column->setSpacing(12);
     column->addWidget(m_explanation);
     column->addWidget(m_table, 1);
     column->addWidget(m_result);
     column->addLayout(row);
-    resize(startWidth, startHeight);
+    setMinimumSize(startWidth, startHeight);
 }
 
 void IntentsDialog::retranslate()

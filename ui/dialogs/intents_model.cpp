@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/intents_model.h"
 
+#include "text/language.h"
 #include "text/notice_words.h"
 #include "text/translate.h"
 
@@ -17,20 +18,34 @@ QString whenWord(const base::Intent& intent)
     return QLocale::system().toString(intent.at.toLocalTime(), QLocale::ShortFormat);
 }
 
-QString servoWord(const base::Intent& intent)
+/// Of the kind of servo the journal names.
+catalog::ProfilePtr profileOf(const catalog::Catalog& catalog, const base::ServoIdentity& who)
 {
-    return translate("ServoTasks", "ID %1").arg(intent.servo.id);
+    catalog::Identity identity;
+    identity.firmwareMajor = who.firmwareMajor;
+    identity.firmwareMinor = who.firmwareMinor;
+    identity.modelMajor = who.modelMajor;
+    identity.modelMinor = who.modelMinor;
+    identity.protocol = who.protocol;
+    return catalog.resolve(identity);
 }
 
-QString changesWord(const base::Intent& intent)
+QString servoWord(const base::Intent& intent, const catalog::Profile& profile)
+{
+    return QStringLiteral("%1 · %2").arg(translate("ServoTasks", "ID %1").arg(intent.servo.id),
+                                         profile.modelName);
+}
+
+QString changesWord(const base::Intent& intent, const catalog::Profile& profile)
 {
     QStringList changes;
     for (const base::JournalItem& item : intent.items) {
+        const catalog::Register* reg = profile.find(item.key);
+        const QString name = reg != nullptr ? reg->name.in(text::inChinese()) : item.key;
         // What centring and restoring lead to is not known beforehand.
-        changes
-            << (item.oldRaw == item.newRaw
-                    ? QStringLiteral("%1 = %2").arg(item.key).arg(item.oldRaw)
-                    : QStringLiteral("%1 %2 → %3").arg(item.key).arg(item.oldRaw).arg(item.newRaw));
+        changes << (item.oldRaw == item.newRaw
+                        ? QStringLiteral("%1 = %2").arg(name).arg(item.oldRaw)
+                        : QStringLiteral("%1 %2 → %3").arg(name).arg(item.oldRaw).arg(item.newRaw));
     }
     return changes.join(QStringLiteral(", "));
 }
@@ -42,18 +57,26 @@ QString lockWord(const std::optional<bool>& open)
                                   : QStringLiteral("closed"));
 }
 
-QString cell(const jobs::Recovered& one, IntentColumn column)
+} // namespace
+
+IntentsModel::IntentsModel(const catalog::Catalog& catalog, QObject* parent)
+    : QAbstractTableModel(parent)
+    , m_catalog(catalog)
+{}
+
+QString IntentsModel::cell(const jobs::Recovered& one, IntentColumn column) const
 {
     const base::Intent& intent = one.before.intent;
+    const catalog::ProfilePtr profile = profileOf(m_catalog, intent.servo);
     switch (column) {
     case IntentColumn::When:
         return whenWord(intent);
     case IntentColumn::Servo:
-        return servoWord(intent);
+        return servoWord(intent, *profile);
     case IntentColumn::What:
         return intentWord(intent.kind);
     case IntentColumn::Change:
-        return changesWord(intent);
+        return changesWord(intent, *profile);
     case IntentColumn::Found:
         return findingWord(one.before.finding);
     case IntentColumn::Lock:
@@ -64,14 +87,16 @@ QString cell(const jobs::Recovered& one, IntentColumn column)
     return {};
 }
 
-QString everything(const jobs::Recovered& one)
+QString IntentsModel::everything(const jobs::Recovered& one) const
 {
     QStringList lines;
-    for (int column = 0; column < static_cast<int>(IntentColumn::Count); ++column)
-        lines << cell(one, static_cast<IntentColumn>(column));
+    for (int column = 0; column < columnCount(); ++column) {
+        lines << QStringLiteral("%1: %2").arg(
+            headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(),
+            cell(one, static_cast<IntentColumn>(column)));
+    }
     return lines.join(QLatin1Char('\n'));
 }
-} // namespace
 
 QString intentWord(IntentKind kind)
 {

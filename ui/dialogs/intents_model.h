@@ -14,7 +14,8 @@ class IntentsModel final : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    using QAbstractTableModel::QAbstractTableModel;
+    /// `catalog` outlives it; gives registers and models their names.
+    explicit IntentsModel(const catalog::Catalog& catalog, QObject* parent = nullptr);
 
     void setIntents(std::vector<jobs::Recovered> intents);
     const jobs::Recovered* at(int row) const; ///< null: no such row
@@ -26,6 +27,10 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    QString cell(const jobs::Recovered& one, IntentColumn column) const;
+    QString everything(const jobs::Recovered& one) const;
+
+    const catalog::Catalog& m_catalog;
     std::vector<jobs::Recovered> m_intents;
 };
 

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Interrupted writes in the window: found by reading only, offered, never done unasked; finished,
+// undone, forgotten or left for later, each by itself.
+#include "gui/tasks_bench.h"
+#include "ui/dialogs/intents_dialog.h"
+
+#include <QAbstractItemModelTester>
+#include <QRegularExpression>
+#include <QTableView>
+
+using gui::TasksBench;
+using ui::Command;
+
+namespace {
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+QTableView* table(QDialog* dialog)
+{
+    return dialog->findChild<QTableView*>(text("intents"));
+}
+
+QString cell(QDialog* dialog, int row, ui::IntentColumn column)
+{
+    const QAbstractItemModel* model = table(dialog)->model();
+    return model->index(row, static_cast<int>(column)).data().toString();
+}
+
+/// The servo falls silent while its lock is open and the second of five registers is written.
+bool interrupt(TasksBench& bench)
+{
+    session::WriteOrder order;
+    for (const auto& [key, raw] : {std::pair{"min_angle_limit", 500},
+                                   {"max_angle_limit", 3500},
+                                   {"max_temperature", 61},
+                                   {"position_p", 20},
+                                   {"overload_torque", 70}})
+        order.items.push_back({text(key), raw});
+    order.dangerous = true;
+    bench.desk.write(bench.selection.current(), order);
+    const bool begun = QTest::qWaitFor([&] {
+        return bench.withWire([](sim::VirtualBus& wire) {
+            const bool open = wire.servo(1)->raw(text("lock")) == 0;
+            if (open)
+                wire.config().faults.muteIds = {1};
+            return open;
+        });
+    });
+    const bool ended = bench.settled();
+    bench.withWire([](sim::VirtualBus& wire) { wire.config().faults.muteIds.clear(); });
+    return begun && ended && bench.session.journal().open()->size() == 1;
+}
+
+/// As an earlier session left it: nothing of it was written.
+QString leaveOpen(TasksBench& bench)
+{
+    base::Intent intent;
+    intent.kind = base::IntentKind::Write;
+    intent.lockOpened = true;
+    intent.servo = bench.entry().servo.identity();
+    intent.items = {{text("max_temperature"), 13, bench.raw(1, "max_temperature"), 61}};
+    return bench.session.journal().begin(intent).value_or(QString());
+}
+} // namespace
+
+class TestIntentsDialog : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void aCutWriteIsOfferedAndUndone();
+    void aCutWriteIsFinished();
+    void aServoIsFollowed_data();
+    void aServoIsFollowed();
+    void isOfferedAfterTheFirstSearch();
+    void laterIsNotAskedTwice();
+    void forgettingAsksFirst();
+    void theOneChosenIsSettledAlone();
+    void nobodyThereCannotBeSettled();
+    void nothingOpenSaysSo();
+};
+
+void TestIntentsDialog::aCutWriteIsOfferedAndUndone()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    const std::int64_t before = bench.raw(1, "min_angle_limit");
+    QVERIFY(interrupt(bench));
+    QCOMPARE(bench.raw(1, "lock"), 0);
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QAbstractItemModelTester tester(table(dialog)->model());
+    QCOMPARE(table(dialog)->model()->rowCount(), 1);
+    QVERIFY(cell(dialog, 0, ui::IntentColumn::Servo).contains(text("STS3215")));
+    QVERIFY(cell(dialog, 0, ui::IntentColumn::Change).contains(text("500")));
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Lock), text("open"));
+    QCOMPARE(bench.raw(1, "lock"), 0); // looking wrote nothing
+    gui::click(dialog, "intentUndo");
+    QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
+    QTRY_COMPARE(table(dialog)->model()->rowCount(), 0);
+    QCOMPARE(bench.raw(1, "min_angle_limit"), before);
+    QCOMPARE(bench.raw(1, "lock"), 1);
+    QVERIFY(bench.session.journal().open()->empty());
+}
+
+void TestIntentsDialog::aCutWriteIsFinished()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(interrupt(bench));
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QTest::keyClick(gui::button(dialog, "intentFinish"), Qt::Key_Space);
+    QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
+    QTRY_VERIFY(bench.session.journal().open()->empty());
+    QCOMPARE(bench.raw(1, "overload_torque"), 70);
+    QCOMPARE(bench.raw(1, "lock"), 1);
+    // The table follows by itself.
+    QTRY_COMPARE(bench.entry().servo.raw(text("overload_torque")), std::optional<std::int64_t>(70));
+}
+
+void TestIntentsDialog::aServoIsFollowed_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<int>("value");
+    QTest::addColumn<int>("id");
+    QTest::addColumn<int>("baud");
+    QTest::newRow("new ID") << int(base::IntentKind::SetId) << text("id") << 9 << 9 << 1'000'000;
+    QTest::newRow("new rate") << int(base::IntentKind::SetBaud) << text("baud_rate") << 1 << 1
+                              << 500'000;
+}
+
+/// Finishing a change of ID or rate takes the servo elsewhere; it stays selected.
+void TestIntentsDialog::aServoIsFollowed()
+{
+    QFETCH(int, kind);
+    QFETCH(QString, key);
+    QFETCH(int, value);
+    QFETCH(int, id);
+    QFETCH(int, baud);
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    base::Intent intent;
+    intent.kind = base::IntentKind(kind);
+    intent.servo = bench.entry().servo.identity();
+    intent.items = {{key, 5, bench.raw(1, key.toLatin1().constData()), value}};
+    QVERIFY(bench.session.journal().begin(intent));
+    const session::ServoRef ref = bench.selection.current();
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    gui::click(dialog, "intentFinish");
+    QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
+    QVERIFY(bench.settled());
+    QCOMPARE(bench.selection.current(), ref);
+    QCOMPARE(bench.entry().servo.id, id);
+    QCOMPARE(bench.entry().servo.baud, baud);
+    QVERIFY(!bench.entry().readError);
+}
+
+void TestIntentsDialog::isOfferedAfterTheFirstSearch()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    const std::int64_t before = bench.raw(1, "max_temperature");
+    QVERIFY(!leaveOpen(bench).isEmpty());
+    bench.desk.disconnectFrom();
+    QTRY_COMPARE(bench.desk.state(), session::LinkState::Off);
+    QVERIFY(bench.connectTo("sim:sts3215@1"));
+    QVERIFY(bench.search(1, 1));
+    QDialog* dialog = bench.dialog("intentsDialog");
+    QVERIFY(dialog);
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("nothing of it was written"));
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QVERIFY(bench.settled());
+    QCOMPARE(bench.raw(1, "max_temperature"), before);
+    QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
+}
+
+void TestIntentsDialog::laterIsNotAskedTwice()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(!leaveOpen(bench).isEmpty());
+    QPointer<QDialog> dialog(bench.open(Command::OpenIntents, "intentsDialog"));
+    QVERIFY(dialog);
+    gui::click(dialog, "intentLater");
+    QTRY_VERIFY(!dialog);
+    QSignalSpy found(&bench.desk, &session::Desk::openIntents);
+    bench.desk.lookForIntents(); // nobody's wish: as after another search
+    QVERIFY(found.wait());
+    QCOMPARE(bench.window.findChildren<QDialog*>().size(), 0);
+    QVERIFY(bench.open(Command::OpenIntents, "intentsDialog"));
+}
+
+void TestIntentsDialog::forgettingAsksFirst()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(!leaveOpen(bench).isEmpty());
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    gui::click(dialog, "intentForget");
+    QDialog* question = bench.dialog("question");
+    QVERIFY(question);
+    QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
+    gui::click(question, "questionYes");
+    QTRY_COMPARE(table(dialog)->model()->rowCount(), 0);
+    QVERIFY(bench.session.journal().open()->empty());
+}
+
+void TestIntentsDialog::theOneChosenIsSettledAlone()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    const QString first = leaveOpen(bench);
+    const QString second = leaveOpen(bench);
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QCOMPARE(table(dialog)->model()->rowCount(), 2);
+    table(dialog)->selectRow(1);
+    gui::click(dialog, "intentUndo");
+    QTRY_COMPARE(table(dialog)->model()->rowCount(), 1);
+    const auto open = bench.session.journal().open();
+    QCOMPARE(open->size(), std::size_t(1));
+    QCOMPARE(open->front().uuid, first);
+    QVERIFY(second != first);
+}
+
+void TestIntentsDialog::nobodyThereCannotBeSettled()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(!leaveOpen(bench).isEmpty());
+    bench.withWire([](sim::VirtualBus& wire) { wire.config().faults.muteIds = {1}; });
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("it does not answer"));
+    QVERIFY(!gui::button(dialog, "intentFinish")->isEnabled());
+    QVERIFY(!gui::button(dialog, "intentUndo")->isEnabled());
+    QVERIFY(gui::button(dialog, "intentForget")->isEnabled());
+}
+
+void TestIntentsDialog::nothingOpenSaysSo()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QVERIFY(gui::resultOf(dialog).contains(text("No change was left open")));
+    QVERIFY(!gui::button(dialog, "intentForget")->isEnabled());
+}
+
+QTEST_MAIN(TestIntentsDialog)
+#include "tst_intents_dialog.moc"
