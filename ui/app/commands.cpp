@@ -92,6 +92,8 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
     {Command::Chinese, "简体中文(&Z)", QT_TRANSLATE_NOOP("Commands", "The interface in Simplified Chinese"), "", "", Always, true},
     {Command::MessageLog, QT_TRANSLATE_NOOP("Commands", "&Messages"),
      QT_TRANSLATE_NOOP("Commands", "Everything that was reported since the start"), "view-list-text", "F8", Always, true},
+    {Command::Help, QT_TRANSLATE_NOOP("Commands", "&Help"),
+     QT_TRANSLATE_NOOP("Commands", "How to connect, search, read and write"), "help-contents", "F1", Always},
     {Command::Shortcuts, QT_TRANSLATE_NOOP("Commands", "&Keyboard shortcuts"),
      QT_TRANSLATE_NOOP("Commands", "The list of all shortcuts"), "input-keyboard", "Ctrl+F1", Always},
     {Command::About, QT_TRANSLATE_NOOP("Commands", "&About ServoDesk"),

@@ -43,6 +43,7 @@ enum class Command : std::uint8_t {
     English,
     Chinese,
     MessageLog,
+    Help,
     Shortcuts,
     About,
     Quit,

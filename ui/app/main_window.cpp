@@ -8,6 +8,7 @@
 #include "ui/app/stop_key.h"
 #include "ui/app/theme.h"
 #include "ui/dialogs/about.h"
+#include "ui/dialogs/help_window.h"
 #include "ui/dialogs/servo_tasks.h"
 #include "ui/dialogs/shortcut_list.h"
 #include "ui/pages/memory_page.h"
@@ -82,6 +83,7 @@ void MainWindow::connectCommands()
     on(Command::English, [this] { m_language.apply(QStringLiteral("en")); });
     on(Command::Chinese, [this] { m_language.apply(QStringLiteral("zh_CN")); });
     on(Command::MessageLog, [this](bool shown) { m_logDock->setVisible(shown); });
+    on(Command::Help, [this] { (new HelpWindow(this))->show(); });
     on(Command::Shortcuts, [this] { (new ShortcutList(m_commands, this))->open(); });
     on(Command::About, [this] { (new About(this))->open(); });
     on(Command::Quit, [this] { close(); });

@@ -41,7 +41,7 @@ Menus::Menus(QMenuBar& bar, const Commands& commands, const QList<QAction*>& doc
     m_view->addSeparator();
     m_view->addMenu(m_theme);
     m_view->addMenu(m_language);
-    add(*m_help, commands, {Command::Shortcuts, Command::About});
+    add(*m_help, commands, {Command::Help, Command::Shortcuts, Command::About});
     for (QMenu* menu : {m_theme, m_language}) {
         auto* group = new QActionGroup(this);
         for (QAction* action : menu->actions())

@@ -12,9 +12,10 @@
 
 #include <cstdio>
 
-static void initIcons()
+static void initResources()
 {
     Q_INIT_RESOURCE(icons);
+    Q_INIT_RESOURCE(help);
 }
 
 namespace ui {
@@ -41,7 +42,7 @@ void screenshotLater(MainWindow& window, const Options& options)
 
 void initProgram()
 {
-    initIcons();
+    initResources();
     QIcon::setThemeSearchPaths(QIcon::themeSearchPaths() << QStringLiteral(":/icons"));
     QIcon::setFallbackThemeName(QStringLiteral("breeze"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/servodesk.svg")));

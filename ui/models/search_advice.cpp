@@ -13,7 +13,7 @@
 // Q_INIT_RESOURCE must stand outside every namespace.
 static void initHelp()
 {
-    Q_INIT_RESOURCE(search_help);
+    Q_INIT_RESOURCE(help);
 }
 
 namespace ui {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/help_window.h"
+
+#include "text/language.h"
+#include "ui/app/theme.h"
+
+#include <QEvent>
+#include <QFile>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+/// Pictures are named IMAGE:page in the text; there is one for each language and theme.
+QString withPictures(QString markdown, bool chinese, bool dark)
+{
+    const QString ending = QStringLiteral("-%1-%2.png)")
+                               .arg(chinese ? QStringLiteral("zh") : QStringLiteral("en"),
+                                    dark ? QStringLiteral("dark") : QStringLiteral("light"));
+    for (const char* page : {"memory", "search"}) {
+        const QString name = QString::fromLatin1(page);
+        markdown.replace(QStringLiteral("(IMAGE:%1)").arg(name),
+                         QStringLiteral("(qrc:/help/images/") + name + ending);
+    }
+    return markdown;
+}
+} // namespace
+
+HelpWindow::HelpWindow(QWidget* parent)
+    : QDialog(parent)
+    , m_text(new QTextBrowser(this))
+{
+    setAttribute(Qt::WA_DeleteOnClose);
+    setObjectName(QStringLiteral("help"));
+    m_text->setObjectName(QStringLiteral("helpText"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_text);
+    resize(900, 700);
+    fill();
+}
+
+void HelpWindow::fill()
+{
+    setWindowTitle(tr("ServoDesk — help"));
+    m_text->setAccessibleName(tr("Help"));
+    m_text->setToolTip(tr("Help"));
+    const bool chinese = text::inChinese();
+    QFile file(chinese ? QStringLiteral(":/help/help_zh.md") : QStringLiteral(":/help/help_en.md"));
+    if (file.open(QIODevice::ReadOnly))
+        m_text->setMarkdown(
+            withPictures(QString::fromUtf8(file.readAll()), chinese, isDark(palette())));
+}
+
+void HelpWindow::changeEvent(QEvent* event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        fill();
+}
+} // namespace ui
