@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The checklist says what fits first, rules out what the search has answered, and is complete in
+// both languages.
+#include "session/session.h"
+#include "ui/models/search_advice.h"
+
+#include <QtTest>
+
+using ui::AdviceItem;
+using ui::AdviceRow;
+using ui::SearchFacts;
+
+namespace {
+SearchFacts nobodyAnswered()
+{
+    SearchFacts facts;
+    facts.port.name = QStringLiteral("/dev/ttyUSB0");
+    facts.report.rates = {1000000};
+    return facts;
+}
+
+jobs::Found servo(int id, bool twins = false)
+{
+    jobs::Found found;
+    found.servo.id = id;
+    found.twinsSuspected = twins;
+    return found;
+}
+
+AdviceRow rowOf(const std::vector<AdviceRow>& rows, int number)
+{
+    for (const AdviceRow& row : rows) {
+        if (row.number == number)
+            return row;
+    }
+    return {};
+}
+
+AdviceItem item(const SearchFacts& facts, int number, const char* key)
+{
+    for (const AdviceItem& one : rowOf(ui::searchAdvice(facts), number).items) {
+        if (one.key == QLatin1String(key))
+            return one;
+    }
+    return {};
+}
+
+std::vector<int> order(const SearchFacts& facts)
+{
+    std::vector<int> numbers;
+    for (const AdviceRow& row : ui::searchAdvice(facts))
+        numbers.push_back(row.number);
+    return numbers;
+}
+
+bool hasChinese(const QString& text)
+{
+    static const QRegularExpression han(QStringLiteral("\\p{Han}"));
+    return text.contains(han);
+}
+
+void everythingIsWords(const AdviceItem& item)
+{
+    for (const catalog::Text& text : {item.cause, item.check, item.finding}) {
+        if (text.en.isEmpty() && text.zh.isEmpty())
+            continue;
+        QVERIFY2(!text.en.isEmpty() && !hasChinese(text.en), qPrintable(item.key));
+        QVERIFY2(hasChinese(text.zh), qPrintable(item.key + text.zh));
+        QVERIFY2(!text.en.contains(u'%') && !text.zh.contains(u'%'), qPrintable(text.en));
+    }
+    QVERIFY(!item.cause.en.isEmpty() && !item.check.en.isEmpty());
+}
+} // namespace
+
+class TestSearchAdvice : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void everyRowInBothLanguages_data();
+    void everyRowInBothLanguages();
+    void whatFitsComesFirst();
+    void anOpenPortRulesOutTheDriver();
+    void searchedIdsAreRuledOut();
+    void searchedRatesAreRuledOut();
+    void triedProtocolsAreRuledOut();
+    void aStoppedSearchRulesNothingOut();
+    void lateAnswersPointAtTheTimeOut();
+    void twinsAreNamed();
+    void refusedRatesAreNamed();
+    void aSimulatedBusHasNoCables();
+    void afterAChangeOfOurs();
+    void aBridgeSetsTheRate();
+};
+
+void TestSearchAdvice::everyRowInBothLanguages_data()
+{
+    QTest::addColumn<bool>("much"); ///< everything searched, everything suspicious
+    QTest::newRow("nothing known") << false;
+    QTest::newRow("all known") << true;
+}
+
+void TestSearchAdvice::everyRowInBothLanguages()
+{
+    QFETCH(const bool, much);
+    SearchFacts facts = nobodyAnswered();
+    if (much) {
+        facts.port.name = QStringLiteral("sim:trouble");
+        facts.report.rates = session::knownRates();
+        facts.report.ratesRefused = {76800};
+        facts.report.garbledHeard = true;
+        facts.report.found.push_back(servo(1, true));
+        facts.history.idOrRateChanged = true;
+    }
+    const auto rows = ui::searchAdvice(facts);
+    QCOMPARE(rows.size(), std::size_t(5));
+    for (int number = 1; number <= 5; ++number) {
+        const AdviceRow row = rowOf(rows, number);
+        QVERIFY(!row.symptom.en.isEmpty() && hasChinese(row.symptom.zh));
+        QVERIFY(row.items.size() >= 3);
+        for (const AdviceItem& one : row.items)
+            everythingIsWords(one);
+    }
+}
+
+void TestSearchAdvice::whatFitsComesFirst()
+{
+    SearchFacts facts = nobodyAnswered();
+    QCOMPARE(order(facts), std::vector<int>({1, 2, 3, 4, 5}));
+    QVERIFY(rowOf(ui::searchAdvice(facts), 1).fits);
+    QVERIFY(!rowOf(ui::searchAdvice(facts), 3).fits);
+    facts.report.garbledHeard = true;
+    QCOMPARE(order(facts), std::vector<int>({4, 1, 2, 3, 5}));
+    facts.report.garbledHeard = false;
+    facts.history.vanished = 1;
+    QCOMPARE(order(facts), std::vector<int>({5, 1, 2, 3, 4}));
+    facts.history = {};
+    facts.report.found.push_back(servo(3));
+    QCOMPARE(order(facts), std::vector<int>({3, 1, 2, 4, 5}));
+}
+
+void TestSearchAdvice::anOpenPortRulesOutTheDriver()
+{
+    const SearchFacts facts = nobodyAnswered();
+    QVERIFY(item(facts, 1, "driver").ruledOut);
+    QVERIFY(!item(facts, 1, "driver").finding.en.isEmpty());
+    QVERIFY(!item(facts, 1, "port").ruledOut); // it may be another adapter
+    QVERIFY(!item(facts, 1, "supply").ruledOut);
+}
+
+void TestSearchAdvice::searchedIdsAreRuledOut()
+{
+    SearchFacts facts = nobodyAnswered();
+    QVERIFY(item(facts, 1, "ids").ruledOut);
+    facts.spec.firstId = 100;
+    facts.spec.lastId = 110;
+    const AdviceItem some = item(facts, 1, "ids");
+    QVERIFY(!some.ruledOut);
+    QVERIFY2(some.finding.en.contains(QStringLiteral("100–110")), qPrintable(some.finding.en));
+    QVERIFY(some.finding.zh.contains(QStringLiteral("100–110")));
+    QVERIFY(ui::canSearchWider(facts));
+}
+
+void TestSearchAdvice::searchedRatesAreRuledOut()
+{
+    SearchFacts facts = nobodyAnswered();
+    const AdviceItem one = item(facts, 1, "rate");
+    QVERIFY(!one.ruledOut);
+    QVERIFY(one.finding.en.contains(QStringLiteral("1000000")));
+    QVERIFY(ui::canSearchWider(facts));
+    facts.report.rates = session::knownRates();
+    for (const int row : {1, 2, 3})
+        QVERIFY(item(facts, row, "rate").ruledOut);
+    QVERIFY(item(facts, 1, "rate").finding.en.contains(QStringLiteral("14")));
+    QVERIFY(!ui::canSearchWider(facts));
+    facts.report.rates.pop_back(); // one of them is not enough
+    QVERIFY(!item(facts, 1, "rate").ruledOut);
+}
+
+void TestSearchAdvice::triedProtocolsAreRuledOut()
+{
+    SearchFacts facts = nobodyAnswered();
+    QVERIFY(item(facts, 1, "protocol").ruledOut);
+    facts.spec.protocols = {base::Protocol::Feetech, base::Protocol::Lx};
+    QVERIFY(!item(facts, 3, "protocol").ruledOut);
+    QVERIFY(item(facts, 3, "protocol").finding.en.contains(QStringLiteral("Feetech, LX")));
+    facts.spec.protocols.clear();
+    facts.port.protocol = base::Protocol::Modbus; // as connected
+    QVERIFY(!item(facts, 1, "protocol").ruledOut);
+    QVERIFY(item(facts, 1, "protocol").finding.en.contains(QStringLiteral("Modbus")));
+}
+
+void TestSearchAdvice::aStoppedSearchRulesNothingOut()
+{
+    SearchFacts facts = nobodyAnswered();
+    facts.report.rates = session::knownRates();
+    facts.report.stopped = true;
+    for (const char* key : {"ids", "rate", "protocol"})
+        QVERIFY2(!item(facts, 1, key).ruledOut, key);
+    QVERIFY(!item(facts, 5, "old").ruledOut);
+}
+
+void TestSearchAdvice::lateAnswersPointAtTheTimeOut()
+{
+    SearchFacts facts = nobodyAnswered();
+    QVERIFY(item(facts, 3, "late").ruledOut);
+    facts.report.lateReplies = 3;
+    QVERIFY(!item(facts, 3, "late").ruledOut);
+    QVERIFY(item(facts, 3, "late").finding.en.contains(u'3'));
+}
+
+void TestSearchAdvice::twinsAreNamed()
+{
+    SearchFacts facts = nobodyAnswered();
+    for (const int id : {4, 7})
+        facts.report.found.push_back(servo(id, true));
+    QVERIFY(rowOf(ui::searchAdvice(facts), 4).fits);
+    for (const int row : {3, 4, 5})
+        QVERIFY(item(facts, row, "same_id").finding.en.contains(QStringLiteral("4, 7")));
+}
+
+void TestSearchAdvice::refusedRatesAreNamed()
+{
+    SearchFacts facts = nobodyAnswered();
+    QVERIFY(item(facts, 4, "rate_off").finding.en.isEmpty());
+    facts.report.ratesRefused = {76800, 14400};
+    QVERIFY(item(facts, 4, "rate_off").finding.en.contains(QStringLiteral("76800, 14400")));
+}
+
+void TestSearchAdvice::aSimulatedBusHasNoCables()
+{
+    SearchFacts facts = nobodyAnswered();
+    facts.port.name = QStringLiteral("sim:demo");
+    for (const char* key : {"port", "adapter_supply", "supply", "lead", "damaged"})
+        QVERIFY2(item(facts, 1, key).ruledOut, key);
+}
+
+void TestSearchAdvice::afterAChangeOfOurs()
+{
+    SearchFacts facts = nobodyAnswered();
+    QVERIFY(!item(facts, 5, "locked").ruledOut);
+    facts.history.idOrRateChanged = true;
+    QVERIFY(rowOf(ui::searchAdvice(facts), 5).fits);
+    QVERIFY(item(facts, 5, "locked").ruledOut);
+    QVERIFY(!item(facts, 5, "old").ruledOut);
+    facts.report.rates = session::knownRates();
+    QVERIFY(item(facts, 5, "old").ruledOut);
+}
+
+void TestSearchAdvice::aBridgeSetsTheRate()
+{
+    SearchFacts facts = nobodyAnswered();
+    facts.hasBaud = false;
+    facts.report.rates = session::knownRates();
+    QVERIFY(!item(facts, 1, "rate").ruledOut);
+    QVERIFY(item(facts, 1, "rate").finding.en.isEmpty());
+    QVERIFY(!ui::canSearchWider(facts)); // nothing wider can be asked from here
+}
+
+QTEST_GUILESS_MAIN(TestSearchAdvice)
+#include "tst_search_advice.moc"
