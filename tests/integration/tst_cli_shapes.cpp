@@ -65,6 +65,8 @@ private Q_SLOTS:
     void errorsAreDocumentsToo();
     void noticesAreNotes();
     void infoNamesAlarmAndRelease();
+    void clearAlarmMovesOnlyWhenAllowed();
+    void identifyPutsTheLedBack();
     void setIdMovesTheServo();
     void moveArrives();
     void watchStreamsOneDocument();
@@ -282,6 +284,32 @@ void TestCliShapes::infoNamesAlarmAndRelease()
     QCOMPARE(named(healthy, "torque"), QStringLiteral("off"));
     QCOMPARE(healthy[QLatin1String("voltage")].toDouble(), 7.4);
     QCOMPARE(healthy[QLatin1String("position")].toDouble(), 180.0);
+}
+
+/// Servo 5 of this bus stands pressed against its stop.
+void TestCliShapes::clearAlarmMovesOnlyWhenAllowed()
+{
+    CliProgram cli;
+    cli.setPort(QStringLiteral("sim:trouble"));
+    const Ran asked = cli.json("clear-alarm 5");
+    QCOMPARE(asked.exit, 1);
+    QCOMPARE(named(asked.json(), "next"), QStringLiteral("turn-back"));
+    QVERIFY(!asked.json()[QLatin1String("acted")].toBool());
+    const Ran done = cli.json("clear-alarm 5 --move");
+    QCOMPARE(done.exit, 0);
+    QVERIFY(done.json()[QLatin1String("cleared")].toBool());
+    QVERIFY(done.json()[QLatin1String("alarms")].toArray().isEmpty());
+    QVERIFY(cli.run("clear-alarm 5").out.contains(QStringLiteral("overload")));
+}
+
+void TestCliShapes::identifyPutsTheLedBack()
+{
+    CliProgram cli;
+    const Ran ran = cli.json("identify 1");
+    QCOMPARE(ran.exit, 0);
+    QVERIFY(ran.json()[QLatin1String("blinks")].toInt() >= 3);
+    QCOMPARE(named(ran.json(), "register"), QStringLiteral("led_alarm_condition"));
+    QCOMPARE(cli.json("recover").json()[QLatin1String("intents")].toArray().size(), 0);
 }
 
 void TestCliShapes::setIdMovesTheServo()

@@ -204,7 +204,9 @@ void IntentsDialog::settled(const std::vector<Recovered>& one)
             return words;
         });
     }
-    // What is open now is a matter of looking.
+    if (!one.empty() && one.front().done)
+        m_model->remove(uuid);
+    // What else is open now is a matter of looking.
     m_desk.lookForIntents();
     updateButtons();
 }

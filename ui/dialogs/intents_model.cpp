@@ -5,8 +5,6 @@
 #include "text/notice_words.h"
 #include "text/translate.h"
 
-#include <QLocale>
-
 namespace ui {
 using base::IntentKind;
 using jobs::Finding;
@@ -15,7 +13,7 @@ using text::translate;
 namespace {
 QString whenWord(const base::Intent& intent)
 {
-    return QLocale::system().toString(intent.at.toLocalTime(), QLocale::ShortFormat);
+    return intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd hh:mm:ss"));
 }
 
 /// Of the kind of servo the journal names.
@@ -141,6 +139,18 @@ void IntentsModel::setIntents(std::vector<jobs::Recovered> intents)
     beginResetModel();
     m_intents = std::move(intents);
     endResetModel();
+}
+
+void IntentsModel::remove(const QString& uuid)
+{
+    for (int row = 0; row < rowCount(); ++row) {
+        if (at(row)->before.intent.uuid != uuid)
+            continue;
+        beginRemoveRows({}, row, row);
+        m_intents.erase(m_intents.begin() + row);
+        endRemoveRows();
+        return;
+    }
 }
 
 const jobs::Recovered* IntentsModel::at(int row) const

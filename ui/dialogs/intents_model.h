@@ -18,6 +18,7 @@ public:
     explicit IntentsModel(const catalog::Catalog& catalog, QObject* parent = nullptr);
 
     void setIntents(std::vector<jobs::Recovered> intents);
+    void remove(const QString& uuid);
     const jobs::Recovered* at(int row) const; ///< null: no such row
     void retranslate();
 
