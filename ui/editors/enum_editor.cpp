@@ -8,9 +8,33 @@
 #include <QVBoxLayout>
 
 namespace ui {
+/// QComboBox calls a value activated that arrow keys or the wheel merely passed by.
+class ValueList final : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+    bool passing() const { return m_passing; }
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override
+    {
+        m_passing = true;
+        QComboBox::keyPressEvent(event);
+        m_passing = false;
+    }
+    void wheelEvent(QWheelEvent* event) override
+    {
+        m_passing = true;
+        QComboBox::wheelEvent(event);
+        m_passing = false;
+    }
+
+private:
+    bool m_passing = false;
+};
+
 EnumEditor::EnumEditor(const EditContext& context, QWidget* parent)
     : RegisterEditor(context, parent)
-    , m_box(new QComboBox(this))
+    , m_box(new ValueList(this))
 {
     m_box->setObjectName(QStringLiteral("valueList"));
     m_box->setFrame(!context.inCell);
@@ -21,7 +45,10 @@ EnumEditor::EnumEditor(const EditContext& context, QWidget* parent)
     setFocusProxy(m_box);
     setAutoFillBackground(context.inCell);
     connect(m_box, &QComboBox::currentIndexChanged, this, &EnumEditor::userEdited);
-    connect(m_box, &QComboBox::activated, this, &EnumEditor::chosen);
+    connect(m_box, &QComboBox::activated, this, [this] {
+        if (!m_box->passing())
+            Q_EMIT chosen();
+    });
     fill(std::nullopt);
     retranslate();
 }

@@ -5,9 +5,9 @@
 
 #include "ui/editors/register_editor.h"
 
-class QComboBox;
-
 namespace ui {
+class ValueList;
+
 class EnumEditor final : public RegisterEditor {
     Q_OBJECT
 
@@ -23,6 +23,6 @@ private:
     void retranslate();
     void changeEvent(QEvent* event) override;
 
-    QComboBox* m_box;
+    ValueList* m_box;
 };
 } // namespace ui

@@ -43,6 +43,16 @@ std::optional<Tone> toneOf(const MemoryRow& row, MemoryColumn column)
     return quietColumn(column) ? std::optional(Tone::Quiet) : std::nullopt;
 }
 
+QColor selectionColour(const QPalette& palette)
+{
+    constexpr float share = 0.18F;
+    const QColor base = palette.color(QPalette::Base);
+    const QColor strong = palette.color(QPalette::Active, QPalette::Highlight);
+    const auto mix = [](float a, float b) { return a + (b - a) * share; };
+    return QColor::fromRgbF(mix(base.redF(), strong.redF()), mix(base.greenF(), strong.greenF()),
+                            mix(base.blueF(), strong.blueF()));
+}
+
 RegisterEditor* editorAround(QObject* object)
 {
     for (; object != nullptr; object = object->parent()) {
@@ -59,9 +69,19 @@ void RegisterDelegate::initStyleOption(QStyleOptionViewItem* option, const QMode
     const MemoryRow* row = rowBehind(index);
     if (row == nullptr)
         return;
+    QPalette& colours = option->palette;
     const auto tone = toneOf(*row, memoryColumn(index));
-    if (tone)
-        option->palette.setColor(QPalette::Text, ui::tone(*tone, option->palette));
+    const QColor text = tone ? ui::tone(*tone, colours) : colours.color(QPalette::Text);
+    colours.setColor(QPalette::Text, text);
+    // A pale selection, so that the tones can be told apart on it as well.
+    const QColor pale = selectionColour(colours);
+    for (const auto group : {QPalette::Active, QPalette::Inactive}) {
+        colours.setColor(group, QPalette::Highlight, pale);
+        colours.setColor(group, QPalette::HighlightedText, text);
+    }
+    // Space between a number and the column that begins behind it.
+    if ((option->displayAlignment & Qt::AlignRight) != 0)
+        option->text += QStringLiteral("\u00a0\u00a0");
 }
 
 QSize RegisterDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const

@@ -27,7 +27,7 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 8, 0, 0);
     layout->addWidget(m_title);
-    layout->addWidget(m_nothing);
+    layout->addWidget(m_nothing, 1, Qt::AlignTop);
     layout->addWidget(m_list, 1);
     retranslate();
 }

@@ -20,6 +20,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace ui {
 using catalog::Role;
 
@@ -28,12 +30,19 @@ using namespace std::chrono_literals;
 constexpr auto refreshDelay = 25ms; // forty looks a second are more than an eye follows
 constexpr auto ageStep = 1s;
 constexpr auto liveDelay = 150ms;
+
+/// What the servo left out of its whole table it never tells (stored move of some LX).
+bool answersTo(const session::ServoEntry& entry, const catalog::Register& reg)
+{
+    return entry.servo.raw(reg).has_value();
+}
 } // namespace
 
 MemoryPage::MemoryPage(session::Desk& desk, Commands& commands, Selection& selection,
                        session::Settings& settings, QWidget* parent)
     : QWidget(parent)
     , m_desk(desk)
+    , m_deskLives(&desk)
     , m_commands(commands)
     , m_selection(selection)
 {
@@ -217,6 +226,9 @@ void MemoryPage::refresh()
     const bool open = m_desk.state() == session::LinkState::Open;
     m_model.setEntry(known, {m_desk.now(), open});
     m_toolbar->lockBadge()->setEntry(known);
+    const bool wasComplete = std::exchange(m_complete, known != nullptr && known->tableRead);
+    if (m_complete && !wasComplete)
+        m_live.start();
     m_history->setEntry(known);
     showPanel();
     showWhich();
@@ -297,11 +309,19 @@ void MemoryPage::updateLive()
 {
     const auto period = m_toolbar->livePeriod();
     const session::ServoEntry* known = entry();
-    if (!period || known == nullptr || !known->servo.profile || !isVisible()) {
+    // The whole table first: it tells what this servo answers to.
+    const bool may = known != nullptr && known->servo.profile && known->tableRead && isVisible();
+    if (!period || !may) {
         m_desk.watchLive(0, {}, {});
         return;
     }
-    m_desk.watchLive(m_selection.current(), m_view->visibleKeys(), *period);
+    QStringList keys;
+    for (const QString& key : m_view->visibleKeys()) {
+        const catalog::Register* reg = known->servo.profile->find(key);
+        if (reg != nullptr && answersTo(*known, *reg))
+            keys << key;
+    }
+    m_desk.watchLive(m_selection.current(), keys, *period);
 }
 
 void MemoryPage::orderWrite(const QString& key, std::int64_t raw, bool temporary)
@@ -395,6 +415,7 @@ void MemoryPage::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     m_age.stop();
-    updateLive();
+    if (m_deskLives)
+        updateLive();
 }
 } // namespace ui

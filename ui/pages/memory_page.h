@@ -10,6 +10,7 @@
 #include "ui/models/memory_filter.h"
 #include "ui/models/memory_model.h"
 
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 
@@ -68,6 +69,7 @@ private:
     void closeLock();
 
     session::Desk& m_desk;
+    QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
     Commands& m_commands;
     Selection& m_selection;
     MemoryModel m_model;
@@ -87,6 +89,7 @@ private:
     QTimer m_refresh;        ///< many changes, one look
     QTimer m_age;            ///< values grow old
     QTimer m_live;           ///< scrolling and typing first come to rest
+    bool m_complete = false; ///< the whole table has been read
     bool m_standing = false; ///< the banner tells of the servo, not of an input
 };
 } // namespace ui

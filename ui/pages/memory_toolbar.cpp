@@ -4,6 +4,7 @@
 #include "text/notice_words.h"
 #include "ui/pages/lock_badge.h"
 #include "ui/widgets/flow_layout.h"
+#include "ui/widgets/segment_button.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -71,11 +72,8 @@ void MemoryToolbar::addFind()
 
 QToolButton* MemoryToolbar::segment(const QString& name, QButtonGroup* group, QWidget* box)
 {
-    auto* button = new QToolButton(box);
+    auto* button = new SegmentButton(box);
     button->setObjectName(name);
-    button->setCheckable(true);
-    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    button->setFocusPolicy(Qt::StrongFocus);
     group->addButton(button, static_cast<int>(group->buttons().size()));
     box->layout()->addWidget(button);
     return button;

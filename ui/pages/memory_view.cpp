@@ -117,15 +117,15 @@ void MemoryView::keyboardSearch(const QString&) {}
 void MemoryView::measureColumn(MemoryColumn column, bool mayShrink)
 {
     const int index = section(column);
-    const auto em = fontMetrics().averageCharWidth();
-    int width = std::max(sizeHintForColumn(index), horizontalHeader()->sectionSizeHint(index));
+    const int em = fontMetrics().averageCharWidth();
+    int width = sizeHintForColumn(index);
     // Values come and go; room for a usual one is always there. Long lists of names are cut.
     if (column == MemoryColumn::Value)
         width = std::max(width, 9 * em);
     if (column == MemoryColumn::Physical)
-        width = std::clamp(width, 11 * em, std::max(11 * em, 24 * em));
+        width = std::clamp(width, 11 * em, 26 * em);
     if (column == MemoryColumn::State)
-        width = std::clamp(width, 14 * em, 24 * em);
+        width = std::clamp(width, 16 * em, 28 * em);
     if (column == MemoryColumn::Name)
         width = std::min(width, 34 * em);
     width = std::max(width, horizontalHeader()->sectionSizeHint(index));
@@ -135,6 +135,8 @@ void MemoryView::measureColumn(MemoryColumn column, bool mayShrink)
 
 void MemoryView::measure()
 {
+    ensurePolished();
+    horizontalHeader()->ensurePolished();
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
     for (int column = 0; column < memoryColumns; ++column)
         measureColumn(static_cast<MemoryColumn>(column), true);
@@ -151,10 +153,23 @@ void MemoryView::grow()
         fit();
 }
 
+/// Long columns give way first, then the spare ones go; what is left over goes back to the long
+/// ones.
 void MemoryView::fit()
 {
+    const int em = fontMetrics().averageCharWidth();
     const int room = viewport()->width();
-    int needed = std::accumulate(m_wanted.begin(), m_wanted.end(), 0);
+    const auto name = static_cast<std::size_t>(MemoryColumn::Name);
+    const auto physical = static_cast<std::size_t>(MemoryColumn::Physical);
+    auto widths = m_wanted;
+    const auto atLeast = [&](MemoryColumn column, int least) {
+        const auto index = static_cast<std::size_t>(column);
+        const int header = horizontalHeader()->sectionSizeHint(section(column));
+        widths[index] = std::min(widths[index], std::max(least, header));
+    };
+    atLeast(MemoryColumn::Name, 25 * em);
+    atLeast(MemoryColumn::Physical, 14 * em);
+    int needed = std::accumulate(widths.begin(), widths.end(), 0);
     std::array<bool, memoryColumns> shown{};
     shown.fill(true);
     for (const MemoryColumn column : spare) {
@@ -162,18 +177,27 @@ void MemoryView::fit()
         if (needed <= room)
             break;
         shown[index] = false;
-        needed -= m_wanted[index];
+        needed -= widths[index];
     }
-    // What is left over goes to the name, what is missing is taken from it down to its header.
-    const auto name = static_cast<std::size_t>(MemoryColumn::Name);
-    const int least = fontMetrics().averageCharWidth() * 16;
-    const int nameWidth = std::max(m_wanted[name] + room - needed, std::min(least, m_wanted[name]));
+    int left = std::max(0, room - needed);
+    for (const auto index : {name, physical}) {
+        const int more = std::min(left, m_wanted[index] - widths[index]);
+        widths[index] += more;
+        left -= more;
+    }
+    widths[name] += left;
     for (int column = 0; column < memoryColumns; ++column) {
         const auto index = static_cast<std::size_t>(column);
         setColumnHidden(column, !shown[index]);
         if (shown[index])
-            setColumnWidth(column, index == name ? nameWidth : m_wanted[index]);
+            setColumnWidth(column, widths[index]);
     }
+}
+
+void MemoryView::showEvent(QShowEvent* event)
+{
+    QTableView::showEvent(event);
+    measure(); // the style's fonts are known now
 }
 
 void MemoryView::resizeEvent(QResizeEvent* event)

@@ -70,27 +70,47 @@ void FlowLayout::setGeometry(const QRect& rect)
     arrange(rect, false);
 }
 
-int FlowLayout::arrange(const QRect& rect, bool measureOnly) const
+/// Items of a line stand on one middle line.
+void FlowLayout::placeLine(const QRect& rect, std::size_t first, std::size_t last, int y,
+                           int height) const
 {
+    const Qt::LayoutDirection direction =
+        parentWidget() != nullptr ? parentWidget()->layoutDirection() : Qt::LeftToRight;
     int x = rect.x();
-    int y = rect.y();
-    int lineHeight = 0;
-    for (QLayoutItem* item : m_items) {
+    for (std::size_t i = first; i < last; ++i) {
+        QLayoutItem* item = m_items[i];
         if (item->isEmpty())
             continue;
         const QSize size = item->sizeHint().expandedTo(item->minimumSize());
-        if (lineHeight > 0 && x + size.width() > rect.x() + rect.width()) {
-            x = rect.x();
-            y += lineHeight + spacing();
-            lineHeight = 0;
-        }
-        if (!measureOnly)
-            item->setGeometry(QStyle::visualRect(
-                parentWidget() != nullptr ? parentWidget()->layoutDirection() : Qt::LeftToRight,
-                rect, QRect(QPoint(x, y), size)));
+        const QRect place(QPoint(x, y + (height - size.height()) / 2), size);
+        item->setGeometry(QStyle::visualRect(direction, rect, place));
         x += size.width() + spacing();
-        lineHeight = std::max(lineHeight, size.height());
     }
-    return y + lineHeight - rect.y();
+}
+
+int FlowLayout::arrange(const QRect& rect, bool measureOnly) const
+{
+    int x = 0;
+    int y = rect.y();
+    int height = 0;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < m_items.size(); ++i) {
+        if (m_items[i]->isEmpty())
+            continue;
+        const QSize size = m_items[i]->sizeHint().expandedTo(m_items[i]->minimumSize());
+        if (height > 0 && x + size.width() > rect.width()) {
+            if (!measureOnly)
+                placeLine(rect, first, i, y, height);
+            first = i;
+            x = 0;
+            y += height + spacing();
+            height = 0;
+        }
+        x += size.width() + spacing();
+        height = std::max(height, size.height());
+    }
+    if (!measureOnly)
+        placeLine(rect, first, m_items.size(), y, height);
+    return y + height - rect.y();
 }
 } // namespace ui

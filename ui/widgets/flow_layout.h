@@ -28,6 +28,8 @@ private:
     /// Places the items, or only measures; the height they need.
     int arrange(const QRect& rect, bool measureOnly) const;
 
+    void placeLine(const QRect& rect, std::size_t first, std::size_t last, int y, int height) const;
+
     std::vector<QLayoutItem*> m_items; ///< owned
 };
 } // namespace ui
