@@ -149,10 +149,14 @@ private:
     Search newSearch(Protocol protocol)
     {
         const int baud = m_context.bus.baud();
-        return {baud, RateSweep(m_context, m_spec, protocol,
-                                [this, baud, protocol](base::Duration planned, int heard) {
-                                    m_meter.add(planned, heard - countedAt(baud, protocol));
-                                })};
+        return {baud, RateSweep(
+                          m_context, m_spec, protocol,
+                          [this, baud, protocol](base::Duration planned, int heard) {
+                              m_meter.add(planned, heard - countedAt(baud, protocol));
+                          },
+                          [this, baud](const RateSweep& sweep, int id) {
+                              return addFound(id, baud, sweep);
+                          })};
     }
 
     int countedAt(int baud, Protocol protocol) const
@@ -186,7 +190,7 @@ private:
         const auto alone = search.sweep.askAll();
         if (!alone)
             return tl::unexpected(alone.error());
-        return *alone ? addFound(**alone, search) : base::Result<void>{};
+        return *alone ? addFound(**alone, search.baud, search.sweep) : base::Result<void>{};
     }
 
     base::Result<void> sweepIds(Search& search)
@@ -199,7 +203,8 @@ private:
         if (!swept && !stopped)
             return swept;
         for (const auto& [id, contact] : search.sweep.contacts()) {
-            const auto added = contact.present() ? addFound(id, search) : base::Result<void>{};
+            const auto added =
+                contact.present() ? addFound(id, search.baud, search.sweep) : base::Result<void>{};
             if (!added)
                 return added;
         }
@@ -208,18 +213,22 @@ private:
         return {};
     }
 
-    base::Result<void> addFound(int id, const Search& search)
+    base::Result<void> addFound(int id, int baud, const RateSweep& sweep)
     {
-        const Contact& contact = search.sweep.contacts().at(id);
-        if (Found* known = listed(id, search)) {
+        const Contact& contact = sweep.contacts().at(id);
+        if (Found* known = listed(id, baud, sweep.protocol())) {
+            const bool news =
+                (contact.twins() && !known->twinsSuspected) || (contact.late && !known->heardLate);
             known->twinsSuspected = known->twinsSuspected || contact.twins();
             known->heardLate = known->heardLate || contact.late;
+            if (news && m_onFound)
+                m_onFound(*known);
             return {};
         }
         Found found;
-        found.servo.protocol = search.sweep.protocol();
+        found.servo.protocol = sweep.protocol();
         found.servo.id = id;
-        found.servo.baud = search.baud;
+        found.servo.baud = baud;
         found.servo.port = m_context.bus.portName();
         found.servo.status = contact.status;
         found.heardLate = contact.late;
@@ -237,13 +246,13 @@ private:
         return {};
     }
 
-    /// Whom the question to all has found already.
-    Found* listed(int id, const Search& search)
+    /// Who has been told already.
+    Found* listed(int id, int baud, Protocol protocol)
     {
         const auto known =
             std::find_if(m_report.found.begin(), m_report.found.end(), [&](const Found& found) {
-                return found.servo.id == id && found.servo.baud == search.baud &&
-                       found.servo.protocol == search.sweep.protocol();
+                return found.servo.id == id && found.servo.baud == baud &&
+                       found.servo.protocol == protocol;
             });
         return known == m_report.found.end() ? nullptr : &*known;
     }

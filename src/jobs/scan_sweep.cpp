@@ -15,6 +15,8 @@ constexpr base::Duration lateWindow = milliseconds(40);
 constexpr int confirmTries = 3;
 // The first transaction after opening a port or changing its rate may be lost.
 constexpr int questionTries = 2;
+// Where an absent ID costs more than this, a sweep is long, and who answers is told at once.
+constexpr base::Duration slowStep = milliseconds(10);
 // After a question to all that nobody answered the bus listens for so long.
 constexpr base::Duration quietTime = milliseconds(25);
 // More broken answers than this at one rate are a bad line, and asking each again would take long.
@@ -47,13 +49,14 @@ base::Duration sweepEstimate(const ScanSpec& spec, int baud, base::Protocol prot
 }
 
 RateSweep::RateSweep(const device::Context& context, const ScanSpec& spec, base::Protocol protocol,
-                     OnAsked onAsked)
+                     OnAsked onAsked, OnAnswer onAnswer)
     : m_context(context)
     , m_spec(spec)
     , m_protocol(protocol)
     , m_manner(mannerOf(protocol))
     , m_ids(idsToAsk(spec, protocol))
     , m_onAsked(std::move(onAsked))
+    , m_onAnswer(std::move(onAnswer))
 {}
 
 base::Result<std::optional<int>> RateSweep::askAll()
@@ -95,16 +98,21 @@ base::Result<void> RateSweep::run()
 base::Result<void> RateSweep::askEach()
 {
     const auto step = askTime(m_manner, m_context.bus.baud(), m_manner.patience);
+    const bool tellsAtOnce = m_onAnswer && step >= slowStep;
     // The first transaction after opening a port or changing its rate may be lost, so somebody is
     // asked who gets another turn.
     for (int i = m_ids.first - 1; i <= m_ids.last; ++i) {
         const int id = i < m_ids.first ? m_ids.last : i;
-        const int garbledBefore = m_contacts[id].garbled;
+        const Contact before = m_contacts[id];
         if (const auto asked = ask(id, m_manner.patience); !asked)
             return asked;
-        if (m_contacts[id].garbled > garbledBefore)
+        if (m_contacts[id].garbled > before.garbled)
             m_garbles.push_back({id, m_contacts[id].askedAt});
         tell(step);
+        const bool answered = m_contacts[id].replies > before.replies && !m_contacts[id].late;
+        const auto told = tellsAtOnce && answered ? m_onAnswer(*this, id) : base::Result<void>{};
+        if (!told)
+            return told;
     }
     return {};
 }

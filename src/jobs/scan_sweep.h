@@ -33,8 +33,11 @@ public:
     /// `onAsked` gets the planned time of every step of the sweep when it is done, and how many IDs
     /// have been heard so far.
     using OnAsked = std::function<void(base::Duration planned, int heard)>;
+    /// Where one ID takes long, whoever answers in time is told while the sweep goes on; an error
+    /// ends it.
+    using OnAnswer = std::function<base::Result<void>(const RateSweep& sweep, int id)>;
     RateSweep(const device::Context& context, const ScanSpec& spec, base::Protocol protocol,
-              OnAsked onAsked);
+              OnAsked onAsked, OnAnswer onAnswer = {});
 
     /// The ID of a servo that answered the question to all and, asked by itself, once more. Errors
     /// as run().
@@ -75,6 +78,7 @@ private:
     const Manner& m_manner;
     IdRange m_ids;
     OnAsked m_onAsked;
+    OnAnswer m_onAnswer;
     std::map<int, Contact> m_contacts;
     std::vector<Garble> m_garbles; ///< heard while all IDs were asked
     int m_lateReplies = 0;

@@ -145,6 +145,21 @@ private Q_SLOTS:
         QCOMPARE(bench.desk.baud(), 1'000'000);
     }
 
+    /// A slow search must not keep the technician from a servo that was found already.
+    void aServoCanBeReadWhileTheSearchGoesOn()
+    {
+        Bench bench(QStringLiteral("sim:lx"));
+        bench.desk.search({});
+        QTRY_VERIFY(!bench.desk.servos().empty());
+        QVERIFY(bench.desk.searching());
+        const ServoRef ref = bench.desk.servos().front();
+        bench.desk.readTable(ref);
+        QTRY_VERIFY(bench.entry(ref).tableRead);
+        QVERIFY(bench.desk.searching());
+        bench.desk.stopSearch();
+        QTRY_VERIFY(!bench.desk.searching());
+    }
+
     void readingATableWritesNothing()
     {
         Bench bench;
