@@ -272,6 +272,7 @@ private:
         base::Duration period{};
         bus::PollId poll = 0;
         int id = -1; ///< asked under this ID
+        std::vector<bus::PollSpan> spans{};
     } m_live;
     QTimer m_liveTimer;
 

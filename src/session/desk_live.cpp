@@ -3,13 +3,19 @@
 #include "device/reader.h"
 #include "session/desk_work.h"
 
+#include <algorithm>
+
 namespace session {
+namespace {
+constexpr base::Duration silentAfter = std::chrono::seconds(1);
+} // namespace
+
 void Desk::watchLive(ServoRef ref, const QStringList& keys, base::Duration period)
 {
     if (ref == m_live.servo && keys == m_live.keys && period == m_live.period)
         return;
     stopPoll();
-    m_live = {keys.isEmpty() ? 0 : ref, keys, period, 0, -1};
+    m_live = {keys.isEmpty() ? 0 : ref, keys, period, 0, -1, {}};
     updateLive();
 }
 
@@ -51,8 +57,9 @@ void Desk::updateLive()
         return;
     bus::PollPlan plan;
     plan.period = m_live.period;
-    plan.servos.push_back({known->servo.id, device::planSpans(profile, registers), false, 0,
-                           known->servo.protocol, profile.readGap, profile.maxRead});
+    m_live.spans = device::planSpans(profile, registers);
+    plan.servos.push_back({known->servo.id, m_live.spans, false, 0, known->servo.protocol,
+                           profile.readGap, profile.maxRead});
     m_live.id = known->servo.id;
     m_live.poll = m_connection->bus().startPoll(plan);
     m_liveTimer.start();
@@ -84,8 +91,14 @@ void Desk::take(ServoEntry& entry, const bus::Sample& sample)
     const catalog::Profile& profile = *entry.servo.profile;
     if (sample.id != entry.servo.id)
         return;
-    entry.silent = !sample.answered;
-    const int end = sample.address + static_cast<int>(sample.data.size());
+    const auto span =
+        std::find_if(m_live.spans.begin(), m_live.spans.end(),
+                     [&](const bus::PollSpan& one) { return one.address == sample.address; });
+    int end = sample.address + static_cast<int>(sample.data.size());
+    if (!sample.answered && span != m_live.spans.end())
+        end = span->address + span->count;
+    // One register that never answers (stored move of some LX) is not a silent servo.
+    entry.silent = !sample.answered && now() - entry.lastSeen > silentAfter;
     if (sample.answered) {
         entry.servo.image.store(sample.address, sample.data, sample.at);
         entry.firstImage.takeMissing(entry.servo.image);
@@ -96,11 +109,11 @@ void Desk::take(ServoEntry& entry, const bus::Sample& sample)
             device::takeStatus(entry.servo, sample.address, static_cast<int>(sample.data.size()));
     }
     for (const catalog::Register& reg : profile.registers) {
-        const bool asked = m_live.keys.contains(reg.key);
-        const bool read = reg.offset >= sample.address && reg.offset + reg.size <= end;
-        if (sample.answered && read)
+        if (reg.offset < sample.address || reg.offset + reg.size > end)
+            continue;
+        if (sample.answered)
             entry.unreadable.erase(reg.key);
-        else if (!sample.answered && asked)
+        else
             entry.unreadable.insert(reg.key);
     }
 }

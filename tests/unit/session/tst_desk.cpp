@@ -360,6 +360,25 @@ private Q_SLOTS:
         bench.desk.watchLive(0, {}, {});
     }
 
+    /// The stored move of an LX-16A never answers; the rest of the table does.
+    void oneSilentRegisterDoesNotHideTheOthers()
+    {
+        Bench bench(QStringLiteral("sim:lx16a@1"));
+        QVERIFY(bench.search(
+            {.firstId = 1, .lastId = 3, .bauds = {}, .protocols = {base::Protocol::Lx}}));
+        const ServoRef ref = bench.at(1, base::Protocol::Lx);
+        QStringList all;
+        for (const catalog::Register& reg : bench.entry(ref).servo.profile->registers)
+            all << reg.key;
+        bench.desk.watchLive(ref, all, base::Duration{});
+        const QString silent = QStringLiteral("wait_angle");
+        QTRY_VERIFY(bench.entry(ref).unreadable.count(silent) > 0);
+        const auto& profile = *bench.entry(ref).servo.profile;
+        QTRY_VERIFY(bench.entry(ref).shown(*profile.find(QStringLiteral("vin"))));
+        QTRY_VERIFY(bench.entry(ref).shown(*profile.find(QStringLiteral("temp_limit"))));
+        QVERIFY(!bench.entry(ref).shown(*profile.find(silent)));
+    }
+
     void aCutCableEndsEverythingAndSaysSo()
     {
         Bench bench;
