@@ -15,6 +15,13 @@
 #include <algorithm>
 
 namespace ui {
+namespace {
+QString hexWord(std::int64_t raw)
+{
+    return QStringLiteral("0x") + QStringLiteral("%1").arg(raw, 2, 16, QLatin1Char('0')).toUpper();
+}
+} // namespace
+
 BitsEditor::BitsEditor(const EditContext& context, QWidget* parent)
     : RegisterEditor(context, parent)
     , m_grid(new QGridLayout)
@@ -123,7 +130,7 @@ void BitsEditor::sumTyped()
 {
     if (const auto raw = parse()) {
         showBits(*raw, false);
-        m_hex->setText(QStringLiteral("0x%1").arg(*raw, 2, 16, QLatin1Char('0')));
+        m_hex->setText(hexWord(*raw));
     } else {
         m_hex->clear();
     }
@@ -133,7 +140,7 @@ void BitsEditor::sumTyped()
 void BitsEditor::showSum(std::int64_t raw)
 {
     m_sum->setText(QString::number(raw));
-    m_hex->setText(QStringLiteral("0x%1").arg(raw, 2, 16, QLatin1Char('0')));
+    m_hex->setText(hexWord(raw));
 }
 
 void BitsEditor::showBits(std::int64_t raw, bool fresh)

@@ -148,7 +148,7 @@ void RegisterDelegate::updateEditorGeometry(QWidget* widget, const QStyleOptionV
     const bool bits = qobject_cast<BitsEditor*>(editor) != nullptr;
     place.setWidth(std::max(place.width(), wanted.width()));
     place.setHeight(bits ? wanted.height() : std::max(place.height(), 0));
-    place.moveRight(std::min(std::max(option.rect.right(), place.width() - 1), room.right()));
+    place.moveLeft(std::max(0, std::min(place.left(), room.width() - place.width())));
     if (bits)
         place.moveBottom(std::max(std::min(place.bottom(), room.bottom()), place.height() - 1));
     editor->setGeometry(place);

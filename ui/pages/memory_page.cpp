@@ -30,6 +30,10 @@ using namespace std::chrono_literals;
 constexpr auto refreshDelay = 25ms; // forty looks a second are more than an eye follows
 constexpr auto ageStep = 1s;
 constexpr auto liveDelay = 150ms;
+// Of the panel beside the table, in letters; between them a share of the width.
+constexpr int leastPanel = 28;
+constexpr int mostPanel = 48;
+constexpr int panelPercent = 28;
 
 /// What the servo left out of its whole table it never tells (stored move of some LX).
 bool answersTo(const session::ServoEntry& entry, const catalog::Register& reg)
@@ -84,14 +88,12 @@ void MemoryPage::build(session::Settings& settings)
     side->addWidget(m_history);
     side->setStretchFactor(0, 3);
     side->setStretchFactor(1, 1);
-    m_panel->setMinimumWidth(fontMetrics().averageCharWidth() * 30);
+    m_panel->setMinimumWidth(fontMetrics().averageCharWidth() * leastPanel);
     m_splitter = new QSplitter(this);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->addWidget(m_stack);
     m_splitter->addWidget(side);
-    m_splitter->setStretchFactor(0, 1);
-    m_splitter->setStretchFactor(1, 0);
-    m_splitter->setSizes({10000, fontMetrics().averageCharWidth() * 40});
+    connect(m_splitter, &QSplitter::splitterMoved, this, [this] { m_ownSplit = true; });
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_toolbar);
     column->addWidget(m_banner);
@@ -109,8 +111,10 @@ void MemoryPage::connectTable()
     connect(m_delegate, &RegisterDelegate::leftUnwritten, this, &MemoryPage::complain);
     connect(m_view, &MemoryView::readOnlyChosen, this, &MemoryPage::explainReadOnly);
     connect(m_view, &MemoryView::scrolled, &m_live, qOverload<>(&QTimer::start));
-    connect(m_view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            &MemoryPage::showPanel);
+    connect(m_view->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+        settleComplaint();
+        showPanel();
+    });
     const auto filtered = [this] {
         m_live.start();
         showWhich();
@@ -124,11 +128,11 @@ void MemoryPage::connectTable()
             m_view->setCurrentIndex(m_filter.index(0, static_cast<int>(MemoryColumn::Value)));
     });
     connect(m_output, &MemoryOutput::failed, this, [this](const base::Error& error) {
-        m_standing = false;
+        m_standing = m_complaining = false;
         m_banner->present(error);
     });
     connect(m_output, &MemoryOutput::saved, this, [this](const QString& path) {
-        m_standing = false;
+        m_standing = m_complaining = false;
         m_banner->present([path] {
             return BannerWords{Tone::Good, tr("The table was written to %1.").arg(path)};
         });
@@ -199,7 +203,7 @@ const session::ServoEntry* MemoryPage::entry() const
 void MemoryPage::select()
 {
     m_banner->clear();
-    m_standing = false;
+    m_standing = m_complaining = false;
     refresh();
     read();
     if (entry() != nullptr)
@@ -291,7 +295,16 @@ void MemoryPage::showStanding()
 void MemoryPage::complain(const QString& words)
 {
     m_standing = false;
+    m_complaining = true;
     m_banner->present([words] { return BannerWords{Tone::Warn, words}; });
+}
+
+/// What was wrong with an input is over when one goes on.
+void MemoryPage::settleComplaint()
+{
+    if (m_complaining)
+        m_banner->clear();
+    m_complaining = false;
 }
 
 void MemoryPage::explainReadOnly(const QModelIndex& index)
@@ -302,6 +315,7 @@ void MemoryPage::explainReadOnly(const QModelIndex& index)
     base::Error error{base::ErrorCode::ReadOnly, QStringLiteral("write")};
     error.registerKey = m_model.row(source.row()).reg->key;
     m_standing = false;
+    m_complaining = true;
     m_banner->present(error);
 }
 
@@ -331,6 +345,7 @@ void MemoryPage::orderWrite(const QString& key, std::int64_t raw, bool temporary
         known != nullptr && known->servo.profile ? known->servo.profile->find(key) : nullptr;
     if (reg == nullptr || writeOtherwise(*known, *reg, raw))
         return;
+    settleComplaint();
     const session::ServoRef ref = known->ref;
     auto question = writeQuestion(*known, *reg, raw, temporary);
     if (!question) {
@@ -401,6 +416,17 @@ void MemoryPage::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+}
+
+void MemoryPage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    if (m_ownSplit)
+        return;
+    const int letter = fontMetrics().averageCharWidth();
+    const int side =
+        std::clamp(width() * panelPercent / 100, leastPanel * letter, mostPanel * letter);
+    m_splitter->setSizes({std::max(0, width() - side), side});
 }
 
 void MemoryPage::showEvent(QShowEvent* event)

@@ -40,6 +40,7 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
@@ -60,6 +61,7 @@ private:
     void showWhich();
     void showStanding();
     void complain(const QString& words);
+    void settleComplaint();
     void explainReadOnly(const QModelIndex& index);
     void updateLive();
 
@@ -86,10 +88,12 @@ private:
     HistoryPanel* m_history = nullptr;
     MemoryOutput* m_output = nullptr;
 
-    QTimer m_refresh;        ///< many changes, one look
-    QTimer m_age;            ///< values grow old
-    QTimer m_live;           ///< scrolling and typing first come to rest
-    bool m_complete = false; ///< the whole table has been read
-    bool m_standing = false; ///< the banner tells of the servo, not of an input
+    QTimer m_refresh;           ///< many changes, one look
+    QTimer m_age;               ///< values grow old
+    QTimer m_live;              ///< scrolling and typing first come to rest
+    bool m_complete = false;    ///< the whole table has been read
+    bool m_ownSplit = false;    ///< somebody has moved the splitter
+    bool m_complaining = false; ///< the banner tells of an input
+    bool m_standing = false;    ///< the banner tells of the servo
 };
 } // namespace ui

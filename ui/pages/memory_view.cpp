@@ -179,6 +179,15 @@ void MemoryView::fit()
         shown[index] = false;
         needed -= widths[index];
     }
+    for (const auto& [column, least] :
+         {std::pair{MemoryColumn::Physical, 11 * em}, std::pair{MemoryColumn::Name, 16 * em},
+          std::pair{MemoryColumn::State, 13 * em}}) {
+        int& width = widths[static_cast<std::size_t>(column)];
+        const int header = horizontalHeader()->sectionSizeHint(section(column));
+        const int less = std::clamp(needed - room, 0, std::max(0, width - std::max(least, header)));
+        width -= less;
+        needed -= less;
+    }
     int left = std::max(0, room - needed);
     for (const auto index : {name, physical}) {
         const int more = std::min(left, m_wanted[index] - widths[index]);

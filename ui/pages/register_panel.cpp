@@ -5,9 +5,9 @@
 #include "ui/app/theme.h"
 #include "ui/models/memory_words.h"
 #include "ui/pages/register_help.h"
+#include "ui/widgets/flow_layout.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -74,10 +74,9 @@ void RegisterPanel::addButtons()
     m_write->setProperty("mainAction", true);
     m_writeTemporarily = new QPushButton(m_body);
     m_writeTemporarily->setObjectName(QStringLiteral("writeTemporarily"));
-    auto* row = new QHBoxLayout;
+    auto* row = new FlowLayout;
     row->addWidget(m_write);
     row->addWidget(m_writeTemporarily);
-    row->addStretch();
     m_column->addLayout(row);
     connect(m_write, &QPushButton::clicked, this, [this] { write(false); });
     connect(m_writeTemporarily, &QPushButton::clicked, this, [this] { write(true); });
