@@ -51,6 +51,7 @@ private Q_SLOTS:
     void lxHasNoRestart();
     void identifyPutsTheLedBack();
     void closingEndsTheBlinking();
+    void closingThePortEndsTheBlinking();
     void modbusCannotBlink();
     void closesWithItsServo();
     void everyWidgetIsNamed_data();
@@ -280,6 +281,20 @@ void TestServoTasks::closingEndsTheBlinking()
     QTRY_VERIFY(!watched);
     QVERIFY(bench.settled());
     QCOMPARE(bench.raw(1, "led"), before);
+    QVERIFY(bench.session.journal().open()->empty());
+}
+
+void TestServoTasks::closingThePortEndsTheBlinking()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:demo", 0, 3, 1));
+    QVERIFY(bench.open(Command::Identify, "identifyDialog"));
+    QTRY_COMPARE(bench.raw(1, "led_alarm_condition"), 0);
+    QElapsedTimer clock;
+    clock.start();
+    bench.desk.disconnectFrom();
+    QTRY_COMPARE(bench.desk.state(), session::LinkState::Off);
+    QVERIFY2(clock.elapsed() < 1500, qPrintable(QString::number(clock.elapsed())));
     QVERIFY(bench.session.journal().open()->empty());
 }
 

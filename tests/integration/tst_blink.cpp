@@ -76,6 +76,9 @@ void TestBlink::blinksAndPutsBack_data()
     row("sts3215@1", Protocol::Feetech, 1'000'000, "led_alarm_condition", 0);
     row("sm40blhv@1", Protocol::Feetech, 115'200, "led_alarm_condition", 45);
     row("scs15@1", Protocol::Feetech, 1'000'000, "led_alarm_condition", 37);
+    row("scs15-2@1", Protocol::Feetech, 1'000'000, "led_alarm_condition", 37);
+    row("hls3606@1", Protocol::Feetech, 1'000'000, "led_alarm_condition", 15);
+    row("sm60-360m@1", Protocol::Feetech, 115'200, "led_alarm_condition", 37);
     row("lx16a@1", Protocol::Lx, 115'200, "led", 0);
     row("lx16a@1", Protocol::Lx, 115'200, "led", 1);
 }

@@ -11,6 +11,11 @@ IdentifyDialog::IdentifyDialog(session::Desk& desk, session::ServoRef servo, QWi
     : TaskDialog(desk, servo, "identifyDialog", parent)
 {
     begin();
+    // Nobody should wait for a blinking LED to close the port.
+    connect(&desk, &session::Desk::linkChanged, this, [this] {
+        if (running() && this->desk().state() == session::LinkState::Closing)
+            this->desk().stopTask();
+    });
     act();
 }
 
