@@ -242,18 +242,19 @@ void TestConnectBar::searchesAreNoErrors()
     ui::LinkMeter meter;
     bus::Statistics now;
     meter.look(now, false, {});
-    now.total.timeOuts = 250;
+    now.total.timeOuts = 1;
+    meter.look(now, false, std::chrono::milliseconds(900)); // a search begins
+    now.total.timeOuts = 251;
     now.total.badChecks = 2;
     meter.look(now, true, std::chrono::seconds(1));
-    QCOMPARE(meter.figures().errors, std::uint64_t(0));
-    now.total.timeOuts = 253;
-    meter.look(now, false, std::chrono::seconds(2)); // it ended in between
-    QCOMPARE(meter.figures().errors, std::uint64_t(0));
-    now.total.timeOuts = 254;
+    now.total.timeOuts = 255;
+    meter.look(now, true, std::chrono::seconds(2)); // it has ended
+    QCOMPARE(meter.figures().errors, std::uint64_t(1));
+    now.total.foreign = 1;
     now.total.ok = 100;
     now.wireTime = std::chrono::milliseconds(500);
     meter.look(now, false, std::chrono::seconds(4));
-    QCOMPARE(meter.figures().errors, std::uint64_t(1));
+    QCOMPARE(meter.figures().errors, std::uint64_t(2));
     QCOMPARE(meter.figures().readsPerSecond, 50);
     QCOMPARE(meter.figures().wireUse, 0.25);
     meter.reset();

@@ -4,30 +4,35 @@
 #include <algorithm>
 
 namespace ui {
+namespace {
+constexpr double shortest = 0.5; ///< seconds
+} // namespace
+
 void LinkMeter::reset()
 {
     *this = {};
 }
 
-void LinkMeter::look(const bus::Statistics& now, bool searching, base::Duration at)
+void LinkMeter::look(const bus::Statistics& now, bool searched, base::Duration at)
 {
-    const bool searched = searching || m_lastSearching;
-    const bus::Statistics last = m_last.value_or(bus::Statistics{});
-    const auto grown = [&](std::uint64_t bus::Counters::*counter) {
+    const auto grown = [&](const bus::Statistics& last, std::uint64_t bus::Counters::*counter) {
         const std::uint64_t before = last.total.*counter;
         return now.total.*counter > before ? now.total.*counter - before : 0;
     };
-    if (!searched)
-        m_figures.errors += grown(&bus::Counters::timeOuts) + grown(&bus::Counters::badChecks) +
-                            grown(&bus::Counters::foreign);
-    const double seconds = double((at - m_lastAt).count()) / 1e6;
-    if (m_last && seconds > 0) {
-        m_figures.readsPerSecond = int(double(grown(&bus::Counters::ok)) / seconds + 0.5);
-        const double wire = double((now.wireTime - last.wireTime).count()) / 1e6;
+    for (const auto counter :
+         {&bus::Counters::timeOuts, &bus::Counters::badChecks, &bus::Counters::foreign})
+        m_figures.errors += searched ? 0 : grown(m_last, counter);
+    m_last = now;
+    const double seconds = double((at - m_rateAt).count()) / 1e6;
+    if (m_rateFrom && seconds < shortest)
+        return;
+    if (m_rateFrom) {
+        const auto reads = double(grown(*m_rateFrom, &bus::Counters::ok));
+        m_figures.readsPerSecond = int(reads / seconds + 0.5);
+        const double wire = double((now.wireTime - m_rateFrom->wireTime).count()) / 1e6;
         m_figures.wireUse = std::clamp(wire / seconds, 0.0, 1.0);
     }
-    m_last = now;
-    m_lastAt = at;
-    m_lastSearching = searching;
+    m_rateFrom = now;
+    m_rateAt = at;
 }
 } // namespace ui

@@ -18,14 +18,15 @@ public:
     };
 
     void reset();
-    /// `at`: any clock, as long as it is always the same.
-    void look(const bus::Statistics& now, bool searching, base::Duration at);
+    /// Call now and then, and when a search begins and ends. `searched`: a search has been running
+    /// since the last look. `at`: any clock, as long as it is always the same.
+    void look(const bus::Statistics& now, bool searched, base::Duration at);
     const Figures& figures() const { return m_figures; }
 
 private:
-    std::optional<bus::Statistics> m_last;
-    base::Duration m_lastAt{};
-    bool m_lastSearching = false;
+    bus::Statistics m_last;
+    std::optional<bus::Statistics> m_rateFrom; ///< rates need some time between two looks
+    base::Duration m_rateAt{};
     Figures m_figures;
 };
 } // namespace ui

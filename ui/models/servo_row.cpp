@@ -4,18 +4,13 @@
 #include "device/alarms.h"
 #include "text/language.h"
 #include "text/notice_words.h"
+#include "text/translate.h"
 #include "ui/models/rate_words.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 namespace {
 using catalog::Role;
-
-QString words(const char* source, const char* comment = nullptr)
-{
-    return QCoreApplication::translate("ServoRow", source, comment);
-}
+using text::translate;
 
 QString protocolWord(base::Protocol protocol)
 {
@@ -27,7 +22,7 @@ QString protocolWord(base::Protocol protocol)
     case base::Protocol::Feetech:
         break;
     }
-    return words("Feetech");
+    return translate("ServoRow", "Feetech");
 }
 
 QString shortLine(catalog::Line line)
@@ -55,13 +50,15 @@ State derivedState(const device::Servo& servo)
     const auto alarms = device::derivedAlarms(servo);
     QStringList names;
     for (const device::Notice& alarm : alarms)
-        names << (alarm.code == device::NoticeCode::DerivedTemperature ? words("temperature")
-                                                                       : words("voltage"));
+        names << (alarm.code == device::NoticeCode::DerivedTemperature
+                      ? translate("ServoRow", "temperature")
+                      : translate("ServoRow", "voltage"));
     if (!names.isEmpty())
         return {names.join(QStringLiteral(" + ")), Tone::Bad};
     const bool judged = servo.raw(Role::PresentTemperature) && servo.raw(Role::PresentVoltage) &&
                         servo.raw(Role::MaxTemperature);
-    return judged ? State{words("fine"), Tone::Good} : State{words("not read"), Tone::Quiet};
+    return judged ? State{translate("ServoRow", "fine"), Tone::Good}
+                  : State{translate("ServoRow", "not read"), Tone::Quiet};
 }
 
 State stateOf(const session::ServoEntry& entry)
@@ -69,16 +66,16 @@ State stateOf(const session::ServoEntry& entry)
     const device::Servo& servo = entry.servo;
     const catalog::Profile* profile = servo.profile.get();
     if (entry.silent)
-        return {words("no answer"), Tone::Quiet};
+        return {translate("ServoRow", "no answer"), Tone::Quiet};
     if (servo.status != 0)
         return {text::statusWords(servo.status, profile, text::inChinese()), Tone::Bad};
     if (profile == nullptr)
-        return {words("not identified"), Tone::Warn};
+        return {translate("ServoRow", "not identified"), Tone::Warn};
     if (servo.repliesCarryStatus())
-        return {words("fine"), Tone::Good};
+        return {translate("ServoRow", "fine"), Tone::Good};
     if (const catalog::Register* status = profile->byRole(Role::Status))
-        return servo.raw(*status) ? State{words("fine"), Tone::Good}
-                                  : State{words("not read"), Tone::Quiet};
+        return servo.raw(*status) ? State{translate("ServoRow", "fine"), Tone::Good}
+                                  : State{translate("ServoRow", "not read"), Tone::Quiet};
     return derivedState(servo);
 }
 
@@ -88,19 +85,20 @@ std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
     std::vector<ServoRemark> remarks;
     const catalog::Profile* profile = entry.servo.profile.get();
     if (entry.twinsSuspected)
-        remarks.push_back({Tone::Bad, words("Two servos with this ID?")});
+        remarks.push_back({Tone::Bad, translate("ServoRow", "Two servos with this ID?")});
     if (entry.lockOpen().value_or(false))
-        remarks.push_back({Tone::Warn, entry.lockOpenedByUs
-                                           ? words("EPROM lock open, opened by ServoDesk")
-                                           : words("EPROM lock open")});
+        remarks.push_back(
+            {Tone::Warn, entry.lockOpenedByUs
+                             ? translate("ServoRow", "EPROM lock open, opened by ServoDesk")
+                             : translate("ServoRow", "EPROM lock open")});
     if (entry.heardLate)
-        remarks.push_back({Tone::Warn, words("Answers late")});
+        remarks.push_back({Tone::Warn, translate("ServoRow", "Answers late")});
     if (profile != nullptr && !profile->writable)
-        remarks.push_back({Tone::Warn, words("Unknown firmware: read only")});
+        remarks.push_back({Tone::Warn, translate("ServoRow", "Unknown firmware: read only")});
     if (newer)
         remarks.push_back(
             {Tone::Accent,
-             words("Firmware %1 known (%2)")
+             translate("ServoRow", "Firmware %1 known (%2)")
                  .arg(newer->version(), newer->date.toString(QStringLiteral("yyyy-MM")))});
     return remarks;
 }
@@ -112,10 +110,10 @@ QString agoWords(base::Duration age)
     constexpr int minute = 60;
     const auto seconds = int(age.count() / 1'000'000);
     if (seconds < soon)
-        return words("now", "last seen");
+        return translate("ServoRow", "now", "last seen");
     if (seconds < minute)
-        return words("%1 s ago").arg(seconds);
-    return words("%1 min ago").arg(seconds / minute);
+        return translate("ServoRow", "%1 s ago").arg(seconds);
+    return translate("ServoRow", "%1 min ago").arg(seconds / minute);
 }
 
 ServoRow servoRow(const session::ServoEntry& entry,
@@ -126,7 +124,7 @@ ServoRow servoRow(const session::ServoEntry& entry,
     ServoRow row;
     row.ref = entry.ref;
     row.id = servo.id;
-    row.model = profile != nullptr ? profile->modelName : words("Unknown servo");
+    row.model = profile != nullptr ? profile->modelName : translate("ServoRow", "Unknown servo");
     row.protocol = protocolWord(servo.protocol);
     row.rate = shortRate(servo.baud);
     if (profile != nullptr) {
@@ -148,7 +146,8 @@ QString ServoRow::details() const
 {
     QStringList parts;
     for (const QString& part :
-         {firmware.isEmpty() ? QString() : words("fw %1").arg(firmware), map, line, rate}) {
+         {firmware.isEmpty() ? QString() : translate("ServoRow", "fw %1").arg(firmware), map, line,
+          rate}) {
         if (!part.isEmpty())
             parts << part;
     }
@@ -157,13 +156,16 @@ QString ServoRow::details() const
 
 QString ServoRow::everything() const
 {
-    const QString unknown = words("not known");
+    const QString unknown = translate("ServoRow", "not known");
     const auto known = [&](const QString& text) { return text.isEmpty() ? unknown : text; };
-    QStringList lines{
-        words("ID %1 · %2").arg(id).arg(model),     words("State: %1").arg(alarm),
-        words("Firmware: %1").arg(known(firmware)), words("Register map: %1").arg(known(map)),
-        words("Line: %1").arg(known(line)),         words("Protocol: %1").arg(protocol),
-        words("Baud rate: %1").arg(rate),           words("Last seen: %1").arg(lastSeen)};
+    QStringList lines{translate("ServoRow", "ID %1 · %2").arg(id).arg(model),
+                      translate("ServoRow", "State: %1").arg(alarm),
+                      translate("ServoRow", "Firmware: %1").arg(known(firmware)),
+                      translate("ServoRow", "Register map: %1").arg(known(map)),
+                      translate("ServoRow", "Line: %1").arg(known(line)),
+                      translate("ServoRow", "Protocol: %1").arg(protocol),
+                      translate("ServoRow", "Baud rate: %1").arg(rate),
+                      translate("ServoRow", "Last seen: %1").arg(lastSeen)};
     for (const ServoRemark& remark : remarks)
         lines << remark.text;
     return lines.join(QLatin1Char('\n'));

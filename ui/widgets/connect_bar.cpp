@@ -77,6 +77,11 @@ void ConnectBar::connectSignals()
     connect(m_more, &QToolButton::clicked, this, [this] { m_options->popUpBelow(*m_more); });
     connect(m_options, &LinkOptions::changed, this, [this] { retranslate(); });
     connect(&m_desk, &session::Desk::linkChanged, this, &ConnectBar::linkChanged);
+    // What came before a search counts as ever, what came during it does not.
+    connect(&m_desk, &session::Desk::searchChanged, this, [this] {
+        if (m_state == LinkState::Open)
+            m_meter.look(m_desk.statistics(), !m_desk.searching(), m_desk.now());
+    });
     connect(m_commands.action(Command::Connect), &QAction::triggered, this,
             &ConnectBar::connectNow);
     connect(m_commands.action(Command::UseSimulation), &QAction::triggered, this, [this] {
