@@ -66,7 +66,9 @@ QStringList wrongIncludes(const QString& source, const Layer& own, const QList<L
     static const QRegularExpression line(
         QStringLiteral("^\\s*#\\s*include\\s*(?:\"([^\"]*)\"|<([a-z]+/[^>]*)>)"),
         QRegularExpression::MultilineOption);
-    static const QRegularExpression shape(QStringLiteral("^([a-z]+)/[a-z0-9_]+\\.h$"));
+    // The window has rooms inside: "ui/pages/memory_page.h".
+    static const QRegularExpression shape(
+        QStringLiteral("^(?:(ui)/[a-z]+|([a-z]+))/[a-z0-9_]+\\.h$"));
     QStringList wrong;
     for (auto it = line.globalMatch(source); it.hasNext();) {
         const auto match = it.next();
@@ -78,9 +80,10 @@ QStringList wrongIncludes(const QString& source, const Layer& own, const QList<L
             continue; // a system header: <sys/file.h>, <tl/expected.hpp>
         if (quotes && path.endsWith(QLatin1String(".moc")))
             continue;
+        const QString layer = parts.captured(1) + parts.captured(2);
         if (!quotes || !parts.hasMatch() || !named || !exists(path))
             wrong.append(path + QStringLiteral(": write \"layer/file.h\""));
-        else if (parts.captured(1) != own.name && !own.mayUse.contains(parts.captured(1)))
+        else if (layer != own.name && !own.mayUse.contains(layer))
             wrong.append(path + QStringLiteral(": not for ") + own.name);
     }
     return wrong;
@@ -242,6 +245,7 @@ private Q_SLOTS:
         QTest::newRow("no layer") << QStringLiteral("#include \"error.h\"") << 1;
         QTest::newRow("relative") << QStringLiteral("#include \"../base/error.h\"") << 1;
         QTest::newRow("indented") << QStringLiteral("\n  #  include \"bus/bus.h\"") << 1;
+        QTest::newRow("a room of the window") << QStringLiteral("#include \"ui/app/theme.h\"") << 1;
         QTest::newRow("missing") << QStringLiteral("#include \"base/nothing.h\"") << 1;
     }
     void trespassIsNoticed()
