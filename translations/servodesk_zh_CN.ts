@@ -2,6 +2,1508 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>Ask</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Leave everything as it is</source>
+        <translation>保持原样，不做任何修改</translation>
+    </message>
+</context>
+<context>
+    <name>Commands</name>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>连接(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Open the chosen port and search it</source>
+        <translation>打开所选端口并搜索舵机</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>断开(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Close the port; a running write ends first</source>
+        <translation>关闭端口；正在进行的写入会先完成</translation>
+    </message>
+    <message>
+        <source>Use the &amp;simulated bus</source>
+        <translation>使用模拟总线(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Try everything on simulated servos, without hardware</source>
+        <translation>无需硬件，用模拟舵机试用全部功能</translation>
+    </message>
+    <message>
+        <source>S&amp;witch the simulated servos off and on</source>
+        <translation>模拟舵机断电再上电(&amp;W)</translation>
+    </message>
+    <message>
+        <source>What was written temporarily is lost, as at a real power-off</source>
+        <translation>临时写入的值会丢失，与真实断电一样</translation>
+    </message>
+    <message>
+        <source>&amp;Search</source>
+        <translation>搜索(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Search the bus for servos; writes nothing</source>
+        <translation>搜索总线上的舵机；不写入任何内容</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>停止(&amp;T)</translation>
+    </message>
+    <message>
+        <source>End the search; what was found stays</source>
+        <translation>结束搜索；已找到的舵机保留</translation>
+    </message>
+    <message>
+        <source>Stop the running &amp;task</source>
+        <translation>停止当前任务(&amp;T)</translation>
+    </message>
+    <message>
+        <source>End what is being done to a servo; a write in progress ends safely first</source>
+        <translation>结束对舵机的操作；正在进行的写入会先安全完成</translation>
+    </message>
+    <message>
+        <source>&amp;Read all</source>
+        <translation>读取全部(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Read the whole memory table of the selected servo; writes nothing</source>
+        <translation>读取所选舵机的整个内存表；不写入任何内容</translation>
+    </message>
+    <message>
+        <source>&amp;Find a register</source>
+        <translation>查找参数(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Go to the field that filters the memory table</source>
+        <translation>转到内存表的筛选框</translation>
+    </message>
+    <message>
+        <source>Close the EPROM &amp;lock</source>
+        <translation>EPROM 上锁(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Close the lock that stands open, so that nothing is changed for good by accident</source>
+        <translation>给未上锁的 EPROM 上锁，以免误改并永久保存</translation>
+    </message>
+    <message>
+        <source>&amp;Copy rows</source>
+        <translation>复制行(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows of the table as text</source>
+        <translation>以文本形式复制表中选中的行</translation>
+    </message>
+    <message>
+        <source>&amp;Export the table…</source>
+        <translation>导出内存表(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Write the memory table to a CSV or HTML file</source>
+        <translation>把内存表写入 CSV 或 HTML 文件</translation>
+    </message>
+    <message>
+        <source>&amp;Print the table…</source>
+        <translation>打印内存表(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Print the memory table</source>
+        <translation>打印内存表</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Write the old values of the last change back</source>
+        <translation>写回上一次更改之前的值</translation>
+    </message>
+    <message>
+        <source>Re&amp;do</source>
+        <translation>重做(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Write the change again that was undone</source>
+        <translation>重新写入被撤销的更改</translation>
+    </message>
+    <message>
+        <source>Set &amp;ID…</source>
+        <translation>设置 ID(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Give the servo another ID, which is proven free first</source>
+        <translation>更改舵机 ID；先确认新 ID 未被占用</translation>
+    </message>
+    <message>
+        <source>Set &amp;baud rate…</source>
+        <translation>设置波特率(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Give the servo another baud rate, and follow it there</source>
+        <translation>更改舵机波特率，并以新波特率继续通信</translation>
+    </message>
+    <message>
+        <source>&amp;Centre here…</source>
+        <translation>当前位置校中(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Make the present position the middle</source>
+        <translation>把当前位置设为中位</translation>
+    </message>
+    <message>
+        <source>Restore &amp;defaults…</source>
+        <translation>恢复出厂设置(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Back to factory settings; the table is saved first</source>
+        <translation>恢复出厂设置；先保存内存表</translation>
+    </message>
+    <message>
+        <source>&amp;Restart…</source>
+        <translation>重启舵机(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Take torque off, restart the servo and wait for it</source>
+        <translation>卸力后重启舵机并等待其恢复</translation>
+    </message>
+    <message>
+        <source>Identi&amp;fy</source>
+        <translation>识别舵机(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Let the servo show its LED for some seconds</source>
+        <translation>让舵机的 LED 亮几秒</translation>
+    </message>
+    <message>
+        <source>Clear &amp;alarm…</source>
+        <translation>解除报警(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Show what holds the alarm and release it by its cause</source>
+        <translation>显示报警原因，并按原因解除</translation>
+    </message>
+    <message>
+        <source>Interrupted &amp;writes…</source>
+        <translation>中断的写入(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Writes of earlier sessions that have no end in the journal</source>
+        <translation>以前未完成的写入（记录中没有结束）</translation>
+    </message>
+    <message>
+        <source>&amp;Torque off — all</source>
+        <translation>全部卸力(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Take torque off the whole bus at once (Esc, always: Shift+Esc)</source>
+        <translation>立即让整条总线卸力（Esc；任何时候：Shift+Esc）</translation>
+    </message>
+    <message>
+        <source>Theme of the &amp;system</source>
+        <translation>跟随系统(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is</source>
+        <translation>浅色或深色，与桌面一致</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Dark text on a light window</source>
+        <translation>浅色窗口，深色文字</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>深色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Light text on a dark window</source>
+        <translation>深色窗口，浅色文字</translation>
+    </message>
+    <message>
+        <source>The interface in English</source>
+        <translation>英文界面</translation>
+    </message>
+    <message>
+        <source>The interface in Simplified Chinese</source>
+        <translation>简体中文界面</translation>
+    </message>
+    <message>
+        <source>&amp;Messages</source>
+        <translation>消息(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Everything that was reported since the start</source>
+        <translation>启动以来的全部消息</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>How to connect, search, read and write</source>
+        <translation>如何连接、搜索、读取和写入</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>键盘快捷键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>The list of all shortcuts</source>
+        <translation>全部快捷键列表</translation>
+    </message>
+    <message>
+        <source>&amp;About ServoDesk</source>
+        <translation>关于 ServoDesk(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Version, licence and where files are kept</source>
+        <translation>版本、许可证和文件存放位置</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>End the program; a running write ends first</source>
+        <translation>退出程序；正在进行的写入会先完成</translation>
+    </message>
+</context>
+<context>
+    <name>EventWords</name>
+    <message>
+        <source>%1 %2 → %3, %4</source>
+        <translation>%1 %2 → %3，%4</translation>
+    </message>
+    <message>
+        <source>ID %1 · %2</source>
+        <translation>ID %1 · %2</translation>
+    </message>
+    <message>
+        <source>Taken back: %1</source>
+        <translation>已撤销：%1</translation>
+    </message>
+    <message>
+        <source>, lock closed</source>
+        <translation>，已上锁</translation>
+    </message>
+    <message>
+        <source>, THE LOCK IS OPEN</source>
+        <translation>，EPROM 未上锁！</translation>
+    </message>
+    <message>
+        <source>, lock not proven closed</source>
+        <translation>，未能确认已上锁</translation>
+    </message>
+    <message>
+        <source>Search ended after %2 s, servos found: %1</source>
+        <translation>搜索结束，用时 %2 秒，找到舵机：%1</translation>
+    </message>
+    <message>
+        <source>Connected: %1</source>
+        <translation>已连接：%1</translation>
+    </message>
+    <message>
+        <source>Port closed: %1</source>
+        <translation>端口已关闭：%1</translation>
+    </message>
+    <message>
+        <source>ID %1 · table saved before the first change: %2</source>
+        <translation>ID %1 · 首次更改前已保存内存表：%2</translation>
+    </message>
+    <message>
+        <source>ID %1 · %2: done</source>
+        <translation>ID %1 · %2：完成</translation>
+    </message>
+    <message>
+        <source>Stop sent: torque off for everybody on the bus</source>
+        <translation>已发送停止指令：总线上全部卸力</translation>
+    </message>
+    <message>
+        <source>centre here</source>
+        <translation>当前位置校中</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>重启舵机</translation>
+    </message>
+    <message>
+        <source>restore defaults</source>
+        <translation>恢复出厂设置</translation>
+    </message>
+    <message>
+        <source>identify</source>
+        <translation>识别舵机</translation>
+    </message>
+    <message>
+        <source>clear alarm</source>
+        <translation>解除报警</translation>
+    </message>
+    <message>
+        <source>close the EPROM lock</source>
+        <translation>EPROM 上锁</translation>
+    </message>
+    <message>
+        <source>interrupted writes</source>
+        <translation>中断的写入</translation>
+    </message>
+    <message>
+        <source>read the table</source>
+        <translation>读取内存表</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>ID %1: </source>
+        <translation>ID %1：</translation>
+    </message>
+</context>
+<context>
+    <name>MemorySheet</name>
+    <message>
+        <source>Memory table of %1, ID %2</source>
+        <translation>%1 的内存表，ID %2</translation>
+    </message>
+    <message>
+        <source>Firmware %1, map %2</source>
+        <translation>固件 %1，内存表 %2</translation>
+    </message>
+    <message>
+        <source>Port %1, %2 baud</source>
+        <translation>端口 %1，%2 波特</translation>
+    </message>
+    <message>
+        <source>Written down %1</source>
+        <translation>记录时间 %1</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>键名</translation>
+    </message>
+</context>
+<context>
+    <name>MemoryTable</name>
+    <message>
+        <source>%1. A wrong value can make the servo unreachable or dangerous: you are asked before each write.</source>
+        <translation>%1。写错可能导致舵机失联或发生危险：每次写入前都会询问。</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>无检测</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>内存</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Physical</source>
+        <translation>物理值</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>存储区域</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>读写</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Address as the servo&apos;s sheet has it</source>
+        <translation>舵机内存表中的地址</translation>
+    </message>
+    <message>
+        <source>What the register is; • marks a value that differs from the first reading of this session</source>
+        <translation>参数名称；• 表示与本次首次读取的值不同</translation>
+    </message>
+    <message>
+        <source>The raw number in the servo, as it was read</source>
+        <translation>舵机中读出的原始值</translation>
+    </message>
+    <message>
+        <source>The same value with its unit, or its name</source>
+        <translation>同一数值，带单位或名称</translation>
+    </message>
+    <message>
+        <source>Where the register lives: EPROM is kept, SRAM is lost at power-off, feedback is measured, factory is the maker&apos;s</source>
+        <translation>参数所在区域：EPROM 断电保存，SRAM 断电丢失，反馈为实测值，出厂为厂家参数</translation>
+    </message>
+    <message>
+        <source>r: can only be read; rw: can be written; ⚠: asks before each write</source>
+        <translation>r：只读；rw：可写；⚠：每次写入前询问</translation>
+    </message>
+    <message>
+        <source>Value from the factory; empty where it is not known</source>
+        <translation>出厂值；未知则为空</translation>
+    </message>
+    <message>
+        <source>What may be written</source>
+        <translation>允许写入的值</translation>
+    </message>
+    <message>
+        <source>What became of the latest write, and how old the value is</source>
+        <translation>最近一次写入的结果，以及数值读取了多久</translation>
+    </message>
+    <message>
+        <source>%1: was %2 at the first reading of this session</source>
+        <translation>%1：本次首次读取时为 %2</translation>
+    </message>
+    <message>
+        <source>No default is known for this model.</source>
+        <translation>该型号的默认值未知。</translation>
+    </message>
+    <message>
+        <source>There is nothing to write.</source>
+        <translation>此项不能写入。</translation>
+    </message>
+    <message>
+        <source>New values: %1</source>
+        <translation>可写入：%1</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>未读取</translation>
+    </message>
+    <message>
+        <source>not readable</source>
+        <translation>读取失败</translation>
+    </message>
+    <message>
+        <source>pending: %1</source>
+        <translation>待写入：%1</translation>
+    </message>
+    <message>
+        <source>changed since</source>
+        <translation>之后已变</translation>
+    </message>
+    <message>
+        <source>This register has not been read yet. Choose Read all.</source>
+        <translation>该参数还没有读取。请点“读取全部”。</translation>
+    </message>
+    <message>
+        <source>Read from the servo.</source>
+        <translation>从舵机读取。</translation>
+    </message>
+    <message>
+        <source>The latest reading failed, so no number is shown.</source>
+        <translation>最近一次读取失败，因此不显示数值。</translation>
+    </message>
+    <message>
+        <source>%1 is being written.</source>
+        <translation>正在写入 %1。</translation>
+    </message>
+    <message>
+        <source>%1 was written, read back, and is kept at power-off.</source>
+        <translation>已写入 %1 并回读确认，断电保存。</translation>
+    </message>
+    <message>
+        <source>%1 was written and read back; it is lost at power-off.</source>
+        <translation>已写入 %1 并回读确认；断电后丢失。</translation>
+    </message>
+    <message>
+        <source>%1 was written, but the servo shows another value.</source>
+        <translation>已写入 %1，但舵机显示的是另一个值。</translation>
+    </message>
+    <message>
+        <source>The servo did not take %1.</source>
+        <translation>舵机没有接受 %1。</translation>
+    </message>
+    <message>
+        <source>There was no answer while %1 was being written.</source>
+        <translation>写入 %1 时没有应答。</translation>
+    </message>
+    <message>
+        <source>It is not known what became of writing %1. Read the register again.</source>
+        <translation>写入 %1 的结果未知。请重新读取该参数。</translation>
+    </message>
+    <message>
+        <source>%1 was not written; the servo was not touched.</source>
+        <translation>没有写入 %1；舵机未被改动。</translation>
+    </message>
+    <message>
+        <source>%1 was written here, but the servo shows another value since: a temporary value is lost at power-off, or somebody else wrote.</source>
+        <translation>这里曾写入 %1，但之后舵机显示另一个值：临时值断电丢失，或有其他程序写入。</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>刚刚</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 小时</translation>
+    </message>
+    <message>
+        <source>The value shown is of this moment.</source>
+        <translation>显示的是此刻的值。</translation>
+    </message>
+    <message>
+        <source>The value shown was read %1 ago.</source>
+        <translation>显示的值读取于 %1前。</translation>
+    </message>
+</context>
+<context>
+    <name>Options</name>
+    <message>
+        <source>port to open and search: a device, tcp://host:port, sim:demo</source>
+        <translation>要打开并搜索的端口：设备、tcp://主机:端口、sim:demo</translation>
+    </message>
+    <message>
+        <source>baud rate of the port, or auto</source>
+        <translation>端口波特率，或 auto</translation>
+    </message>
+    <message>
+        <source>auto, feetech, modbus or lx</source>
+        <translation>auto、feetech、modbus 或 lx</translation>
+    </message>
+    <message>
+        <source>language of the interface: en or zh_CN</source>
+        <translation>界面语言：en 或 zh_CN</translation>
+    </message>
+    <message>
+        <source>system, light or dark</source>
+        <translation>system、light 或 dark</translation>
+    </message>
+    <message>
+        <source>page to show: memory</source>
+        <translation>要显示的页面：memory</translation>
+    </message>
+    <message>
+        <source>ID of the servo to select</source>
+        <translation>要选中的舵机 ID</translation>
+    </message>
+    <message>
+        <source>write the window to this PNG file and end</source>
+        <translation>把窗口写入此 PNG 文件后退出</translation>
+    </message>
+    <message>
+        <source>milliseconds until the screenshot</source>
+        <translation>截图前等待的毫秒数</translation>
+    </message>
+    <message>
+        <source>--%1: &quot;%2&quot; is no number that fits</source>
+        <translation>--%1：“%2”不是合适的数字</translation>
+    </message>
+    <message>
+        <source>--protocol: there is no &quot;%1&quot;</source>
+        <translation>--protocol：没有“%1”</translation>
+    </message>
+    <message>
+        <source>--theme: there is no &quot;%1&quot;</source>
+        <translation>--theme：没有“%1”</translation>
+    </message>
+    <message>
+        <source>Bench program for serial bus servos</source>
+        <translation>串行总线舵机调试程序</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not understood</source>
+        <translation>无法理解“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>RegisterHelp</name>
+    <message>
+        <source>, </source>
+        <comment>between items of a list</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>One step: %1</source>
+        <translation>每一单位：%1</translation>
+    </message>
+    <message>
+        <source>Range: %1</source>
+        <translation>范围：%1</translation>
+    </message>
+    <message>
+        <source>Torque has to be off while this is written: ServoDesk switches it off.</source>
+        <translation>写入时扭矩必须关闭：ServoDesk 会先卸力。</translation>
+    </message>
+    <message>
+        <source>Both limits at 0 switch the mode: ServoDesk takes torque off for that.</source>
+        <translation>两个限制都为 0 会切换模式：ServoDesk 会先卸力。</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>默认：%1</translation>
+    </message>
+    <message>
+        <source>Default: not known</source>
+        <translation>默认：未知</translation>
+    </message>
+    <message>
+        <source>Its meaning depends on: %1.</source>
+        <translation>其含义取决于：%1。</translation>
+    </message>
+    <message>
+        <source>That has not been read, so the unit shown is the usual one.</source>
+        <translation>该参数尚未读取，因此按通常的单位显示。</translation>
+    </message>
+    <message>
+        <source>Depends on it: %1.</source>
+        <translation>受其影响：%1。</translation>
+    </message>
+    <message>
+        <source>This servo has no sensor for it: the number means nothing.</source>
+        <translation>该舵机没有相应的检测：此值无意义。</translation>
+    </message>
+    <message>
+        <source>Writing it may move the shaft or switch torque on.</source>
+        <translation>写入可能使输出轴转动或打开扭矩。</translation>
+    </message>
+    <message>
+        <source>Kept after power-off: ServoDesk opens the lock, writes, reads back and locks again.</source>
+        <translation>掉电保存：自动解锁、写入、回读并重新上锁。</translation>
+    </message>
+    <message>
+        <source>Kept after power-off: this family stores every write at once. ServoDesk reads it back.</source>
+        <translation>掉电保存：该系列每次写入都立即保存。ServoDesk 会回读确认。</translation>
+    </message>
+    <message>
+        <source>Kept after power-off: ServoDesk writes, reads back and sends the save command.</source>
+        <translation>掉电保存：写入、回读并发送保存指令。</translation>
+    </message>
+    <message>
+        <source>Acts at once and is lost at power-off.</source>
+        <translation>立即生效，断电后丢失。</translation>
+    </message>
+    <message>
+        <source>Acts at once. Nobody says whether it survives power-off.</source>
+        <translation>立即生效。资料没有说明断电后是否保存。</translation>
+    </message>
+</context>
+<context>
+    <name>ServoRow</name>
+    <message>
+        <source>Feetech</source>
+        <translation>飞特</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>过温</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>电压异常</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>未读取</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>无应答</translation>
+    </message>
+    <message>
+        <source>not identified</source>
+        <translation>未识别</translation>
+    </message>
+    <message>
+        <source>Two servos with this ID?</source>
+        <translation>疑似 ID 重复</translation>
+    </message>
+    <message>
+        <source>EPROM lock open, opened by ServoDesk</source>
+        <translation>EPROM 未上锁（由 ServoDesk 打开）</translation>
+    </message>
+    <message>
+        <source>EPROM lock open</source>
+        <translation>EPROM 未上锁</translation>
+    </message>
+    <message>
+        <source>Answers late</source>
+        <translation>应答迟缓</translation>
+    </message>
+    <message>
+        <source>Unknown firmware: read only</source>
+        <translation>未知固件：只读</translation>
+    </message>
+    <message>
+        <source>Firmware %1 known (%2)</source>
+        <translation>已知有固件 %1（%2）</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <comment>last seen</comment>
+        <translation>刚刚</translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>%1 秒前</translation>
+    </message>
+    <message>
+        <source>%1 min ago</source>
+        <translation>%1 分钟前</translation>
+    </message>
+    <message>
+        <source>Unknown servo</source>
+        <translation>未知舵机</translation>
+    </message>
+    <message>
+        <source>fw %1</source>
+        <translation>固件 %1</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>ID %1 · %2</source>
+        <translation>ID %1 · %2</translation>
+    </message>
+    <message>
+        <source>State: %1</source>
+        <translation>状态：%1</translation>
+    </message>
+    <message>
+        <source>Firmware: %1</source>
+        <translation>固件：%1</translation>
+    </message>
+    <message>
+        <source>Register map: %1</source>
+        <translation>内存表：%1</translation>
+    </message>
+    <message>
+        <source>Line: %1</source>
+        <translation>接口：%1</translation>
+    </message>
+    <message>
+        <source>Protocol: %1</source>
+        <translation>协议：%1</translation>
+    </message>
+    <message>
+        <source>Baud rate: %1</source>
+        <translation>波特率：%1</translation>
+    </message>
+    <message>
+        <source>Last seen: %1</source>
+        <translation>最近应答：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ServoTasks</name>
+    <message>
+        <source>The alarm is gone.</source>
+        <translation>报警已解除。</translation>
+    </message>
+    <message>
+        <source>Turn back a little…</source>
+        <translation>往回转一点…</translation>
+    </message>
+    <message>
+        <source>Hold where it is…</source>
+        <translation>在当前位置保持…</translation>
+    </message>
+    <message>
+        <source>Reset the fault</source>
+        <translation>故障复位</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Clear alarm</source>
+        <translation>清除报警</translation>
+    </message>
+    <message>
+        <source>Each alarm lets go in its own way. The values are read again as long as this is open; reading writes nothing.</source>
+        <translation>每种报警有各自的解除方式。此窗口打开期间不断读取数值；读取不写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Do what releases the alarm</source>
+        <translation>执行解除报警的操作</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>最小值</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大值</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>The alarms of this servo, with the value and limit of each</source>
+        <translation>该舵机的报警，以及各自的数值和限值</translation>
+    </message>
+    <message>
+        <source>Not read.</source>
+        <translation>未读取。</translation>
+    </message>
+    <message>
+        <source>This family reports no alarms: this one is worked out from the value and its limit.</source>
+        <translation>该系列不报告报警：此项由数值与限值推算得出。</translation>
+    </message>
+    <message>
+        <source>Let the shaft turn back?</source>
+        <translation>让输出轴往回转一点？</translation>
+    </message>
+    <message>
+        <source>It turns from %1 to %2, away from the stall, and holds there with its full torque.</source>
+        <translation>将从 %1 转到 %2，离开堵转位置，并以全部扭矩保持在那里。</translation>
+    </message>
+    <message>
+        <source>Turn back</source>
+        <translation>往回转</translation>
+    </message>
+    <message>
+        <source>Switch torque on?</source>
+        <translation>打开扭矩？</translation>
+    </message>
+    <message>
+        <source>Its present place, %1, becomes its goal, and torque holds it there.</source>
+        <translation>当前位置 %1 成为目标，并以扭矩保持。</translation>
+    </message>
+    <message>
+        <source>Switch on</source>
+        <translation>打开扭矩</translation>
+    </message>
+    <message>
+        <source>Remove what blocks it and keep your fingers away from the mechanism.</source>
+        <translation>请先排除卡阻，手指远离机构，防止夹手。</translation>
+    </message>
+    <message>
+        <source>An alarm is still there, or has come back: its cause lasts.</source>
+        <translation>报警仍在，或再次出现：原因尚未消除。</translation>
+    </message>
+    <message>
+        <source>This servo has no command for it.</source>
+        <translation>该舵机没有此指令。</translation>
+    </message>
+    <message>
+        <source>Centre here</source>
+        <translation>当前位置设为中位</translation>
+    </message>
+    <message>
+        <source>The place where the shaft stands now becomes the middle of its range. Torque is switched off first, so that nothing jumps to the old goal, and stays off until you switch it on. The offset is kept at power-off.</source>
+        <translation>输出轴当前所在位置成为行程中位。先关闭扭矩，以免跳向旧目标；扭矩保持关闭，直到您打开。校正值断电后保存。</translation>
+    </message>
+    <message>
+        <source>Take torque off and make the present position the middle</source>
+        <translation>关闭扭矩，把当前位置设为中位</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>之后</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>校正值</translation>
+    </message>
+    <message>
+        <source>The present position is the middle now.</source>
+        <translation>当前位置已设为中位。</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>识别</translation>
+    </message>
+    <message>
+        <source>The LED of this servo blinks for some seconds; then its setting is put back as it was. Nothing moves. A board without LED shows nothing.</source>
+        <translation>该舵机的 LED 闪烁几秒，然后恢复原来的设置。舵机不会转动。没有 LED 的电路板无显示。</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>再来一次</translation>
+    </message>
+    <message>
+        <source>Let it blink once more</source>
+        <translation>再闪一次</translation>
+    </message>
+    <message>
+        <source>The LED is as it was before.</source>
+        <translation>LED 设置已恢复原样。</translation>
+    </message>
+    <message>
+        <source>Interrupted writes</source>
+        <translation>中断的写入</translation>
+    </message>
+    <message>
+        <source>These changes were begun and have no end in the journal: a cable was pulled, power failed, or the program was ended. Looking at them wrote nothing. Choose what to do with each; what is left for later is offered again at the next connection.</source>
+        <translation>这些修改已开始，但日志中没有结束：可能拔了线、断了电，或程序被终止。查看时没有写入任何内容。请逐项选择处理方式；留到以后的会在下次连接时再次提示。</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Write what is missing, prove it, and close the lock</source>
+        <translation>写入缺少的部分，回读确认，并上锁</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Put the old values back, prove them, and close the lock</source>
+        <translation>写回旧值，回读确认，并上锁</translation>
+    </message>
+    <message>
+        <source>Forget…</source>
+        <translation>放弃…</translation>
+    </message>
+    <message>
+        <source>Strike it from the journal; the servo is left as it is</source>
+        <translation>从日志中划去；舵机保持现状</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>以后再说</translation>
+    </message>
+    <message>
+        <source>Close this list; nothing is written</source>
+        <translation>关闭此列表；不写入任何内容</translation>
+    </message>
+    <message>
+        <source>Writes without an end in the journal</source>
+        <translation>日志中没有结束的写入</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>正在处理…</translation>
+    </message>
+    <message>
+        <source>Forget this change?</source>
+        <translation>放弃这次修改？</translation>
+    </message>
+    <message>
+        <source>ServoDesk no longer offers to finish or undo it. The servo is left as it is.</source>
+        <translation>ServoDesk 不再提示完成或撤销。舵机保持现状。</translation>
+    </message>
+    <message>
+        <source>Its EPROM lock may stand open, and its values may be half old and half new.</source>
+        <translation>它的 EPROM 可能没有上锁，数值可能一半是旧的、一半是新的。</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>No change was left open.</source>
+        <translation>没有未完成的修改。</translation>
+    </message>
+    <message>
+        <source>The old values are back.</source>
+        <translation>旧值已写回。</translation>
+    </message>
+    <message>
+        <source>The change has been finished.</source>
+        <translation>修改已完成。</translation>
+    </message>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>set ID</source>
+        <translation>设置 ID</translation>
+    </message>
+    <message>
+        <source>set baud rate</source>
+        <translation>设置波特率</translation>
+    </message>
+    <message>
+        <source>change of mode</source>
+        <translation>切换模式</translation>
+    </message>
+    <message>
+        <source>centre here</source>
+        <translation>设为中位</translation>
+    </message>
+    <message>
+        <source>restore defaults</source>
+        <translation>恢复默认值</translation>
+    </message>
+    <message>
+        <source>identify</source>
+        <translation>识别</translation>
+    </message>
+    <message>
+        <source>nothing of it was written</source>
+        <translation>完全没有写入</translation>
+    </message>
+    <message>
+        <source>all of it was written</source>
+        <translation>已全部写入</translation>
+    </message>
+    <message>
+        <source>part of it was written</source>
+        <translation>只写入了一部分</translation>
+    </message>
+    <message>
+        <source>another servo, or other values: hands off</source>
+        <translation>是另一个舵机，或数值不符：不予处理</translation>
+    </message>
+    <message>
+        <source>it does not answer</source>
+        <translation>没有应答</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>舵机</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>修改</translation>
+    </message>
+    <message>
+        <source>Found now</source>
+        <translation>现状</translation>
+    </message>
+    <message>
+        <source>EPROM lock</source>
+        <translation>EPROM 锁</translation>
+    </message>
+    <message>
+        <source>Restart the servo</source>
+        <translation>重启舵机</translation>
+    </message>
+    <message>
+        <source>Torque is switched off first: a load that hangs on the shaft will drop. What was written temporarily is lost, and the turn count with it. The whole bus keeps quiet until the servo answers again, two seconds at most.</source>
+        <translation>先关闭扭矩：悬挂的负载会落下。临时写入的值和圈数都会丢失。在舵机恢复应答之前整条总线保持安静，最多两秒。</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>重启</translation>
+    </message>
+    <message>
+        <source>Take torque off, restart the servo and wait for it</source>
+        <translation>关闭扭矩，重启舵机并等待其应答</translation>
+    </message>
+    <message>
+        <source>The servo has restarted and answers again.</source>
+        <translation>舵机已重启并恢复应答。</translation>
+    </message>
+    <message>
+        <source>It took %1 ms. Torque is off.</source>
+        <translation>用时 %1 毫秒。扭矩已关闭。</translation>
+    </message>
+    <message>
+        <source>No setting differs from before.</source>
+        <translation>没有参数与之前不同。</translation>
+    </message>
+    <message>
+        <source>Settings that differ now (%1): %2</source>
+        <translation>与之前不同的参数（%1 项）：%2</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>恢复默认值</translation>
+    </message>
+    <message>
+        <source>The servo goes back to the settings stored in it. ServoDesk takes torque off and saves the present table to a file first.</source>
+        <translation>舵机恢复为其内部存储的参数。ServoDesk 先关闭扭矩，并把当前内存表保存到文件。</translation>
+    </message>
+    <message>
+        <source>Save and restore</source>
+        <translation>保存并恢复</translation>
+    </message>
+    <message>
+        <source>Save the table, restore the defaults, find the servo again</source>
+        <translation>保存内存表，恢复默认值，再找到舵机</translation>
+    </message>
+    <message>
+        <source>Baud rate: may go back to the stored one; ServoDesk looks for the servo at all rates of its family.
+ID: should stay; some servos go back to 1. If another servo has ID 1, connect this one alone.
+Limits, gains and offset: go back, so positions may mean other angles afterwards.</source>
+        <translation>波特率：可能恢复为存储值；ServoDesk 会在该系列的所有波特率上查找舵机。
+ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1，请只接这一个。
+限位、增益和校正值：会恢复，之后同一位置可能对应不同角度。</translation>
+    </message>
+    <message>
+        <source>The defaults have been restored.</source>
+        <translation>默认值已恢复。</translation>
+    </message>
+    <message>
+        <source>ID: %1 → %2, baud rate: %3 → %4</source>
+        <translation>ID：%1 → %2，波特率：%3 → %4</translation>
+    </message>
+    <message>
+        <source>The settings before are in %1</source>
+        <translation>之前的参数保存在 %1</translation>
+    </message>
+    <message>
+        <source>The rate of this servo is fixed.</source>
+        <translation>该舵机的波特率是固定的。</translation>
+    </message>
+    <message>
+        <source>It answers at this rate now.</source>
+        <translation>当前就是这个波特率。</translation>
+    </message>
+    <message>
+        <source>From then on it answers at %1 baud only. ServoDesk follows it; other programs have to be told.</source>
+        <translation>此后只以 %1 波特率应答。ServoDesk 会自动跟随；其他程序需要另行设置。</translation>
+    </message>
+    <message>
+        <source>Other servos that stay at %1 baud: %2. A program that uses one rate no longer reaches all of them.</source>
+        <translation>仍为 %1 波特率的其他舵机：%2 个。只用一个波特率的程序将无法访问全部舵机。</translation>
+    </message>
+    <message>
+        <source>Set baud rate</source>
+        <translation>设置波特率</translation>
+    </message>
+    <message>
+        <source>The new rate is tried first: only one that this adapter can run is written. It is kept at power-off.</source>
+        <translation>先试验新波特率：适配器支持才会写入。断电后保存。</translation>
+    </message>
+    <message>
+        <source>Write the rate, find the servo there, and close its lock</source>
+        <translation>写入波特率，在新波特率找到舵机，并上锁</translation>
+    </message>
+    <message>
+        <source>New baud rate:</source>
+        <translation>新波特率：</translation>
+    </message>
+    <message>
+        <source>New baud rate</source>
+        <translation>新波特率</translation>
+    </message>
+    <message>
+        <source>The rates that this family knows</source>
+        <translation>该系列支持的波特率</translation>
+    </message>
+    <message>
+        <source>The baud rate has been changed.</source>
+        <translation>波特率已修改。</translation>
+    </message>
+    <message>
+        <source>%1 — free</source>
+        <translation>%1 — 空闲</translation>
+    </message>
+    <message>
+        <source>%1 — this servo (%2)</source>
+        <translation>%1 — 本舵机（%2）</translation>
+    </message>
+    <message>
+        <source>%1 — taken by %2</source>
+        <translation>%1 — 已被 %2 占用</translation>
+    </message>
+    <message>
+        <source>It has this ID now.</source>
+        <translation>当前就是这个 ID。</translation>
+    </message>
+    <message>
+        <source>ID %1 belongs to another servo (%2). Two servos with one ID answer at the same time, and nobody is understood.</source>
+        <translation>ID %1 属于另一个舵机（%2）。两个舵机使用同一 ID 会同时应答，谁都无法识别。</translation>
+    </message>
+    <message>
+        <source>ID %1 is asked first: it is written only if nobody answers to it.</source>
+        <translation>会先询问 ID %1：没有舵机应答才写入。</translation>
+    </message>
+    <message>
+        <source>Set ID</source>
+        <translation>设置 ID</translation>
+    </message>
+    <message>
+        <source>The servo answers under the new ID at once and keeps it at power-off. ServoDesk follows it; other programs have to be told.</source>
+        <translation>舵机立即使用新 ID，断电后保存。ServoDesk 会自动跟随；其他程序需要另行设置。</translation>
+    </message>
+    <message>
+        <source>Prove the ID free, write it, and close the lock there</source>
+        <translation>确认 ID 空闲，写入，并在新 ID 上锁</translation>
+    </message>
+    <message>
+        <source>New ID:</source>
+        <translation>新 ID：</translation>
+    </message>
+    <message>
+        <source>New ID</source>
+        <translation>新 ID</translation>
+    </message>
+    <message>
+        <source>The new ID, %1 to %2</source>
+        <translation>新 ID，%1 到 %2</translation>
+    </message>
+    <message>
+        <source>IDs on this bus</source>
+        <translation>总线上的 ID</translation>
+    </message>
+    <message>
+        <source>Who has which ID, and free ones; choose a free one</source>
+        <translation>各 ID 由谁使用，以及空闲的 ID；请选择一个空闲的</translation>
+    </message>
+    <message>
+        <source>The ID has been changed.</source>
+        <translation>ID 已修改。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>End it now; what has begun ends safely first</source>
+        <translation>立即结束；已开始的步骤会先安全完成</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close this dialog; what is running goes on to its end</source>
+        <translation>关闭此对话框；正在进行的操作会继续到结束</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>unknown model</source>
+        <translation>未知型号</translation>
+    </message>
+    <message>
+        <source>firmware %1</source>
+        <translation>固件 %1</translation>
+    </message>
+    <message>
+        <source>EPROM lock: %1</source>
+        <translation>EPROM 锁：%1</translation>
+    </message>
+    <message>
+        <source>Likely cause: %1</source>
+        <translation>可能原因：%1</translation>
+    </message>
+    <message>
+        <source>What to do: %1</source>
+        <translation>处理方法：%1</translation>
+    </message>
+    <message>
+        <source>Not everything ended as it should.</source>
+        <translation>并非全部正常完成。</translation>
+    </message>
+    <message>
+        <source>The servo answers as ID %1 at %2 baud.</source>
+        <translation>舵机现以 ID %1、%2 波特率应答。</translation>
+    </message>
+    <message>
+        <source>The servo answers as ID %1.</source>
+        <translation>舵机现以 ID %1 应答。</translation>
+    </message>
+</context>
+<context>
+    <name>ValueEditor</name>
+    <message>
+        <source>, </source>
+        <comment>between items of a list</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Choose one of: %1.</source>
+        <translation>请从中选择：%1。</translation>
+    </message>
+    <message>
+        <source>Type a whole number, %1.</source>
+        <translation>请输入整数，范围 %1。</translation>
+    </message>
+    <message>
+        <source>Type a whole number, %1, or a value with its unit, such as %2.</source>
+        <translation>请输入整数（范围 %1），或带单位的数值，例如 %2。</translation>
+    </message>
+    <message>
+        <source>There is no value.</source>
+        <translation>没有输入数值。</translation>
+    </message>
+    <message>
+        <source>“%1” is less than one step of this register and would become 0.</source>
+        <translation>“%1”不足该参数的一个单位，会变成 0。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a value this register understands.</source>
+        <translation>“%1”不是该参数能识别的数值。</translation>
+    </message>
+    <message>
+        <source>%1 is not one of the documented values, and the servo may do anything with it.</source>
+        <translation>%1 不在资料说明的数值之内，舵机的反应无法预料。</translation>
+    </message>
+    <message>
+        <source>%1 is outside what this register accepts (%2).</source>
+        <translation>%1 超出该参数的允许范围（%2）。</translation>
+    </message>
+    <message>
+        <source>Nothing was written.</source>
+        <translation>没有写入任何内容。</translation>
+    </message>
+    <message>
+        <source> </source>
+        <comment>between sentences</comment>
+        <translation> </translation>
+    </message>
+</context>
+<context>
+    <name>WriteQuestion</name>
+    <message>
+        <source> </source>
+        <comment>between sentences</comment>
+        <translation> </translation>
+    </message>
+    <message>
+        <source>The value is lost at power-off.</source>
+        <translation>该值断电后丢失。</translation>
+    </message>
+    <message>
+        <source>In this mode the shaft turns without end as soon as it is given a command. Clear the mechanism first.</source>
+        <translation>在该模式下，一旦收到指令输出轴就会持续转动。请先清空机构周围。</translation>
+    </message>
+    <message>
+        <source>In this mode no angle limit keeps the shaft inside its range. Clear the mechanism first.</source>
+        <translation>在该模式下没有角度限制约束输出轴。请先清空机构周围。</translation>
+    </message>
+    <message>
+        <source>Change the mode to “%1”?</source>
+        <translation>切换到“%1”模式？</translation>
+    </message>
+    <message>
+        <source>Writing %1 to %2 takes the servo from “%3” to “%4”.</source>
+        <translation>向 %2 写入 %1 会使舵机从“%3”切换到“%4”。</translation>
+    </message>
+    <message>
+        <source>Writing %1 to %2 leads to “%3”.</source>
+        <translation>向 %2 写入 %1 会切换到“%3”。</translation>
+    </message>
+    <message>
+        <source>The command of the new mode, %1, is set to 0.</source>
+        <translation>新模式的指令 %1 会清零。</translation>
+    </message>
+    <message>
+        <source>ServoDesk switches torque off first, writes, and reads back.</source>
+        <translation>ServoDesk 先卸力，再写入并回读。</translation>
+    </message>
+    <message>
+        <source>Torque stays off until you switch it on.</source>
+        <translation>扭矩保持关闭，直到您打开。</translation>
+    </message>
+    <message>
+        <source>Change the mode</source>
+        <translation>切换模式</translation>
+    </message>
+    <message>
+        <source>From now on the servo answers as %1. Programs that know it by its old ID no longer find it.</source>
+        <translation>此后舵机以 ID %1 应答。按原 ID 使用它的程序将找不到它。</translation>
+    </message>
+    <message>
+        <source>The servo leaves this rate. ServoDesk follows it; other programs and servos stay where they are.</source>
+        <translation>舵机将离开当前波特率。ServoDesk 会跟随；其他程序和舵机保持不变。</translation>
+    </message>
+    <message>
+        <source>Programs that wait for its answers in another way may take the servo for lost.</source>
+        <translation>按原方式等待应答的程序可能认为舵机失联。</translation>
+    </message>
+    <message>
+        <source>A protection that is switched off no longer saves motor and gears: they can burn or break.</source>
+        <translation>关闭的保护不再保护电机和齿轮：可能烧毁或损坏。</translation>
+    </message>
+    <message>
+        <source>Direction, feedback and drive of the motor change. A wrong value can make it run away.</source>
+        <translation>电机的方向、反馈和驱动方式会改变。写错可能使其失控。</translation>
+    </message>
+    <message>
+        <source>Every position means another angle afterwards. Clear the mechanism before torque is switched on.</source>
+        <translation>此后每个位置对应不同的角度。打开扭矩前请清空机构周围。</translation>
+    </message>
+    <message>
+        <source>A wrong value can make the servo unreachable or dangerous. Note the old value before you go on.</source>
+        <translation>写错可能导致舵机失联或发生危险。继续之前请记下原值。</translation>
+    </message>
+    <message>
+        <source>Write %1?</source>
+        <translation>写入 %1？</translation>
+    </message>
+    <message>
+        <source>From %1 to %2.</source>
+        <translation>从 %1 改为 %2。</translation>
+    </message>
+    <message>
+        <source>To %1; the present value could not be read.</source>
+        <translation>改为 %1；当前值无法读取。</translation>
+    </message>
+    <message>
+        <source>Torque is switched off first and stays off.</source>
+        <translation>先卸力，并保持关闭。</translation>
+    </message>
+    <message>
+        <source>The shaft turns as soon as this is written: keep clear of the mechanism.</source>
+        <translation>写入后输出轴立即转动：请远离机构。</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+</context>
+<context>
     <name>cli</name>
     <message>
         <source>&quot;%1&quot; is no ID; IDs are 0 to 253</source>
@@ -937,6 +2439,46 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>what the servos speak: auto, feetech, modbus or lx (usual: auto, all that can exist at the rate)</source>
         <translation>舵机使用的协议：auto、feetech、modbus 或 lx（默认 auto：该波特率下可能存在的全部协议）</translation>
     </message>
+    <message>
+        <source>Alarm</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>最小值</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大值</translation>
+    </message>
+    <message>
+        <source>Nothing was written. Keep clear of the mechanism and repeat it with --move.</source>
+        <translation>没有写入任何内容。请避开机构，再加 --move 重新执行。</translation>
+    </message>
+    <message>
+        <source>The alarm is gone.</source>
+        <translation>报警已解除。</translation>
+    </message>
+    <message>
+        <source>show what keeps an alarm alive, and clear it by its cause</source>
+        <translation>显示报警的原因，并按原因清除</translation>
+    </message>
+    <message>
+        <source>agree that the servo turns a little, or that its torque is switched on</source>
+        <translation>同意舵机转动一点，或打开扭矩</translation>
+    </message>
+    <message>
+        <source>The LED of servo %1 blinks; Ctrl-C ends it.</source>
+        <translation>舵机 %1 的 LED 正在闪烁；按 Ctrl-C 结束。</translation>
+    </message>
+    <message>
+        <source>The LED of servo %1 is as it was before.</source>
+        <translation>舵机 %1 的 LED 设置已恢复原样。</translation>
+    </message>
+    <message>
+        <source>make a servo blink its LED for a few seconds</source>
+        <translation>让舵机的 LED 闪烁几秒</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -1848,6 +3390,1301 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Turn it by hand into its range, or move it to a goal inside.</source>
         <translation>请用手转回范围内，或给一个范围内的目标位置。</translation>
+    </message>
+    <message>
+        <source>overload</source>
+        <translation>过载</translation>
+    </message>
+    <message>
+        <source>The load was above its threshold for too long: a stall, a jammed bracket, or more torque than the servo is rated for. Only the protection torque is left.</source>
+        <translation>负载超过阈值时间过长：堵转、支架卡死，或所需扭矩超过额定值。只剩保护扭矩。</translation>
+    </message>
+    <message>
+        <source>overcurrent</source>
+        <translation>过流</translation>
+    </message>
+    <message>
+        <source>The current was above its threshold for too long: a stall or a short circuit. The servo has switched its torque off.</source>
+        <translation>电流超过阈值时间过长：堵转或短路。舵机已自动关闭扭矩。</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>过压欠压</translation>
+    </message>
+    <message>
+        <source>The supply is outside the servo&apos;s limits: the wrong supply, one that is too small, or thin leads that drop under load.</source>
+        <translation>供电超出舵机限值：电源不对、功率不足，或线太细、带载压降大。</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>过温</translation>
+    </message>
+    <message>
+        <source>The servo is too hot: a long load, a stall, poor cooling, or a limit set low. Take the load off and let it cool.</source>
+        <translation>舵机过温：长时间负载、堵转、散热差，或限值设得太低。请去除负载，等待冷却。</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>磁编码</translation>
+    </message>
+    <message>
+        <source>The magnet, the encoder or a cable inside the servo is at fault. If the alarm returns after a power-cycle, the servo needs repair.</source>
+        <translation>磁铁、编码器或内部连线故障。重新上电后仍报警，则需返修。</translation>
+    </message>
+    <message>
+        <source>There is no alarm.</source>
+        <translation>没有报警。</translation>
+    </message>
+    <message>
+        <source>A small goal away from the stall releases it: the shaft turns back a little and is held there.</source>
+        <translation>给一个稍微离开堵转方向的目标即可解除：输出轴往回转一点并保持。</translation>
+    </message>
+    <message>
+        <source>A new goal releases it: its present place. Torque is switched on and holds there.</source>
+        <translation>重新写目标即可解除：以当前位置为目标，打开扭矩并保持。</translation>
+    </message>
+    <message>
+        <source>The fault reset register clears it. The servo is told to hold where it is first.</source>
+        <translation>通过故障复位寄存器清除。先让舵机在当前位置保持。</translation>
+    </message>
+    <message>
+        <source>It passes by itself when the value is back within its limits. Nothing is written.</source>
+        <translation>数值回到限值之内会自动消失。不写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Only switching the servo off and on clears it.</source>
+        <translation>只有断电后重新上电才能清除。</translation>
+    </message>
+    <message>
+        <source>Nobody documents what this status bit means. Try switching the servo off and on.</source>
+        <translation>没有资料说明这个状态位。请尝试断电后重新上电。</translation>
+    </message>
+    <message>
+        <source>the braille service (brltty) has taken the adapter (%1)</source>
+        <translation>盲文服务（brltty）占用了适配器（%1）</translation>
+    </message>
+    <message>
+        <source>It takes adapters with this chip for braille displays, and their port vanishes.</source>
+        <translation>它把这种芯片的适配器当作盲文显示器，串口因此消失。</translation>
+    </message>
+    <message>
+        <source>If nobody here reads braille, run &quot;sudo apt remove brltty&quot;, then plug the adapter in again.</source>
+        <translation>若本机无人使用盲文，请运行“sudo apt remove brltty”，然后重新插入适配器。</translation>
+    </message>
+    <message>
+        <source>The LED setting (%3) could not be put back; it is noted in the journal. Use recover when the servo answers again.</source>
+        <translation>LED 设置（%3）未能恢复；已记入日志。舵机恢复应答后请用 recover 处理。</translation>
+    </message>
+    <message>
+        <source>it has no LED that can be switched</source>
+        <translation>没有可控制的 LED</translation>
+    </message>
+    <message>
+        <source>The map of this family has no register for it.</source>
+        <translation>该系列的内存表没有对应的寄存器。</translation>
+    </message>
+    <message>
+        <source>With torque off, turn a shaft by hand and see whose position changes.</source>
+        <translation>请关闭扭矩，用手转动输出轴，看哪个舵机的位置在变化。</translation>
+    </message>
+    <message>
+        <source>its LED belongs to the factory values</source>
+        <translation>其 LED 属于出厂参数</translation>
+    </message>
+    <message>
+        <source>Making it blink would mean unlocking and rewriting them many times.</source>
+        <translation>要让它闪烁，就得解锁并多次改写出厂参数。</translation>
+    </message>
+    <message>
+        <source>in this mode there is no small way back from the stall</source>
+        <translation>此模式下无法只往回转一点来解除堵转</translation>
+    </message>
+    <message>
+        <source>Only the opposite direction releases an overload, and here the shaft would turn on and on.</source>
+        <translation>过载只能靠反方向解除，而在此模式下输出轴会一直转下去。</translation>
+    </message>
+    <message>
+        <source>Take the load off and command the other direction yourself, or switch its supply off and on.</source>
+        <translation>请去除负载，自行给出反方向指令，或断电后重新上电。</translation>
+    </message>
+    <message>
+        <source>nothing tells which way it is stalled</source>
+        <translation>无法判断堵转方向</translation>
+    </message>
+    <message>
+        <source>It stands at its goal and drives neither way.</source>
+        <translation>它停在目标处，没有向任何一侧出力。</translation>
+    </message>
+    <message>
+        <source>Take the load off and give a goal away from the stall yourself, or switch its supply off and on.</source>
+        <translation>请去除负载，自行给出离开堵转方向的目标，或断电后重新上电。</translation>
+    </message>
+    <message>
+        <source>its angle limits leave no way back from the stall</source>
+        <translation>角度限位不允许离开堵转位置</translation>
+    </message>
+    <message>
+        <source>A goal away from the stall would lie outside them.</source>
+        <translation>离开堵转位置的目标会超出限位。</translation>
+    </message>
+    <message>
+        <source>Widen the limits, or switch its supply off and on.</source>
+        <translation>请放宽限位，或断电后重新上电。</translation>
+    </message>
+    <message>
+        <source>releasing this alarm moves the shaft</source>
+        <translation>解除此报警会使输出轴转动</translation>
+    </message>
+    <message>
+        <source>An overload is released by a goal away from the stall, and by nothing else.</source>
+        <translation>过载只能靠反方向的目标解除。</translation>
+    </message>
+    <message>
+        <source>Keep clear of the mechanism, then ask again with your explicit consent.</source>
+        <translation>请避开机构，再明确确认后重新执行。</translation>
+    </message>
+    <message>
+        <source>releasing this alarm switches torque on</source>
+        <translation>解除此报警会打开扭矩</translation>
+    </message>
+    <message>
+        <source>An overcurrent is released by a new goal, and by nothing else.</source>
+        <translation>过流只能靠重新写目标解除。</translation>
+    </message>
+    <message>
+        <source>Remove the cause and keep clear of the mechanism, then ask again with your explicit consent.</source>
+        <translation>请排除原因并避开机构，再明确确认后重新执行。</translation>
+    </message>
+    <message>
+        <source>the alarm is no longer the one you agreed to clear</source>
+        <translation>报警已不是您同意清除的那一个</translation>
+    </message>
+    <message>
+        <source>The servo&apos;s state has changed in between.</source>
+        <translation>其间舵机状态已改变。</translation>
+    </message>
+    <message>
+        <source>Look at the alarm again, then decide.</source>
+        <translation>请重新查看报警，再作决定。</translation>
+    </message>
+</context>
+<context>
+    <name>ui</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+</context>
+<context>
+    <name>ui::About</name>
+    <message>
+        <source>About ServoDesk</source>
+        <translation>关于 ServoDesk</translation>
+    </message>
+    <message>
+        <source>Bench program for serial bus servos: Feetech SCS, STS, SMS, HLS, SMS over Modbus-RTU and Hiwonder LX.</source>
+        <translation>串行总线舵机调试程序：飞特 SCS、STS、SMS、HLS，SMS 的 Modbus-RTU 协议，以及幻尔 LX。</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later, without any warranty. Icons: Breeze, by the KDE Visual Design Group, LGPL 3 or later. Built with Qt %1.</source>
+        <translation>自由软件，遵循 GNU 通用公共许可证第 3 版或更高版本，不提供任何担保。图标：KDE Visual Design Group 的 Breeze，LGPL 3 或更高版本。使用 Qt %1 构建。</translation>
+    </message>
+    <message>
+        <source>Journal and saved tables: %1</source>
+        <translation>写入记录与参数备份：%1</translation>
+    </message>
+    <message>
+        <source>Your own servo models (JSON files): %1</source>
+        <translation>自定义舵机型号（JSON 文件）：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Banner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>关闭此消息</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BitsEditor</name>
+    <message>
+        <source>bit %1, no name</source>
+        <translation>位 %1（未命名）</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>The sum of the ticked bits. Enter writes, Esc cancels.</source>
+        <translation>所勾选各位之和。回车写入，Esc 取消。</translation>
+    </message>
+    <message>
+        <source>Bit %1, adds %2</source>
+        <translation>位 %1，加 %2</translation>
+    </message>
+    <message>
+        <source>Bit %1, adds %2; the sheet gives it no name, so it is kept as it is</source>
+        <translation>位 %1，加 %2；资料中没有命名，因此保持原样</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ChecklistView</name>
+    <message>
+        <source>Search everything</source>
+        <translation>全面搜索</translation>
+    </message>
+    <message>
+        <source>All IDs at all rates in all protocols; writes nothing</source>
+        <translation>全部 ID、全部波特率、全部协议；不写入任何内容</translation>
+    </message>
+    <message>
+        <source>Show or hide what may be the cause</source>
+        <translation>显示或隐藏可能的原因</translation>
+    </message>
+    <message>
+        <source>ruled out</source>
+        <translation>已排除</translation>
+    </message>
+    <message>
+        <source>Ruled out: %1</source>
+        <translation>已排除：%1</translation>
+    </message>
+    <message>
+        <source>Tick off what you have looked at</source>
+        <translation>检查过的打勾</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ConnectBar</name>
+    <message>
+        <source>not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>opening the port …</source>
+        <translation>正在打开串口…</translation>
+    </message>
+    <message>
+        <source>closing the port …</source>
+        <translation>正在关闭串口…</translation>
+    </message>
+    <message>
+        <source>unplugged</source>
+        <translation>已拔出</translation>
+    </message>
+    <message>
+        <source>%1 reads/s · %2 error · wire %3 %</source>
+        <translation>%1 次/秒 · %2 错误 · 总线 %3 %</translation>
+    </message>
+    <message>
+        <source>%1 reads/s · %2 errors · wire %3 %</source>
+        <translation>%1 次/秒 · %2 错误 · 总线 %3 %</translation>
+    </message>
+    <message>
+        <source>%1/s · %2 err</source>
+        <translation>%1 次/秒 · %2 错误</translation>
+    </message>
+    <message>
+        <source>Port: %1 at %2 baud
+Sent: %3, answered: %4
+Lost: %5, damaged: %6, foreign: %7, late: %8
+Asked more than once: %9</source>
+        <translation>端口：%1，波特率 %2
+已发送：%3，已应答：%4
+丢失：%5，损坏：%6，异常来源：%7，迟到：%8
+重发：%9</translation>
+    </message>
+    <message>
+        <source>Round trip: %1 ms, the slowest of 100: %2 ms</source>
+        <translation>往返时间：%1 毫秒，百次中最慢：%2 毫秒</translation>
+    </message>
+    <message>
+        <source>Baud: auto</source>
+        <translation>波特率：自动</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Rate at which the port is opened. Auto: what servos of the chosen protocol leave the factory with</source>
+        <translation>打开串口所用的波特率。自动：所选协议舵机的出厂波特率</translation>
+    </message>
+    <message>
+        <source>Protocol: auto</source>
+        <translation>协议：自动</translation>
+    </message>
+    <message>
+        <source>Feetech</source>
+        <translation>飞特</translation>
+    </message>
+    <message>
+        <source>Modbus</source>
+        <translation>Modbus</translation>
+    </message>
+    <message>
+        <source>LX</source>
+        <translation>LX</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>Language of the servos. Auto: all that can be met at the rate are tried</source>
+        <translation>舵机的通信协议。自动：尝试该波特率下可能出现的全部协议</translation>
+    </message>
+    <message>
+        <source> (something is set)</source>
+        <translation>（已有设置）</translation>
+    </message>
+    <message>
+        <source>More about the port</source>
+        <translation>更多串口设置</translation>
+    </message>
+    <message>
+        <source>Parity, time-out, Modbus silence, retries</source>
+        <translation>校验位、超时、Modbus 帧间隔、重试次数</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>These servos exist in the computer only</source>
+        <translation>这些舵机只存在于电脑中</translation>
+    </message>
+</context>
+<context>
+    <name>ui::EnumEditor</name>
+    <message>
+        <source>not documented</source>
+        <translation>资料中没有说明</translation>
+    </message>
+    <message>
+        <source>Choose a value. Enter writes, Esc cancels.</source>
+        <translation>选择一个值。回车写入，Esc 取消。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HelpWindow</name>
+    <message>
+        <source>ServoDesk — help</source>
+        <translation>ServoDesk — 帮助</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HistoryModel</name>
+    <message>
+        <source>Not ended: still being written, or interrupted.</source>
+        <translation>未结束：正在写入，或已中断。</translation>
+    </message>
+    <message>
+        <source>Begun and taken back: the old value was restored.</source>
+        <translation>已开始并撤回：已恢复原值。</translation>
+    </message>
+    <message>
+        <source>Given up: it was never finished or undone.</source>
+        <translation>已放弃：既未完成也未撤回。</translation>
+    </message>
+    <message>
+        <source>It did not end as wanted.</source>
+        <translation>未按预期结束。</translation>
+    </message>
+    <message>
+        <source>Written temporarily: lost at power-off.</source>
+        <translation>临时写入：断电后丢失。</translation>
+    </message>
+    <message>
+        <source>Written and read back.</source>
+        <translation>已写入并回读确认。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HistoryPanel</name>
+    <message>
+        <source>History of this servo</source>
+        <translation>本舵机记录</translation>
+    </message>
+    <message>
+        <source>Nothing has been written to a servo of this model and ID yet.</source>
+        <translation>还没有向这个型号和 ID 的舵机写入过。</translation>
+    </message>
+    <message>
+        <source>Writes to a servo of this model, firmware and ID, newest first</source>
+        <translation>向这个型号、固件和 ID 的舵机写入的记录，最新的在前</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LinkOptions</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>偶校验</translation>
+    </message>
+    <message>
+        <source>odd</source>
+        <translation>奇校验</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> 毫秒</translation>
+    </message>
+    <message>
+        <source> µs</source>
+        <translation> 微秒</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>校验位</translation>
+    </message>
+    <message>
+        <source>Servos leave the factory without parity</source>
+        <translation>舵机出厂时无校验</translation>
+    </message>
+    <message>
+        <source>Time-out</source>
+        <translation>超时</translation>
+    </message>
+    <message>
+        <source>How long to wait for an answer beyond its time on the wire. Auto: as long as this adapter has shown to need</source>
+        <translation>除线上传输时间外等待应答的时间。自动：按该适配器的实际表现</translation>
+    </message>
+    <message>
+        <source>Modbus silence</source>
+        <translation>Modbus 帧间隔</translation>
+    </message>
+    <message>
+        <source>Pause between Modbus frames. Auto: as the standard says for the rate</source>
+        <translation>Modbus 帧之间的停顿。自动：按标准规定</translation>
+    </message>
+    <message>
+        <source>Retries</source>
+        <translation>重试次数</translation>
+    </message>
+    <message>
+        <source>How often a lost question is asked again, where it may be repeated</source>
+        <translation>应答丢失时重新询问的次数（仅限可重复的指令）</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LinkTrouble</name>
+    <message>
+        <source>The connection to %1 broke off.</source>
+        <translation>与 %1 的连接已断开。</translation>
+    </message>
+    <message>
+        <source>%1 was unplugged.</source>
+        <translation>%1 已被拔出。</translation>
+    </message>
+    <message>
+        <source>Plug it in again: then you can go on here. What was being written is in the journal, and is looked at first.</source>
+        <translation>重新插入后可在此继续。正在写入的内容已记入日志，连接后首先检查。</translation>
+    </message>
+    <message>
+        <source>The adapter is back at %1.</source>
+        <translation>适配器已重新出现在 %1。</translation>
+    </message>
+    <message>
+        <source>Connect again to go on with its servos; nothing is written.</source>
+        <translation>重新连接即可继续使用其舵机；不写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>重试</translation>
+    </message>
+    <message>
+        <source>Open the port once more, as the fields above say</source>
+        <translation>按上方设置再次打开串口</translation>
+    </message>
+    <message>
+        <source>Connect again</source>
+        <translation>重新连接</translation>
+    </message>
+    <message>
+        <source>Open the port again with the same settings and search it</source>
+        <translation>用相同设置重新打开串口并搜索</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LockBadge</name>
+    <message>
+        <source>no EPROM lock</source>
+        <translation>无 EPROM 锁</translation>
+    </message>
+    <message>
+        <source>This family has no lock: the servo keeps every setting at once.</source>
+        <translation>该系列没有锁标志：每次设置都立即保存。</translation>
+    </message>
+    <message>
+        <source>EPROM lock not read</source>
+        <translation>锁标志未读取</translation>
+    </message>
+    <message>
+        <source>The lock flag has not been read. Choose Read all.</source>
+        <translation>还没有读取锁标志。请点“读取全部”。</translation>
+    </message>
+    <message>
+        <source>EPROM locked</source>
+        <translation>EPROM 已上锁</translation>
+    </message>
+    <message>
+        <source>The lock is closed. ServoDesk opens it for a write and closes it afterwards.</source>
+        <translation>已上锁。ServoDesk 写入时自动解锁，写完重新上锁。</translation>
+    </message>
+    <message>
+        <source>EPROM open, by ServoDesk</source>
+        <translation>EPROM 已解锁（ServoDesk 打开）</translation>
+    </message>
+    <message>
+        <source>ServoDesk opened the lock for a write that has not ended. If nothing is being written, look at the interrupted writes.</source>
+        <translation>ServoDesk 为一次尚未结束的写入打开了锁。若当前没有写入，请查看中断的写入。</translation>
+    </message>
+    <message>
+        <source>EPROM open, not by ServoDesk</source>
+        <translation>EPROM 已解锁（非 ServoDesk 打开）</translation>
+    </message>
+    <message>
+        <source>Another program left the lock open: every write of anybody is kept for good. Close it when you have finished there.</source>
+        <translation>其他程序没有上锁：任何写入都会永久保存。在那边完成后请上锁。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>上锁</translation>
+    </message>
+    <message>
+        <source>Close the EPROM lock</source>
+        <translation>EPROM 上锁</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MainWindow</name>
+    <message>
+        <source>ServoDesk</source>
+        <translation>ServoDesk</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>舵机搜索</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>编程</translation>
+    </message>
+    <message>
+        <source>The servo&apos;s memory table: every setting, read and written safely</source>
+        <translation>舵机内存表：安全地读取和写入每一项设置</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>页面</translation>
+    </message>
+    <message>
+        <source>Esc   Torque off — all</source>
+        <translation>Esc   全部卸力</translation>
+    </message>
+    <message>
+        <source>Torque off for all servos</source>
+        <translation>全部舵机卸力</translation>
+    </message>
+    <message>
+        <source>Switch between English and Chinese</source>
+        <translation>切换中文和英文</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Switch between light and dark</source>
+        <translation>切换浅色和深色</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MemoryOutput</name>
+    <message>
+        <source>Table for spreadsheets (*.csv)</source>
+        <translation>电子表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Page to read or print (*.html)</source>
+        <translation>可阅读或打印的网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>Export the memory table</source>
+        <translation>导出内存表</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MemoryPage</name>
+    <message>
+        <source>The table was written to %1.</source>
+        <translation>内存表已写入 %1。</translation>
+    </message>
+    <message>
+        <source>Choose a servo at the left to see its memory table. Choosing reads it and writes nothing.</source>
+        <translation>请在左侧选择舵机以查看内存表。选择时只读取，不写入。</translation>
+    </message>
+    <message>
+        <source>This servo answers, but does not say what it is, so there is no table for it. Search again, or check whether two servos share the ID.</source>
+        <translation>该舵机有应答，但读不到型号信息，因此没有内存表。请重新搜索，或检查是否有两个舵机 ID 相同。</translation>
+    </message>
+    <message>
+        <source>No register fits the filter.</source>
+        <translation>没有符合筛选条件的参数。</translation>
+    </message>
+    <message>
+        <source>The firmware of this servo is not known.</source>
+        <translation>该舵机的固件版本未知。</translation>
+    </message>
+    <message>
+        <source>No public memory table fits it, so a write could do damage.</source>
+        <translation>没有与之相符的公开内存表，写入可能造成损坏。</translation>
+    </message>
+    <message>
+        <source>Identity and measurements are shown. Writing becomes possible with a model file.</source>
+        <translation>只显示身份信息和测量值。添加型号文件后才能写入。</translation>
+    </message>
+    <message>
+        <source>Memory table</source>
+        <translation>内存表</translation>
+    </message>
+    <message>
+        <source>Enter or a double click changes a value; nothing is written before Enter is pressed again</source>
+        <translation>回车或双击可修改数值；再次按回车之前不会写入</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MemoryToolbar</name>
+    <message>
+        <source>all groups</source>
+        <translation>全部分组</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>fastest</source>
+        <translation>最快</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>find a register</source>
+        <translation>查找参数</translation>
+    </message>
+    <message>
+        <source>Find a register</source>
+        <translation>查找参数</translation>
+    </message>
+    <message>
+        <source>Address, name, key or a word of the help; several words must all occur</source>
+        <translation>地址、名称、键名或说明中的词；多个词须同时出现</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Show every register</source>
+        <translation>显示全部参数</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>已改</translation>
+    </message>
+    <message>
+        <source>Show what differs from the first reading of this session</source>
+        <translation>显示与本次首次读取不同的参数</translation>
+    </message>
+    <message>
+        <source>≠ default</source>
+        <translation>≠ 默认</translation>
+    </message>
+    <message>
+        <source>Show what differs from the factory&apos;s value, where that is known</source>
+        <translation>显示与已知出厂值不同的参数</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>分组</translation>
+    </message>
+    <message>
+        <source>Show one part of the memory</source>
+        <translation>只显示内存的一部分</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>原始值</translation>
+    </message>
+    <message>
+        <source>Raw numbers first, and for typing</source>
+        <translation>原始值在前，并用于输入</translation>
+    </message>
+    <message>
+        <source>physical</source>
+        <translation>物理值</translation>
+    </message>
+    <message>
+        <source>Values with their unit first, and for typing</source>
+        <translation>带单位的物理值在前，并用于输入</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>刷新</translation>
+    </message>
+    <message>
+        <source>Live reading</source>
+        <translation>实时读取</translation>
+    </message>
+    <message>
+        <source>How often the visible rows are read again; writes nothing</source>
+        <translation>可见行的重新读取频率；不写入</translation>
+    </message>
+    <message>
+        <source>Explain this row</source>
+        <translation>本行说明</translation>
+    </message>
+    <message>
+        <source>Show everything that is known about the selected row</source>
+        <translation>显示所选行的全部说明</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Menus</name>
+    <message>
+        <source>&amp;Port</source>
+        <translation>端口(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Servo</source>
+        <translation>舵机(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>主题(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>语言(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MessageLine</name>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Latest message</source>
+        <translation>最新消息</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MessageLog</name>
+    <message>
+        <source>Messages</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Everything that was reported since the start</source>
+        <translation>启动以来的全部消息</translation>
+    </message>
+    <message>
+        <source>Nothing has happened yet.</source>
+        <translation>尚无消息。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NumberEditor</name>
+    <message>
+        <source>%1, in %2. Enter writes, Esc cancels.</source>
+        <translation>%1，单位 %2。回车写入，Esc 取消。</translation>
+    </message>
+    <message>
+        <source>%1. Enter writes, Esc cancels.</source>
+        <translation>%1。回车写入，Esc 取消。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PortDialog</name>
+    <message>
+        <source>Another port</source>
+        <translation>其他端口</translation>
+    </message>
+    <message>
+        <source>Path of a port, or address of a TCP bridge:</source>
+        <translation>串口路径或 TCP 转接器地址：</translation>
+    </message>
+    <message>
+        <source>/dev/ttyUSB0 or tcp://192.168.1.20:4000</source>
+        <translation>/dev/ttyUSB0 或 tcp://192.168.1.20:4000</translation>
+    </message>
+    <message>
+        <source>For example /dev/ttyUSB0, /dev/serial/by-id/…, tcp://192.168.1.20:4000, sim:sts3215@1,scs15@2</source>
+        <translation>例如 /dev/ttyUSB0、/dev/serial/by-id/…、tcp://192.168.1.20:4000、sim:sts3215@1,scs15@2</translation>
+    </message>
+    <message>
+        <source>Port or address</source>
+        <translation>端口或地址</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>Take this port; it is opened with Connect</source>
+        <translation>选用此端口；点“连接”打开</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Keep the port chosen before</source>
+        <translation>保留原来选择的端口</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PortPicker</name>
+    <message>
+        <source>Description: %1</source>
+        <translation>描述：%1</translation>
+    </message>
+    <message>
+        <source>Vendor: %1</source>
+        <translation>厂商：%1</translation>
+    </message>
+    <message>
+        <source>Serial number: %1</source>
+        <translation>序列号：%1</translation>
+    </message>
+    <message>
+        <source>USB %1:%2</source>
+        <translation>USB %1:%2</translation>
+    </message>
+    <message>
+        <source>%1 (not there now)</source>
+        <translation>%1（当前未接入）</translation>
+    </message>
+    <message>
+        <source>%1 is not plugged in; it is chosen all the same</source>
+        <translation>%1 当前未插入，选择仍然保留</translation>
+    </message>
+    <message>
+        <source>Simulated bus: %1</source>
+        <translation>模拟总线：%1</translation>
+    </message>
+    <message>
+        <source>Simulated servos, no hardware needed</source>
+        <translation>模拟舵机，无需硬件</translation>
+    </message>
+    <message>
+        <source>Other port or TCP address…</source>
+        <translation>其他端口或 TCP 地址…</translation>
+    </message>
+    <message>
+        <source>Type a path such as /dev/ttyUSB0 or an address such as tcp://192.168.1.20:4000</source>
+        <translation>输入路径（如 /dev/ttyUSB0）或地址（如 tcp://192.168.1.20:4000）</translation>
+    </message>
+    <message>
+        <source>Choose a port</source>
+        <translation>请选择端口</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>Where the servos are connected</source>
+        <translation>舵机所接的端口</translation>
+    </message>
+</context>
+<context>
+    <name>ui::RateChooser</name>
+    <message>
+        <source>Rates to search</source>
+        <translation>要搜索的波特率</translation>
+    </message>
+    <message>
+        <source>Tick the rates to search; the space bar ticks too</source>
+        <translation>勾选要搜索的波特率；也可按空格键勾选</translation>
+    </message>
+</context>
+<context>
+    <name>ui::RegisterDelegate</name>
+    <message>
+        <source>“%1” was not written: the cell was left without Enter.</source>
+        <translation>“%1”没有写入：离开单元格时没有按回车。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::RegisterPanel</name>
+    <message>
+        <source>Select a register to see what it does.</source>
+        <translation>选择一个参数以查看说明。</translation>
+    </message>
+    <message>
+        <source>State: %1</source>
+        <translation>状态：%1</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>当前 %1</translation>
+    </message>
+    <message>
+        <source>was %1</source>
+        <translation>原值 %1</translation>
+    </message>
+    <message>
+        <source>Help of the register</source>
+        <translation>参数说明</translation>
+    </message>
+    <message>
+        <source>What the selected register does, and a place to change it</source>
+        <translation>所选参数的作用，也可在此修改</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Write this value, read it back, and keep it where the register can</source>
+        <translation>写入该值并回读；可保存的参数断电后保留</translation>
+    </message>
+    <message>
+        <source>Write temporarily</source>
+        <translation>临时写入</translation>
+    </message>
+    <message>
+        <source>Try the value: the lock stays closed, and it is lost at power-off</source>
+        <translation>试用该值：不解锁，断电后丢失</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SearchPanel</name>
+    <message>
+        <source>%1 % · servos: %2 · %3 left</source>
+        <translation>%1 % · %2 个舵机 · 剩余 %3</translation>
+    </message>
+    <message>
+        <source> · at %1</source>
+        <translation> · %1</translation>
+    </message>
+    <message>
+        <source>The search begins …</source>
+        <translation>开始搜索…</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 · servos: %2</source>
+        <translation>%1后停止 · %2 个舵机</translation>
+    </message>
+    <message>
+        <source>Searched in %1 · servos: %2</source>
+        <translation>用时 %1 · %2 个舵机</translation>
+    </message>
+    <message>
+        <source>Some answered late: search again with &quot;wait longer&quot;, there may be more.</source>
+        <translation>部分应答迟到：请勾选“延长等待”再搜索，可能还有舵机。</translation>
+    </message>
+    <message>
+        <source>IDs to ask: %1</source>
+        <translation>%1 个 ID</translation>
+    </message>
+    <message>
+        <source> · rates: %1</source>
+        <translation> · %1 种波特率</translation>
+    </message>
+    <message>
+        <source> · about %1</source>
+        <translation> · 约 %1</translation>
+    </message>
+    <message>
+        <source>How long a search takes that finds nobody</source>
+        <translation>一个舵机也没有时搜索所需的时间</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Progress of the search</source>
+        <translation>搜索进度</translation>
+    </message>
+    <message>
+        <source>How much of the search is done</source>
+        <translation>搜索完成了多少</translation>
+    </message>
+    <message>
+        <source>Servos</source>
+        <translation>舵机</translation>
+    </message>
+    <message>
+        <source>Servos that have answered; choosing one reads it and writes nothing</source>
+        <translation>已应答的舵机；点选后只读取，不写入</translation>
+    </message>
+    <message>
+        <source>No servo in the list yet. Search the bus.</source>
+        <translation>列表中还没有舵机，请搜索总线。</translation>
+    </message>
+    <message>
+        <source>Servos appear here as they are found.</source>
+        <translation>搜索到的舵机会显示在这里。</translation>
+    </message>
+    <message>
+        <source>Back to the list</source>
+        <translation>返回列表</translation>
+    </message>
+    <message>
+        <source>Not all there? Find out why…</source>
+        <translation>没搜全？查找原因…</translation>
+    </message>
+    <message>
+        <source>Show the servos again</source>
+        <translation>重新显示舵机</translation>
+    </message>
+    <message>
+        <source>What to look at when servos are missing</source>
+        <translation>缺少舵机时应检查什么</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SearchScope</name>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>First ID</source>
+        <translation>起始 ID</translation>
+    </message>
+    <message>
+        <source>First ID to ask</source>
+        <translation>从哪个 ID 开始询问</translation>
+    </message>
+    <message>
+        <source>Last ID</source>
+        <translation>结束 ID</translation>
+    </message>
+    <message>
+        <source>Last ID to ask</source>
+        <translation>询问到哪个 ID</translation>
+    </message>
+    <message>
+        <source>this rate</source>
+        <translation>当前波特率</translation>
+    </message>
+    <message>
+        <source>chosen rates</source>
+        <translation>所选波特率</translation>
+    </message>
+    <message>
+        <source>all rates</source>
+        <translation>全部波特率</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>At which baud rates to search; the port&apos;s own rate is put back afterwards</source>
+        <translation>搜索哪些波特率；结束后恢复串口原来的波特率</translation>
+    </message>
+    <message>
+        <source>The far end of the TCP connection sets the rate</source>
+        <translation>波特率由 TCP 连接的另一端决定</translation>
+    </message>
+    <message>
+        <source>Choose rates</source>
+        <translation>选择波特率</translation>
+    </message>
+    <message>
+        <source>Tick the rates to search</source>
+        <translation>勾选要搜索的波特率</translation>
+    </message>
+    <message>
+        <source>Protocol: as connected</source>
+        <translation>协议：与连接相同</translation>
+    </message>
+    <message>
+        <source>All protocols</source>
+        <translation>全部协议</translation>
+    </message>
+    <message>
+        <source>Feetech</source>
+        <translation>飞特</translation>
+    </message>
+    <message>
+        <source>Modbus</source>
+        <translation>Modbus</translation>
+    </message>
+    <message>
+        <source>LX</source>
+        <translation>LX</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>协议</translation>
+    </message>
+    <message>
+        <source>In which protocols to ask</source>
+        <translation>用哪些协议询问</translation>
+    </message>
+    <message>
+        <source>wait longer</source>
+        <translation>延长等待</translation>
+    </message>
+    <message>
+        <source>Wait longer</source>
+        <translation>延长等待</translation>
+    </message>
+    <message>
+        <source>Ask silent IDs again with long patience, for adapters that answer late</source>
+        <translation>对无应答的 ID 延长等待再问一遍，适用于应答迟缓的适配器</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ServoListModel</name>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>固件</translation>
+    </message>
+    <message>
+        <source>Register map</source>
+        <translation>内存表</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>接口</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>最近应答</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ShortcutList</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>键盘快捷键</translation>
+    </message>
+    <message>
+        <source>The list of all shortcuts</source>
+        <translation>全部快捷键列表</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>作用</translation>
+    </message>
+    <message>
+        <source>Torque off — all</source>
+        <translation>全部卸力</translation>
+    </message>
+    <message>
+        <source>Takes torque off the whole bus at once; the first Esc in an editor, menu or dialog only cancels that</source>
+        <translation>立即让整条总线卸力；在编辑框、菜单或对话框中，第一次 Esc 只取消它们</translation>
+    </message>
+    <message>
+        <source>Takes torque off the whole bus at once, whatever is open</source>
+        <translation>无论打开了什么，立即让整条总线卸力</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Welcome</name>
+    <message>
+        <source>No servos connected yet</source>
+        <translation>尚未连接舵机</translation>
+    </message>
+    <message>
+        <source>Plug the adapter in, switch the servos&apos; supply on, choose the port above. Connecting and searching write nothing, and nothing moves.</source>
+        <translation>插入适配器，打开舵机电源，在上方选择端口。连接和搜索不会写入任何内容，舵机也不会转动。</translation>
+    </message>
+    <message>
+        <source>Connect the chosen port</source>
+        <translation>连接所选端口</translation>
+    </message>
+    <message>
+        <source>Open the port chosen above and search it</source>
+        <translation>打开上方所选端口并搜索</translation>
+    </message>
+    <message>
+        <source>No hardware at hand? The simulated bus has servos of several families, with a fault or two to find.</source>
+        <translation>手边没有硬件？模拟总线上有多个系列的舵机，还带有一两处故障。</translation>
+    </message>
+    <message>
+        <source>Try it on a simulated bus</source>
+        <translation>用模拟总线试用</translation>
+    </message>
+    <message>
+        <source>Simulated servos; nothing needs to be connected</source>
+        <translation>模拟舵机，无需连接任何硬件</translation>
     </message>
 </context>
 </TS>
