@@ -2,8 +2,6 @@
 #include "ui/pages/memory_page.h"
 
 #include "device/writer.h"
-#include "text/error_words.h"
-#include "ui/editors/register_delegate.h"
 #include "ui/pages/history_panel.h"
 #include "ui/pages/lock_badge.h"
 #include "ui/pages/memory_output.h"
@@ -14,11 +12,9 @@
 #include "ui/widgets/banner.h"
 
 #include <QEvent>
-#include <QHeaderView>
 #include <QLabel>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QVBoxLayout>
 
 #include <utility>
 
@@ -26,10 +22,6 @@ namespace ui {
 using catalog::Role;
 
 namespace {
-using namespace std::chrono_literals;
-constexpr auto refreshDelay = 25ms; // forty looks a second are more than an eye follows
-constexpr auto ageStep = 1s;
-constexpr auto liveDelay = 150ms;
 // Of the panel beside the table, in letters; between them a share of the width.
 constexpr int leastPanel = 28;
 constexpr int mostPanel = 48;
@@ -41,159 +33,6 @@ bool answersTo(const session::ServoEntry& entry, const catalog::Register& reg)
     return entry.servo.raw(reg).has_value();
 }
 } // namespace
-
-MemoryPage::MemoryPage(session::Desk& desk, Commands& commands, Selection& selection,
-                       session::Settings& settings, QWidget* parent)
-    : QWidget(parent)
-    , m_desk(desk)
-    , m_deskLives(&desk)
-    , m_commands(commands)
-    , m_selection(selection)
-{
-    setObjectName(QStringLiteral("memoryPage"));
-    m_filter.setSourceModel(&m_model);
-    build(settings);
-    connectTable();
-    connectToolbar();
-    connectDesk();
-    connectCommands();
-    retranslate();
-    select();
-}
-
-MemoryPage::~MemoryPage() = default;
-
-void MemoryPage::build(session::Settings& settings)
-{
-    m_toolbar = new MemoryToolbar(m_commands, settings, this);
-    m_banner = new Banner(this);
-    m_banner->setObjectName(QStringLiteral("memoryBanner"));
-    m_banner->clear();
-    m_view = new MemoryView(this);
-    m_delegate = new RegisterDelegate(m_view);
-    m_view->setItemDelegate(m_delegate);
-    m_view->setModel(&m_filter);
-    m_nothing = new QLabel(this);
-    m_nothing->setObjectName(QStringLiteral("memoryNothing"));
-    m_nothing->setAlignment(Qt::AlignCenter);
-    m_nothing->setWordWrap(true);
-    m_stack = new QStackedWidget(this);
-    m_stack->addWidget(m_view);
-    m_stack->addWidget(m_nothing);
-    auto* side = new QSplitter(Qt::Vertical, this);
-    side->setChildrenCollapsible(false);
-    m_panel = new RegisterPanel(side);
-    m_history = new HistoryPanel(side);
-    side->addWidget(m_panel);
-    side->addWidget(m_history);
-    side->setStretchFactor(0, 3);
-    side->setStretchFactor(1, 1);
-    m_panel->setMinimumWidth(fontMetrics().averageCharWidth() * leastPanel);
-    m_splitter = new QSplitter(this);
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->addWidget(m_stack);
-    m_splitter->addWidget(side);
-    connect(m_splitter, &QSplitter::splitterMoved, this, [this] { m_ownSplit = true; });
-    auto* column = new QVBoxLayout(this);
-    column->addWidget(m_toolbar);
-    column->addWidget(m_banner);
-    column->addWidget(m_splitter, 1);
-    m_output = new MemoryOutput(m_desk, m_model, *m_view);
-    m_model.setPhysicalFirst(m_toolbar->physicalFirst());
-    m_view->setPhysicalFirst(m_toolbar->physicalFirst());
-}
-
-void MemoryPage::connectTable()
-{
-    connect(&m_model, &MemoryModel::writeWanted, this,
-            [this](const QString& key, qint64 raw) { orderWrite(key, raw, false); });
-    connect(m_panel, &RegisterPanel::writeWanted, this, &MemoryPage::orderWrite);
-    connect(m_delegate, &RegisterDelegate::leftUnwritten, this, &MemoryPage::complain);
-    connect(m_view, &MemoryView::readOnlyChosen, this, &MemoryPage::explainReadOnly);
-    connect(m_view, &MemoryView::scrolled, &m_live, qOverload<>(&QTimer::start));
-    connect(m_view->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
-        settleComplaint();
-        showPanel();
-    });
-    const auto filtered = [this] {
-        m_live.start();
-        showWhich();
-    };
-    connect(&m_filter, &QAbstractItemModel::rowsInserted, this, filtered);
-    connect(&m_filter, &QAbstractItemModel::rowsRemoved, this, filtered);
-    connect(&m_model, &QAbstractItemModel::modelReset, this, [this] {
-        m_view->measure();
-        m_live.start();
-        if (m_filter.rowCount() > 0 && !m_view->currentIndex().isValid())
-            m_view->setCurrentIndex(m_filter.index(0, static_cast<int>(MemoryColumn::Value)));
-    });
-    connect(m_output, &MemoryOutput::failed, this, [this](const base::Error& error) {
-        m_standing = m_complaining = false;
-        m_banner->present(error);
-    });
-    connect(m_output, &MemoryOutput::saved, this, [this](const QString& path) {
-        m_standing = m_complaining = false;
-        m_banner->present([path] {
-            return BannerWords{Tone::Good, tr("The table was written to %1.").arg(path)};
-        });
-    });
-}
-
-void MemoryPage::connectToolbar()
-{
-    connect(m_toolbar, &MemoryToolbar::textChanged, &m_filter, &MemoryFilter::setText);
-    connect(m_toolbar, &MemoryToolbar::choiceChanged, &m_filter, &MemoryFilter::setChoice);
-    connect(m_toolbar, &MemoryToolbar::groupChanged, &m_filter, &MemoryFilter::setGroup);
-    connect(m_toolbar, &MemoryToolbar::livePeriodChanged, this, &MemoryPage::updateLive);
-    connect(m_toolbar, &MemoryToolbar::physicalFirstChanged, this, [this](bool on) {
-        m_model.setPhysicalFirst(on);
-        m_view->setPhysicalFirst(on);
-        m_view->measure();
-        showPanel();
-    });
-    connect(m_toolbar, &MemoryToolbar::helpWanted, m_panel,
-            [this] { m_panel->setFocus(Qt::OtherFocusReason); });
-}
-
-void MemoryPage::connectDesk()
-{
-    m_refresh.setSingleShot(true);
-    m_refresh.setInterval(refreshDelay);
-    m_age.setInterval(ageStep);
-    m_live.setSingleShot(true);
-    m_live.setInterval(liveDelay);
-    connect(&m_refresh, &QTimer::timeout, this, &MemoryPage::refresh);
-    connect(&m_age, &QTimer::timeout, this, [this] {
-        refresh();
-        m_view->grow();
-    });
-    connect(&m_live, &QTimer::timeout, this, &MemoryPage::updateLive);
-    const auto concern = [this](session::ServoRef ref) {
-        if (ref == m_selection.current())
-            refreshSoon();
-    };
-    connect(&m_desk, &session::Desk::tableChanged, this, concern);
-    connect(&m_desk, &session::Desk::servoChanged, this, concern);
-    connect(&m_desk, &session::Desk::linkChanged, this, [this] {
-        refreshSoon();
-        if (m_desk.state() == session::LinkState::Open)
-            read();
-    });
-    connect(&m_selection, &Selection::changed, this, &MemoryPage::select);
-}
-
-void MemoryPage::connectCommands()
-{
-    const auto on = [this](Command command, auto&& work) {
-        connect(m_commands.action(command), &QAction::triggered, this, work);
-    };
-    on(Command::ReadTable, [this] { read(); });
-    on(Command::FindRegister, [this] { m_toolbar->focusFind(); });
-    on(Command::CloseLock, [this] { closeLock(); });
-    on(Command::CopyRows, [this] { m_output->copyRows(); });
-    on(Command::ExportTable, [this] { m_output->exportTable(); });
-    on(Command::PrintTable, [this] { m_output->printTable(); });
-}
 
 const session::ServoEntry* MemoryPage::entry() const
 {
@@ -421,9 +260,10 @@ void MemoryPage::changeEvent(QEvent* event)
 void MemoryPage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    const int letter = fontMetrics().averageCharWidth();
+    m_panel->setMinimumWidth(leastPanel * letter);
     if (m_ownSplit)
         return;
-    const int letter = fontMetrics().averageCharWidth();
     const int side =
         std::clamp(width() * panelPercent / 100, leastPanel * letter, mostPanel * letter);
     m_splitter->setSizes({std::max(0, width() - side), side});
