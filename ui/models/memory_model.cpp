@@ -165,8 +165,7 @@ QVariant MemoryModel::data(const QModelIndex& index, int role) const
 
 bool MemoryModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
-    if (role != Qt::EditRole || !index.isValid() ||
-        (flags(index) & Qt::ItemIsEditable) == 0)
+    if (role != Qt::EditRole || !index.isValid() || (flags(index) & Qt::ItemIsEditable) == 0)
         return false;
     bool whole = false;
     const qlonglong raw = value.toLongLong(&whole);
