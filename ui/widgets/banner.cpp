@@ -73,6 +73,7 @@ Banner::Banner(QWidget* parent)
         clear();
         Q_EMIT dismissed();
     });
+    fill();
     hide();
 }
 

@@ -13,6 +13,8 @@
 
 namespace ui {
 namespace {
+constexpr int arrowSize = 24;
+
 QLabel* label(QWidget* parent, const QString& text, bool quiet)
 {
     auto* label = new QLabel(text, parent);
@@ -35,6 +37,14 @@ ChecklistView::ChecklistView(QWidget* parent)
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->addWidget(m_wider);
     connect(m_wider, &QPushButton::clicked, this, &ChecklistView::widerWanted);
+    retranslate();
+}
+
+void ChecklistView::retranslate()
+{
+    m_wider->setText(tr("Search everything"));
+    m_wider->setToolTip(tr("All IDs at all rates in all protocols; writes nothing"));
+    m_wider->setAccessibleName(m_wider->text());
 }
 
 void ChecklistView::show(const SearchFacts& facts)
@@ -46,9 +56,6 @@ void ChecklistView::show(const SearchFacts& facts)
 
 void ChecklistView::fill()
 {
-    m_wider->setText(tr("Search everything"));
-    m_wider->setToolTip(tr("All IDs at all rates in all protocols; writes nothing"));
-    m_wider->setAccessibleName(m_wider->text());
     m_wider->setVisible(canSearchWider(m_facts));
     delete m_content;
     m_content = new QWidget(this);
@@ -72,6 +79,7 @@ QWidget* ChecklistView::rowWidget(const AdviceRow& row)
     heading->setObjectName(QStringLiteral("checklistRow%1").arg(row.number));
     heading->setToolButtonStyle(Qt::ToolButtonIconOnly);
     heading->setAutoRaise(true);
+    heading->setFixedSize(arrowSize, arrowSize);
     heading->setCheckable(true);
     heading->setChecked(row.fits);
     heading->setArrowType(row.fits ? Qt::DownArrow : Qt::RightArrow);
@@ -142,7 +150,10 @@ QWidget* ChecklistView::itemWidget(const AdviceItem& item, int row)
 void ChecklistView::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_content != nullptr)
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    retranslate();
+    if (m_content != nullptr)
         fill();
 }
 } // namespace ui

@@ -29,6 +29,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void retranslate();
     void fill();
     QWidget* rowWidget(const AdviceRow& row);
     QWidget* itemWidget(const AdviceItem& item, int row);
