@@ -51,7 +51,7 @@ private Q_SLOTS:
             QVERIFY(!action->toolTip().isEmpty());
             english << action->statusTip();
         }
-        bench.languages.apply(QStringLiteral("zh_CN"));
+        bench.speak(QStringLiteral("zh_CN"));
         for (const Command command : all()) {
             const QString tip = bench.action(command)->statusTip();
             QVERIFY2(tip != english[static_cast<int>(command)], qPrintable(tip));

@@ -187,12 +187,11 @@ private Q_SLOTS:
     {
         gui::WindowBench bench;
         QVERIFY(bench.ready(1));
-        bench.languages.apply(QStringLiteral("zh_CN"));
-        gui::WindowBench* const both = &bench;
+        bench.speak(QStringLiteral("zh_CN"));
         static const QRegularExpression sentence(
             QStringLiteral("\\b[A-Za-z]{3,} [a-z]{2,} [a-z]{2,}\\b"));
         QStringList faults;
-        for (const QWidget* widget : both->window->findChildren<QWidget*>()) {
+        for (const QWidget* widget : bench.window->findChildren<QWidget*>()) {
             QStringList texts{widget->toolTip(), widget->accessibleName()};
             if (const auto* label = qobject_cast<const QLabel*>(widget))
                 texts << label->text();

@@ -127,7 +127,7 @@ private Q_SLOTS:
         const QImage dark = bench.window->grab().toImage();
         QVERIFY(light.pixelColor(5, 300).lightness() > dark.pixelColor(5, 300).lightness() + 100);
         QCOMPARE(bench.action(ui::Command::Search)->text().remove(u'&'), QStringLiteral("Search"));
-        bench.languages.apply(QStringLiteral("zh_CN"));
+        bench.speak(QStringLiteral("zh_CN"));
         QVERIFY(bench.action(ui::Command::Search)->text().contains(QStringLiteral("搜索")));
         QCOMPARE(bench.settings.language(), QStringLiteral("zh_CN"));
         QCOMPARE(bench.settings.theme(), session::Theme::Dark);

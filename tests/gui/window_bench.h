@@ -68,6 +68,13 @@ public:
         return entry().servo.raw(QString::fromLatin1(key));
     }
 
+    /// Switches the language; widgets hear of it through the event loop.
+    void speak(const QString& language)
+    {
+        languages.apply(language);
+        QCoreApplication::processEvents();
+    }
+
     template <typename Widget>
     Widget* find(const char* name)
     {
