@@ -179,9 +179,9 @@ void Desk::removeSilent(const jobs::ScanReport& report)
         return;
     std::vector<ServoRef> silent;
     for (const auto& [ref, known] : m_servos) {
-        const bool heard =
-            std::any_of(report.found.begin(), report.found.end(),
-                        [&](const jobs::Found& one) { return sameServo(one.servo, known.servo); });
+        const bool heard = std::any_of(
+            report.found.begin(), report.found.end(),
+            [&servo = known.servo](const jobs::Found& one) { return sameServo(one.servo, servo); });
         if (!heard && !known.writing() && inScope(m_lastSpec, report.rates, known.servo))
             silent.push_back(ref);
     }
