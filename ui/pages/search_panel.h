@@ -57,6 +57,8 @@ private:
     void linkChanged();
     void retranslate();
 
+    static constexpr int permille = 1000; ///< of the progress
+
     session::Desk& m_desk;
     Commands& m_commands;
     Selection& m_selection;
