@@ -19,7 +19,6 @@ using session::ServoRef;
 using namespace std::chrono_literals;
 
 namespace {
-
 QLabel* quietLabel(QWidget* parent, const char* name)
 {
     auto* label = new QLabel(parent);
