@@ -51,6 +51,8 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::start(const Options& options)
 {
+    if (options.size.isValid())
+        resize(options.size);
     m_wantedId = options.select;
     m_selectFirst = !options.screenshot.isEmpty() && !options.select;
     if (options.page == QLatin1String("memory"))

@@ -5,6 +5,7 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 namespace ui {
 namespace {
@@ -23,6 +24,7 @@ constexpr OptionRow rows[] = {
     {"page", QT_TRANSLATE_NOOP("Options", "page to show: memory"), "PAGE"},
     {"select", QT_TRANSLATE_NOOP("Options", "ID of the servo to select"), "ID"},
     {"screenshot", QT_TRANSLATE_NOOP("Options", "write the window to this PNG file and end"), "FILE"},
+    {"size", QT_TRANSLATE_NOOP("Options", "size of the window, such as 1280x800"), "SIZE"},
     {"after", QT_TRANSLATE_NOOP("Options", "milliseconds until the screenshot"), "MS"},
 };
 // clang-format on
@@ -58,6 +60,17 @@ void takePort(const QCommandLineParser& parser, ParsedOptions& parsed)
     }
     if (!request.name.isEmpty())
         parsed.options.port = request;
+}
+
+void takeSize(const QString& size, ParsedOptions& parsed)
+{
+    static const QRegularExpression shape(QStringLiteral("^(\\d{3,4})x(\\d{3,4})$"));
+    const auto match = shape.match(size);
+    if (match.hasMatch())
+        parsed.options.size = {match.captured(1).toInt(), match.captured(2).toInt()};
+    else if (!size.isEmpty())
+        parsed.error =
+            text::translate("Options", "--size: \"%1\" is no size such as 1280x800").arg(size);
 }
 
 void takeTheme(const QString& theme, ParsedOptions& parsed)
@@ -96,6 +109,7 @@ ParsedOptions parseOptions(const QStringList& arguments)
         parsed.error = text::translate("Options", "\"%1\" is not understood")
                            .arg(parser.positionalArguments().front());
     Options& options = parsed.options;
+    takeSize(parser.value(QStringLiteral("size")), parsed);
     takePort(parser, parsed);
     takeTheme(parser.value(QStringLiteral("theme")), parsed);
     options.language = parser.value(QStringLiteral("lang"));

@@ -5,6 +5,7 @@
 #include "session/session.h"
 #include "session/settings.h"
 
+#include <QSize>
 #include <QStringList>
 
 namespace ui {
@@ -16,6 +17,7 @@ struct Options {
     std::optional<int> select{}; ///< ID
     QString screenshot{};        ///< file; the program then ends
     int afterMs = 1500;
+    QSize size{}; ///< of the window; invalid: as remembered
 };
 
 struct ParsedOptions {

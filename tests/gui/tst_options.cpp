@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line of servodesk: what it takes, and what it says to what makes no sense.
+#include "ui/app/options.h"
+
+#include <QtTest>
+
+using ui::parseOptions;
+
+namespace {
+ui::ParsedOptions parse(const char* line)
+{
+    return parseOptions((QStringLiteral("servodesk ") + QString::fromLatin1(line))
+                            .split(QLatin1Char(' '), Qt::SkipEmptyParts));
+}
+} // namespace
+
+class TestOptions : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void everythingIsTaken()
+    {
+        const auto parsed =
+            parse("--port tcp://bench:4000 --baud 115200 --protocol lx --lang zh_CN "
+                  "--theme dark --page memory --select 7 --screenshot x.png "
+                  "--after 20 --size 1920x1080");
+        QCOMPARE(parsed.error, QString());
+        const ui::Options& options = parsed.options;
+        QCOMPARE(options.port->name, QStringLiteral("tcp://bench:4000"));
+        QCOMPARE(options.port->baud, std::optional<int>(115200));
+        QCOMPARE(options.port->protocol, std::optional(base::Protocol::Lx));
+        QCOMPARE(options.language, QStringLiteral("zh_CN"));
+        QCOMPARE(options.theme, std::optional(session::Theme::Dark));
+        QCOMPARE(options.page, QStringLiteral("memory"));
+        QCOMPARE(options.select, std::optional<int>(7));
+        QCOMPARE(options.screenshot, QStringLiteral("x.png"));
+        QCOMPARE(options.afterMs, 20);
+        QCOMPARE(options.size, QSize(1920, 1080));
+    }
+
+    void autoIsNoRateAndNoProtocol()
+    {
+        const auto parsed = parse("--port sim:demo --baud auto --protocol auto");
+        QVERIFY(parsed.error.isEmpty());
+        QVERIFY(!parsed.options.port->baud);
+        QVERIFY(!parsed.options.port->protocol);
+    }
+
+    void nonsenseIsNamed_data()
+    {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<QString>("named");
+        QTest::newRow("baud") << "--port x --baud fast"
+                              << "fast";
+        QTest::newRow("protocol") << "--port x --protocol morse"
+                                  << "morse";
+        QTest::newRow("theme") << "--theme pink"
+                               << "pink";
+        QTest::newRow("size") << "--size huge"
+                              << "huge";
+        QTest::newRow("ID") << "--select -3"
+                            << "-3";
+        QTest::newRow("option") << "--colour red"
+                                << "colour";
+        QTest::newRow("word") << "sim:demo"
+                              << "sim:demo";
+    }
+    void nonsenseIsNamed()
+    {
+        QFETCH(QString, line);
+        QFETCH(QString, named);
+        const auto parsed = parse(line.toLatin1().constData());
+        QVERIFY2(parsed.error.contains(named), qPrintable(parsed.error));
+    }
+
+    void helpNamesEveryOption()
+    {
+        const QString help = parse("--help").print;
+        for (const char* option : {"port", "baud", "protocol", "lang", "theme", "page", "select",
+                                   "screenshot", "after", "size"})
+            QVERIFY2(help.contains(QStringLiteral("--") + QLatin1String(option)), option);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestOptions)
+#include "tst_options.moc"
