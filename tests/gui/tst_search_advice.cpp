@@ -16,6 +16,7 @@ SearchFacts nobodyAnswered()
     SearchFacts facts;
     facts.port.name = QStringLiteral("/dev/ttyUSB0");
     facts.report.rates = {1000000};
+    facts.possible.assign(base::allProtocols.begin(), base::allProtocols.end());
     return facts;
 }
 
@@ -182,6 +183,8 @@ void TestSearchAdvice::triedProtocolsAreRuledOut()
 {
     SearchFacts facts = nobodyAnswered();
     QVERIFY(item(facts, 1, "protocol").ruledOut);
+    facts.possible = {base::Protocol::Feetech}; // LX and Modbus cannot be met at this rate
+    QVERIFY(!item(facts, 1, "protocol").ruledOut);
     facts.spec.protocols = {base::Protocol::Feetech, base::Protocol::Lx};
     QVERIFY(!item(facts, 3, "protocol").ruledOut);
     QVERIFY(item(facts, 3, "protocol").finding.en.contains(QStringLiteral("Feetech, LX")));

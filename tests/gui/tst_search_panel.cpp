@@ -190,8 +190,9 @@ void TestSearchPanel::anEmptyBusIsExplained()
     }
     QVERIFY(bench.find<QCheckBox>("check1_ids") != nullptr);
     QVERIFY(bench.find<QCheckBox>("check1_rate") != nullptr);
-    QVERIFY(bench.find<QCheckBox>("check1_driver") == nullptr); // ruled out
-    QVERIFY(bench.find<QCheckBox>("check1_supply") == nullptr); // simulated
+    QVERIFY(bench.find<QCheckBox>("check1_protocol") != nullptr); // at 1 M only Feetech is met
+    QVERIFY(bench.find<QCheckBox>("check1_driver") == nullptr);   // ruled out
+    QVERIFY(bench.find<QCheckBox>("check1_supply") == nullptr);   // simulated
     QStringList words;
     for (const QLabel* label : bench.find<QWidget>("checklist")->findChildren<QLabel*>())
         words << label->text();

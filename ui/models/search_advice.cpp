@@ -74,7 +74,7 @@ std::vector<base::Protocol> protocolsTried(const SearchFacts& facts)
         return facts.spec.protocols;
     if (facts.port.protocol)
         return {*facts.port.protocol};
-    return {base::allProtocols.begin(), base::allProtocols.end()};
+    return facts.possible;
 }
 
 bool allProtocols(const SearchFacts& facts)
@@ -197,6 +197,26 @@ int urgency(const AdviceRow& row)
     return row.number == Garbled || row.number == GoneAfterChange ? 0 : 1;
 }
 } // namespace
+
+SearchFacts searchFacts(const session::Desk& desk, const SearchHistory& history)
+{
+    SearchFacts facts;
+    facts.spec = desk.lastSearchSpec();
+    facts.report = desk.lastSearch().value_or(jobs::ScanReport{});
+    facts.port = desk.lastRequest();
+    facts.hasBaud = desk.hasBaud() || desk.state() != session::LinkState::Open;
+    facts.history = history;
+    for (const base::Protocol protocol : base::allProtocols) {
+        const auto canBeMet = [&](int rate) {
+            const auto met = desk.catalog().protocolsAt(rate);
+            return std::find(met.begin(), met.end(), protocol) != met.end();
+        };
+        const auto& rates = facts.report.rates;
+        if (!facts.hasBaud || std::any_of(rates.begin(), rates.end(), canBeMet))
+            facts.possible.push_back(protocol);
+    }
+    return facts;
+}
 
 std::vector<AdviceRow> searchAdvice(const SearchFacts& facts)
 {

@@ -6,7 +6,7 @@
 
 #include "catalog/catalog.h"
 #include "jobs/scan.h"
-#include "session/connection.h"
+#include "session/desk.h"
 
 namespace ui {
 /// What happened before the search.
@@ -20,6 +20,8 @@ struct SearchFacts {
     jobs::ScanReport report;
     session::PortRequest port;
     bool hasBaud = true; ///< false: a bridge sets the rate
+    /// Those that were tried when nobody named any: what can be met at the rates searched.
+    std::vector<base::Protocol> possible{};
     SearchHistory history{};
 };
 
@@ -37,6 +39,9 @@ struct AdviceRow {
     bool fits = false; ///< what was seen fits; those that do not come last
     std::vector<AdviceItem> items;
 };
+
+/// Of the latest search.
+SearchFacts searchFacts(const session::Desk& desk, const SearchHistory& history);
 
 /// All rows of the table, whatever the result.
 std::vector<AdviceRow> searchAdvice(const SearchFacts& facts);

@@ -147,9 +147,8 @@ void SearchPanel::showList(bool list)
 
 void SearchPanel::showChecklist()
 {
-    if (const auto& report = m_desk.lastSearch()) {
-        m_checklist->show({m_desk.lastSearchSpec(), *report, m_desk.lastRequest(),
-                           m_desk.hasBaud() || m_desk.state() != LinkState::Open, m_history});
+    if (m_desk.lastSearch()) {
+        m_checklist->show(searchFacts(m_desk, m_history));
         m_stack->setCurrentWidget(m_scroll);
         retranslate();
     }
