@@ -19,10 +19,11 @@ bool sameServo(const device::Servo& a, const device::Servo& b)
     return a.protocol == b.protocol && a.id == b.id && a.baud == b.baud;
 }
 
-/// False when something else answers there now than what is in the list.
+/// False when something else answers there now than what is in the list. Who could not be
+/// identified this time or last is taken for the same.
 bool sameKind(const device::Servo& a, const device::Servo& b)
 {
-    return a.profile && b.profile && a.profile->identity == b.profile->identity;
+    return !a.profile || !b.profile || a.profile->identity == b.profile->identity;
 }
 } // namespace
 
@@ -106,7 +107,8 @@ void Desk::found(const jobs::Found& one)
         known.heardLate = one.heardLate;
         known.lastSeen = now();
         known.silent = false;
-        merge(known, one.servo, known.lastSeen);
+        if (one.servo.profile)
+            merge(known, one.servo, known.lastSeen);
         changed(known);
         return;
     }
