@@ -58,6 +58,8 @@ private Q_SLOTS:
                                   << "morse";
         QTest::newRow("theme") << "--theme pink"
                                << "pink";
+        QTest::newRow("page") << "--page nowhere"
+                              << "nowhere";
         QTest::newRow("size") << "--size huge"
                               << "huge";
         QTest::newRow("ID") << "--select -3"

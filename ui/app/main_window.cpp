@@ -45,9 +45,26 @@ MainWindow::MainWindow(Bench& bench, session::Settings& settings, ThemeSwitch& t
     restoreState(m_settings.windowState());
     retranslate();
     showCentre();
+    tellStartTroubles();
 }
 
 MainWindow::~MainWindow() = default;
+
+/// What could not be used of the user's own files: it costs that row, never the start.
+void MainWindow::tellStartTroubles()
+{
+    const auto tell = [this](const QString& detail) {
+        session::Event event;
+        event.at = QDateTime::currentDateTime();
+        event.error = base::Error{base::ErrorCode::FileFormat, QStringLiteral("start"), detail};
+        m_message->show(event);
+        m_log->add(event);
+    };
+    for (const catalog::LoadWarning& warning : m_desk.session().warnings())
+        tell(QStringList{warning.file, warning.where, warning.detail}.join(QStringLiteral(": ")));
+    if (!m_settings.brokenCopy().isEmpty())
+        tell(m_settings.brokenCopy());
+}
 
 void MainWindow::start(const Options& options)
 {

@@ -53,6 +53,7 @@ private:
     void retranslate();
     void showCentre();
     void linkChanged();
+    void tellStartTroubles();
     void selectWanted(session::ServoRef added);
     void searchEnded();
 

@@ -114,6 +114,8 @@ ParsedOptions parseOptions(const QStringList& arguments)
     takeTheme(parser.value(QStringLiteral("theme")), parsed);
     options.language = parser.value(QStringLiteral("lang"));
     options.page = parser.value(QStringLiteral("page"));
+    if (!options.page.isEmpty() && options.page != QLatin1String("memory"))
+        parsed.error = text::translate("Options", "--page: there is no \"%1\"").arg(options.page);
     options.select = number(parser, "select", 0, parsed.error);
     options.screenshot = parser.value(QStringLiteral("screenshot"));
     options.afterMs = number(parser, "after", 0, parsed.error).value_or(options.afterMs);

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A start with files that somebody has spoilt: hostile model files and broken settings cost
+// themselves and one message each, never the start; and the first start offers the simulated bus in
+// one click.
+#include "gui/window_bench.h"
+#include "ui/app/message_log.h"
+
+#include <QPushButton>
+#include <QStackedWidget>
+
+namespace {
+void writeFile(const QString& path, const QByteArray& content)
+{
+    QVERIFY(QDir().mkpath(QFileInfo(path).path()));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(content);
+}
+} // namespace
+
+class TestStart : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        gui::failOnWarnings();
+        QDir(session::modelFolder()).removeRecursively();
+    }
+    void cleanup() { QDir(session::modelFolder()).removeRecursively(); }
+
+    void hostileModelFilesAreNamedAndPassedOver()
+    {
+        const QString folder = session::modelFolder() + QLatin1Char('/');
+        writeFile(folder + QStringLiteral("deep.json"), QByteArray(20000, '['));
+        writeFile(folder + QStringLiteral("wrong.json"),
+                  R"({"format": 1, "models": [{"major": "nine", "name": 5}]})");
+        writeFile(folder + QStringLiteral("binary.json"), QByteArray("\0\xff\xfe{}", 5));
+        gui::WindowBench bench;
+        const QString log = bench.find<ui::MessageLog>("messageLog")->toPlainText();
+        for (const char* name : {"deep.json", "wrong.json", "binary.json"})
+            QVERIFY2(log.contains(QLatin1String(name)), qPrintable(log));
+        QVERIFY(bench.ready(1)); // the built-in models are all there
+        QCOMPARE(bench.entry().servo.profile->modelName, QStringLiteral("STS3215"));
+    }
+
+    void brokenSettingsArePutAsideAndNamed()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("servodesk.ini"));
+        writeFile(path, "[general\nversion=\x01\x02\n\xff\xfe");
+        session::Settings settings(path);
+        session::Session session;
+        ui::Bench bench(session);
+        ui::ThemeSwitch theme;
+        ui::LanguageSwitch language;
+        language.apply(QStringLiteral("en"));
+        theme.apply(settings.theme());
+        ui::MainWindow window(bench, settings, theme, language);
+        window.show();
+        const QString log = window.findChild<ui::MessageLog*>()->toPlainText();
+        QVERIFY(!settings.brokenCopy().isEmpty());
+        QVERIFY2(log.contains(settings.brokenCopy()), qPrintable(log));
+    }
+
+    void theFirstStartOffersTheSimulatedBusInOneClick()
+    {
+        gui::WindowBench bench;
+        auto* button = bench.find<QPushButton>("welcomeSimulation");
+        QVERIFY(button != nullptr);
+        QVERIFY(button->isVisible());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_COMPARE(bench.desk().state(), session::LinkState::Open);
+        QVERIFY(bench.desk().simulated());
+        QTRY_COMPARE(bench.desk().servos().size(), std::size_t(6));
+        QVERIFY(!button->isVisible());
+    }
+};
+
+QTEST_MAIN(TestStart)
+#include "tst_start.moc"
