@@ -638,6 +638,18 @@
         <source>&quot;%1&quot; is not understood</source>
         <translation>无法理解“%1”</translation>
     </message>
+    <message>
+        <source>size of the window, such as 1280x800</source>
+        <translation>窗口大小，如 1280x800</translation>
+    </message>
+    <message>
+        <source>--size: &quot;%1&quot; is no size such as 1280x800</source>
+        <translation>--size：“%1”不是 1280x800 这样的大小</translation>
+    </message>
+    <message>
+        <source>--page: there is no &quot;%1&quot;</source>
+        <translation>--page：没有“%1”</translation>
+    </message>
 </context>
 <context>
     <name>RegisterHelp</name>
