@@ -170,6 +170,9 @@ void benchLive()
 
 int main(int argc, char* argv[])
 {
+    const QTemporaryDir place; // the user's settings and journal are nobody's business here
+    qputenv("SERVODESK_DATA_DIR", place.path().toLocal8Bit());
+    qputenv("XDG_CONFIG_HOME", place.path().toLocal8Bit());
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication app(argc, argv);
     QApplication::setApplicationName(QStringLiteral("servodesk-bench"));

@@ -9,7 +9,6 @@
 #include "ui/app/program.h"
 #include "ui/app/theme.h"
 
-#include <QDir>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -26,7 +25,6 @@ public:
                          session::Theme look = session::Theme::Light)
     {
         ui::initProgram();
-        QDir(session::dataFolder()).removeRecursively();
         settings.setChoice(QStringLiteral("search/last_id"), 10); // where the simulated ones are
         languages.apply(language);
         themes.apply(look);
@@ -82,10 +80,14 @@ public:
     }
 
 private:
-    QTemporaryDir m_folder;
+    /// Journal and tables of this bench only, whatever the environment says.
+    struct Place {
+        Place() { qputenv("SERVODESK_DATA_DIR", folder.path().toLocal8Bit()); }
+        QTemporaryDir folder;
+    } m_place;
 
 public:
-    session::Settings settings{m_folder.filePath(QStringLiteral("servodesk.ini"))};
+    session::Settings settings{m_place.folder.filePath(QStringLiteral("servodesk.ini"))};
     ui::LanguageSwitch languages;
     ui::ThemeSwitch themes;
     session::Session session;

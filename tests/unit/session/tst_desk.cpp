@@ -88,7 +88,8 @@ private Q_SLOTS:
     void init()
     {
         QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
-        QDir(session::dataFolder()).removeRecursively();
+        m_data = std::make_unique<QTemporaryDir>();
+        qputenv("SERVODESK_DATA_DIR", m_data->path().toLocal8Bit());
     }
 
     void aPortThatIsNotThereSaysSo()
@@ -427,6 +428,9 @@ private Q_SLOTS:
             return bench.settle() && bench.raw(ref, QStringLiteral("torque_switch")) == 0;
         }());
     }
+
+private:
+    std::unique_ptr<QTemporaryDir> m_data; ///< never what the user keeps
 };
 
 QTEST_GUILESS_MAIN(TestDesk)
