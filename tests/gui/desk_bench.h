@@ -3,9 +3,9 @@
 // main thread.
 #pragma once
 
-#include "session/paths.h"
 #include "session/port_watch.h"
 #include "session/settings.h"
+#include "support/own_data_folder.h"
 #include "ui/app/commands.h"
 #include "ui/app/program.h"
 #include "ui/app/selection.h"
@@ -72,8 +72,6 @@ inline session::PortInfo adapter(const QString& path, const QString& serial)
 
 class DeskBench {
 public:
-    DeskBench() { QDir(session::dataFolder()).removeRecursively(); }
-
     bool open(const QString& port)
     {
         session::PortRequest request;
@@ -103,6 +101,7 @@ public:
     Plugs plugs;
     session::Settings settings{m_folder.filePath(QStringLiteral("servodesk.ini"))};
     session::PortWatch ports{nullptr, plugs.lister()};
+    support::OwnDataFolder place; ///< before the session
     session::Session session;
     session::Desk desk{session};
     ui::Selection selection;

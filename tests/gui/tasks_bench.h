@@ -3,8 +3,8 @@
 // found and worked as a user does, by mouse and keyboard. Main thread.
 #pragma once
 
-#include "session/paths.h"
 #include "sim/sim_link.h"
+#include "support/own_data_folder.h"
 #include "ui/app/commands.h"
 #include "ui/dialogs/servo_tasks.h"
 
@@ -19,7 +19,6 @@ class TasksBench {
 public:
     TasksBench()
     {
-        QDir(session::dataFolder()).removeRecursively();
         window.resize(800, 600);
         window.show();
     }
@@ -87,6 +86,7 @@ public:
         return shown ? found : nullptr;
     }
 
+    support::OwnDataFolder place; ///< before the session
     session::Session session;
     session::Desk desk{session};
     ui::Selection selection;

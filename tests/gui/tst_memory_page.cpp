@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The memory page on the simulated bus: what a technician does with a servo's table, by keyboard
 // and mouse, and what the servo really holds afterwards, proven by switching it off and on.
-#include "session/paths.h"
 #include "session/settings.h"
+#include "support/own_data_folder.h"
 #include "text/language.h"
 #include "ui/editors/register_delegate.h"
 #include "ui/pages/lock_badge.h"
@@ -79,6 +79,7 @@ void paste(QWidget* widget, const QString& text)
 /// The page in a window of its own, with a bus that has been searched.
 struct Bench {
     QTemporaryDir folder;
+    support::OwnDataFolder place; ///< before the session
     session::Session session;
     session::Desk desk{session};
     session::Settings settings;
@@ -211,7 +212,6 @@ void TestMemoryPage::init()
     QTest::failOnWarning(
         QRegularExpression(QStringLiteral("^(?!This plugin does not support propagateSizeHints)")));
     text::installTranslator(QStringLiteral("en"));
-    QDir(session::dataFolder()).removeRecursively();
 }
 
 void TestMemoryPage::choosingReadsAndWritesNothing()
@@ -669,4 +669,5 @@ void TestMemoryPage::changesLanguageWhileOpen()
 }
 
 QTEST_MAIN(TestMemoryPage)
+
 #include "tst_memory_page.moc"

@@ -3,8 +3,10 @@
 // themselves and one message each, never the start; and the first start offers the simulated bus in
 // one click.
 #include "gui/window_bench.h"
+#include "session/paths.h"
 #include "ui/app/message_log.h"
 
+#include <QDir>
 #include <QPushButton>
 #include <QStackedWidget>
 

@@ -3,7 +3,7 @@
 // window on a simulated bus, without a screen. One at a time; main thread.
 #pragma once
 
-#include "session/paths.h"
+#include "support/own_data_folder.h"
 #include "ui/app/language_switch.h"
 #include "ui/app/main_window.h"
 #include "ui/app/program.h"
@@ -80,11 +80,7 @@ public:
     }
 
 private:
-    /// Journal and tables of this bench only, whatever the environment says.
-    struct Place {
-        Place() { qputenv("SERVODESK_DATA_DIR", folder.path().toLocal8Bit()); }
-        QTemporaryDir folder;
-    } m_place;
+    support::OwnDataFolder m_place;
 
 public:
     session::Settings settings{m_place.folder.filePath(QStringLiteral("servodesk.ini"))};

@@ -3,8 +3,8 @@
 // back as a signal; what is in the list was really read; writes end in one of the six words.
 #include "record/snapshot.h"
 #include "session/desk.h"
-#include "session/paths.h"
 #include "sim/sim_link.h"
+#include "support/own_data_folder.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -72,6 +72,7 @@ struct Bench {
         desk.connection()->simulation()->with(std::forward<Function>(function));
     }
 
+    support::OwnDataFolder place; ///< before the session
     session::Session session;
     Desk desk{session};
     bool opened;
@@ -85,12 +86,7 @@ class TestDesk : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
-        m_data = std::make_unique<QTemporaryDir>();
-        qputenv("SERVODESK_DATA_DIR", m_data->path().toLocal8Bit());
-    }
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     void aPortThatIsNotThereSaysSo()
     {
@@ -428,10 +424,8 @@ private Q_SLOTS:
             return bench.settle() && bench.raw(ref, QStringLiteral("torque_switch")) == 0;
         }());
     }
-
-private:
-    std::unique_ptr<QTemporaryDir> m_data; ///< never what the user keeps
 };
 
 QTEST_GUILESS_MAIN(TestDesk)
+
 #include "tst_desk.moc"

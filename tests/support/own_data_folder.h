@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A data folder of the test's own as long as this lives: journal and saved tables of the user stay
+// untouched, whatever the environment says. Make it before the session.
+#pragma once
+
+#include <QTemporaryDir>
+
+namespace support {
+struct OwnDataFolder {
+    OwnDataFolder() { qputenv("SERVODESK_DATA_DIR", folder.path().toLocal8Bit()); }
+    QString path() const { return folder.path(); }
+    QTemporaryDir folder;
+};
+} // namespace support
