@@ -71,6 +71,7 @@ public:
     int baud() const override { return m_baud; }
     bool hasBaud() const override { return !bridge; }
     QString portName() const override { return QStringLiteral("paper"); }
+    bool lost() const override { return false; }
     bool echoes() const override { return false; }
     bool pauseUntil(base::Duration instant, const base::Stop* stop) override
     {
