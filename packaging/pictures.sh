@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Makes the pictures of README and help anew, by the program itself, without a screen: the window at
+# its first start, a search, the memory table; both languages, both themes. Needs a build and a
+# Chinese font (fonts-noto-cjk).
+set -euo pipefail
+
+# shellcheck source=packaging/common.sh
+. "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh"
+
+program=${1:-$BUILD_DIR/bin/servodesk}
+images=$SOURCE_DIR/resources/help/images
+[ -x "$program" ] || die "$program is not built." "Build it:  packaging/run.sh"
+place=$(mktemp -d)
+trap 'rm -rf -- "$place"' EXIT
+mkdir -p -- "$images"
+
+# picture NAME LANGUAGE THEME OPTION...
+picture() {
+    local name=$1 language=$2 theme=$3
+    shift 3
+    env LC_ALL=C.UTF-8 QT_QPA_PLATFORM=offscreen XDG_RUNTIME_DIR="$place" \
+        SERVODESK_DATA_DIR="$place/data" XDG_CONFIG_HOME="$place/config" \
+        "$program" --lang "$language" --theme "$theme" --size 1280x800 \
+        --screenshot "$images/$name-${language%%_*}-$theme.png" "$@"
+}
+
+for language in en zh_CN; do
+    for theme in light dark; do
+        picture shell "$language" "$theme" --after 800
+        picture search "$language" "$theme" --port sim:trouble --select 5 --after 4000
+        picture memory "$language" "$theme" --port sim:demo --select 1 --after 4000
+        step "$language" "$theme"
+    done
+done
