@@ -80,7 +80,7 @@ void Desk::setState(LinkState state)
 
 void Desk::connectTo(const PortRequest& request)
 {
-    if (m_connection || m_state == LinkState::Opening) {
+    if (m_connection || m_opening) {
         m_nextRequest = request;
         disconnectFrom();
         return;
@@ -89,6 +89,7 @@ void Desk::connectTo(const PortRequest& request)
         forgetServos();
     m_request = request;
     m_intentsLooked = false;
+    m_opening = true;
     setState(LinkState::Opening);
     m_openThread->start([this, request] {
         auto result =
@@ -112,6 +113,7 @@ void Desk::forgetServos()
 
 void Desk::opened(base::Result<std::unique_ptr<Connection>> result)
 {
+    m_opening = false;
     if (m_state == LinkState::Closing) { // the user has changed their mind meanwhile
         result = base::fail(base::ErrorCode::Stopped);
         goOn();
@@ -141,18 +143,17 @@ void Desk::disconnectFrom()
     }
     dropQueue(base::ErrorCode::Stopped, true);
     stopSearch();
-    const bool opening = m_state == LinkState::Opening;
     setState(LinkState::Closing);
-    if (!opening)
-        goOn();
+    goOn();
 }
 
 void Desk::close()
 {
     m_closing = true;
     m_nextRequest.reset();
+    const bool idle = !m_connection && !m_opening;
     disconnectFrom();
-    if (m_state == LinkState::Off)
+    if (idle)
         QMetaObject::invokeMethod(this, &Desk::closed, Qt::QueuedConnection);
 }
 
@@ -178,7 +179,8 @@ void Desk::lookAtLink()
 void Desk::goOn()
 {
     startNext();
-    const bool idle = !m_running && m_queue.empty() && !(m_search && m_search->started);
+    const bool idle =
+        !m_opening && !m_running && m_queue.empty() && !(m_search && m_search->started);
     if (idle && (m_state == LinkState::Closing || m_state == LinkState::Lost)) {
         m_search.reset();
         m_live.poll = 0;
@@ -188,6 +190,7 @@ void Desk::goOn()
         return;
     }
     startSearch();
+    startNext(); // what may go on beside the search that has just begun
     updateLive();
 }
 
@@ -196,7 +199,8 @@ void Desk::finishClosing()
     setState(LinkState::Off);
     tell({.kind = Event::Kind::Disconnected, .task = m_request.name});
     if (m_closing) {
-        Q_EMIT closed();
+        // Not from within the call that asked for it: a window being closed cannot be closed.
+        QMetaObject::invokeMethod(this, &Desk::closed, Qt::QueuedConnection);
     } else if (m_nextRequest) {
         const PortRequest next = *m_nextRequest;
         m_nextRequest.reset();
@@ -231,6 +235,8 @@ void Desk::emergencyStop()
     if (!m_connection)
         return;
     m_connection->bus().emergency();
+    if (m_running)
+        m_running->stop.request(); // it may be between two requests, where nothing is preempted
     dropQueue(base::ErrorCode::Preempted);
     tell({.kind = Event::Kind::Stopped});
 }

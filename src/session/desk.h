@@ -116,7 +116,7 @@ public:
     /// Ends searches and polls, finishes the writes asked for, drops other tasks that wait. The
     /// list stays, greyed by the state.
     void disconnectFrom();
-    /// Like disconnectFrom(), for closing the window: closed() follows, at once when idle.
+    /// Like disconnectFrom(), for closing the window: closed() follows, once.
     void close();
     void powerCycle(); ///< simulated servos only
 
@@ -183,7 +183,8 @@ Q_SIGNALS:
     void taskProgress(const jobs::Progress& progress);
     void undoChanged();
     void happened(const session::Event& event);
-    void openIntents(const std::vector<jobs::Recovered>& found); ///< also when empty
+    /// Also when empty; after a look that failed there is only the Event.
+    void openIntents(const std::vector<jobs::Recovered>& found);
 
 private:
     struct Work;   ///< one task on its way
@@ -202,8 +203,10 @@ private:
     void startSearch();
     void runSearch(Search& search);
     void insert(ServoEntry added);
+    bool before(ServoRef a, ServoRef b) const;
     void remove(ServoRef ref);
     void found(const jobs::Found& one);
+    void met(ServoEntry& known, const jobs::Found& one);
     void searchEnded(const base::Result<jobs::ScanReport>& result);
     void removeSilent(const jobs::ScanReport& report);
 
@@ -238,6 +241,7 @@ private:
     void updateLive();
     void stopPoll();
     void takeSamples();
+    void collectSamples();
     void take(ServoEntry& entry, const bus::Sample& sample);
 
     Session& m_session;
@@ -245,12 +249,13 @@ private:
     LinkState m_state = LinkState::Off;
     PortRequest m_request;
     std::optional<PortRequest> m_nextRequest; ///< connect when the present one is closed
+    bool m_opening = false; ///< the opening of a port has not ended, wanted or not
     bool m_closing = false;
     std::unique_ptr<Connection> m_connection;
     QTimer m_look;
 
     std::map<ServoRef, ServoEntry> m_servos;
-    std::vector<ServoRef> m_order; ///< as shown: by rate as found, then ID
+    std::vector<ServoRef> m_order; ///< as shown: by ID, then protocol and rate
     ServoRef m_lastRef = 0;
 
     std::unique_ptr<Search> m_search;
@@ -271,7 +276,8 @@ private:
         QStringList keys;
         base::Duration period{};
         bus::PollId poll = 0;
-        int id = -1; ///< asked under this ID
+        int id = -1;                   ///< asked under this ID
+        catalog::ProfilePtr profile{}; ///< and by this map
         std::vector<bus::PollSpan> spans{};
     } m_live;
     QTimer m_liveTimer;

@@ -60,9 +60,13 @@ void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid)
         *found = std::move(*recovered);
         return {};
     };
-    work->merged = [this, found](Work& ended) {
+    work->merged = [this, found, action](Work& ended) {
         if (ended.error)
             tell({.kind = Event::Kind::Failed, .error = ended.error});
+        if (ended.error && action == jobs::RecoverAction::Look) {
+            m_intentsLooked = false; // nobody knows whether there are none
+            return;
+        }
         for (const jobs::Recovered& one : *found)
             followRecovered(one);
         Q_EMIT openIntents(*found);

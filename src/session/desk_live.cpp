@@ -15,14 +15,14 @@ void Desk::watchLive(ServoRef ref, const QStringList& keys, base::Duration perio
     if (ref == m_live.servo && keys == m_live.keys && period == m_live.period)
         return;
     stopPoll();
-    m_live = {keys.isEmpty() ? 0 : ref, keys, period, 0, -1, {}};
+    m_live = {keys.isEmpty() ? 0 : ref, keys, period, 0, -1, {}, {}};
     updateLive();
 }
 
 void Desk::stopPoll()
 {
     if (m_live.poll != 0 && m_connection) {
-        takeSamples();
+        collectSamples();
         m_connection->bus().stopPoll(m_live.poll);
     }
     m_live.poll = 0;
@@ -32,7 +32,7 @@ void Desk::stopPoll()
 /// Polling goes on only while nobody takes the bus to another rate.
 bool Desk::mayPoll(const ServoEntry& entry) const
 {
-    const bool rateMoves = m_search && m_search->started && !m_search->oneRate();
+    const bool rateMoves = m_search && m_search->started && !m_search->staysHere;
     const bool here = !hasBaud() || entry.servo.baud == baud();
     const bool otherWork = m_running && m_running->ref != entry.ref;
     return m_state == LinkState::Open && entry.servo.profile && here && !rateMoves && !otherWork;
@@ -42,11 +42,12 @@ void Desk::updateLive()
 {
     const ServoEntry* known = servo(m_live.servo);
     const bool may = known != nullptr && mayPoll(*known);
-    if (!may || m_live.poll != 0) {
-        if (!may)
-            stopPoll();
+    const bool other =
+        may && (known->servo.id != m_live.id || known->servo.profile != m_live.profile);
+    if (!may || other)
+        stopPoll();
+    if (!may || m_live.poll != 0)
         return;
-    }
     const catalog::Profile& profile = *known->servo.profile;
     std::vector<const catalog::Register*> registers;
     for (const QString& key : m_live.keys) {
@@ -61,11 +62,18 @@ void Desk::updateLive()
     plan.servos.push_back({known->servo.id, m_live.spans, false, 0, known->servo.protocol,
                            profile.readGap, profile.maxRead});
     m_live.id = known->servo.id;
+    m_live.profile = known->servo.profile;
     m_live.poll = m_connection->bus().startPoll(plan);
     m_liveTimer.start();
 }
 
 void Desk::takeSamples()
+{
+    collectSamples();
+    updateLive(); // it may have a new ID now: asked under that one
+}
+
+void Desk::collectSamples()
 {
     if (m_live.poll == 0 || !m_connection)
         return;
@@ -77,19 +85,17 @@ void Desk::takeSamples()
     const bool silentBefore = known->silent;
     for (const bus::Sample& sample : samples)
         take(*known, sample);
-    Q_EMIT tableChanged(known->ref);
-    if (known->servo.status != statusBefore || known->silent != silentBefore)
-        Q_EMIT servoChanged(known->ref);
-    if (known->servo.id != m_live.id) { // it has a new ID now: asked under that one
-        stopPoll();
-        updateLive();
-    }
+    const ServoRef ref = known->ref;
+    const bool news = known->servo.status != statusBefore || known->silent != silentBefore;
+    Q_EMIT tableChanged(ref);
+    if (news)
+        Q_EMIT servoChanged(ref);
 }
 
 void Desk::take(ServoEntry& entry, const bus::Sample& sample)
 {
     const catalog::Profile& profile = *entry.servo.profile;
-    if (sample.id != entry.servo.id)
+    if (sample.id != entry.servo.id || entry.servo.profile != m_live.profile)
         return;
     const auto span =
         std::find_if(m_live.spans.begin(), m_live.spans.end(),

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/scan_plan.h"
 #include "session/desk_work.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace session {
 namespace {
@@ -74,6 +76,8 @@ void Desk::startSearch()
     if (!m_search || m_search->started || m_state != LinkState::Open || m_running)
         return;
     m_search->started = true;
+    m_search->startedAt = now();
+    m_search->staysHere = jobs::ratesToSearch(m_search->spec, baud()) == std::vector{baud()};
     updateLive();
     // Job and search end before they are destroyed: goOn() waits for searchEnded().
     m_searchThread->start([this, search = m_search.get()] { runSearch(*search); });
@@ -107,8 +111,7 @@ void Desk::found(const jobs::Found& one)
         known.heardLate = one.heardLate;
         known.lastSeen = now();
         known.silent = false;
-        if (one.servo.profile)
-            merge(known, one.servo, known.lastSeen);
+        met(known, one);
         changed(known);
         return;
     }
@@ -122,18 +125,40 @@ void Desk::found(const jobs::Found& one)
     insert(std::move(added));
 }
 
+/// Another of its kind may have been put in its place, and nothing in it tells: what was read and
+/// saved before this search began is no longer taken for this servo's.
+void Desk::met(ServoEntry& known, const jobs::Found& one)
+{
+    if (!one.servo.profile || !m_search)
+        return;
+    if (m_search->met.insert(known.ref).second) {
+        known.tableRead = false;
+        known.snapshotPath.clear();
+    }
+    device::Servo heard = one.servo;
+    if (known.servo.profile)
+        heard.profile = known.servo.profile; // who holds its registers may go on
+    merge(known, heard, m_search->startedAt);
+}
+
 void Desk::insert(ServoEntry added)
 {
     const ServoRef ref = added.ref;
-    const auto key = [this](ServoRef r) {
-        const device::Servo& servo = m_servos.at(r).servo;
-        return std::tuple(servo.id, servo.protocol, servo.baud, r);
-    };
     m_servos.emplace(ref, std::move(added));
     const auto place = std::upper_bound(m_order.begin(), m_order.end(), ref,
-                                        [&](ServoRef a, ServoRef b) { return key(a) < key(b); });
+                                        [this](ServoRef a, ServoRef b) { return before(a, b); });
     m_order.insert(place, ref);
     Q_EMIT servoAdded(ref);
+}
+
+/// The order of the list.
+bool Desk::before(ServoRef a, ServoRef b) const
+{
+    const auto key = [this](ServoRef ref) {
+        const device::Servo& servo = m_servos.at(ref).servo;
+        return std::tuple(servo.id, servo.protocol, servo.baud, ref);
+    };
+    return key(a) < key(b);
 }
 
 void Desk::remove(ServoRef ref)

@@ -7,9 +7,14 @@
 
 namespace session {
 namespace {
-bool reached(const base::Error& error)
+bool heardSince(const device::Servo& servo, base::Duration since)
 {
-    return error.code != base::ErrorCode::NoAnswer && error.code != base::ErrorCode::LinkLost;
+    return servo.profile &&
+           std::any_of(servo.profile->registers.begin(), servo.profile->registers.end(),
+                       [&](const catalog::Register& reg) {
+                           const auto at = servo.image.readAt(reg.offset);
+                           return at && *at >= since;
+                       });
 }
 } // namespace
 
@@ -35,9 +40,10 @@ void Desk::perform(ServoRef ref, Task task)
 
 void Desk::enqueue(std::shared_ptr<Work> work)
 {
+    const bool open = m_state == LinkState::Open;
     const bool servoGone = work->ref != 0 && servo(work->ref) == nullptr;
-    if (m_state != LinkState::Open || servoGone) {
-        endUnrun(*work, base::ErrorCode::LinkLost);
+    if (!open || servoGone) {
+        endUnrun(*work, open ? base::ErrorCode::NoAnswer : base::ErrorCode::LinkLost);
         return;
     }
     m_queue.push_back(std::move(work));
@@ -51,7 +57,7 @@ bool Desk::mayRun(const Work& work) const
     if (!m_search)
         return true;
     const ServoEntry* known = servo(work.ref);
-    return m_search->started && m_search->oneRate() && work.readOnly && known != nullptr &&
+    return m_search->started && m_search->staysHere && work.readOnly && known != nullptr &&
            (!hasBaud() || known->servo.baud == baud());
 }
 
@@ -66,7 +72,8 @@ void Desk::startNext()
         const ServoEntry* known = servo(m_running->ref);
         if (known == nullptr) {
             const auto orphan = std::exchange(m_running, nullptr);
-            endUnrun(*orphan, base::ErrorCode::LinkLost);
+            endUnrun(*orphan, base::ErrorCode::NoAnswer);
+            Q_EMIT taskChanged();
             startNext();
             return;
         }
@@ -102,6 +109,10 @@ void Desk::runWork(Work& work)
         }
         work.savedPath = *saved;
     }
+    if (work.stop.requested()) {
+        work.error = base::Error{base::ErrorCode::Stopped, work.task.name, {}, work.servo.id};
+        return;
+    }
     TaskContext task{context, work.servo, work.stop, [this](const jobs::Progress& progress) {
                          m_inbox.post([this, progress] { Q_EMIT taskProgress(progress); });
                      }};
@@ -113,11 +124,11 @@ void Desk::workEnded(const std::shared_ptr<Work>& work)
 {
     m_running.reset();
     if (ServoEntry* known = entry(work->ref)) {
-        if (!work->error || reached(*work->error)) {
+        if (work->error && work->error->code == base::ErrorCode::NoAnswer) {
+            known->silent = true;
+        } else if (!work->error || heardSince(work->servo, work->startedAt)) {
             known->lastSeen = now();
             known->silent = false;
-        } else {
-            known->silent = work->error->code == base::ErrorCode::NoAnswer;
         }
         if (!work->savedPath.isEmpty()) {
             known->snapshotPath = work->savedPath;
@@ -193,16 +204,16 @@ void Desk::merge(ServoEntry& into, const device::Servo& from, base::Duration sin
 
 void Desk::sortOrder()
 {
-    std::stable_sort(m_order.begin(), m_order.end(), [this](ServoRef a, ServoRef b) {
-        return m_servos.at(a).servo.id < m_servos.at(b).servo.id;
-    });
+    std::sort(m_order.begin(), m_order.end(),
+              [this](ServoRef a, ServoRef b) { return before(a, b); });
     Q_EMIT orderChanged();
 }
 
 void Desk::changed(const ServoEntry& entry)
 {
-    Q_EMIT servoChanged(entry.ref);
-    Q_EMIT tableChanged(entry.ref);
+    const ServoRef ref = entry.ref; // who hears of it may change the list
+    Q_EMIT servoChanged(ref);
+    Q_EMIT tableChanged(ref);
 }
 
 void Desk::readTable(ServoRef ref)

@@ -26,10 +26,10 @@ struct Desk::Work {
 struct Desk::Search {
     jobs::ScanSpec spec;
     bool started = false;
+    base::Duration startedAt{};
+    std::set<ServoRef> met{}; ///< known before and found again
+    bool staysHere = false;   ///< at the port's rate: other work can go on beside it
     base::Stop stop;
     device::Notices notices;
-
-    /// Other work can go on beside it.
-    bool oneRate() const { return spec.bauds.size() <= 1; }
 };
 } // namespace session

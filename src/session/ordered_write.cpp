@@ -119,6 +119,8 @@ base::Result<void> writeInOrder(const Context& context, Servo& servo,
     std::stable_sort(ordered.begin(), ordered.end(),
                      [&](const WriteItem& a, const WriteItem& b) { return way(a) < way(b); });
     for (std::size_t i = 0; i < ordered.size();) {
+        if (context.stop.requested())
+            return base::fail(base::ErrorCode::Stopped, QStringLiteral("write"), {}, servo.id);
         std::size_t end = i + 1;
         std::vector<WriteItem> plain{ordered[i]};
         const Way how = way(ordered[i]);

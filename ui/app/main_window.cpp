@@ -200,6 +200,9 @@ void MainWindow::searchEnded()
 {
     if (m_selection.current() == 0 && m_desk.servos().size() == 1)
         m_selection.select(m_desk.servos().front());
+    const session::ServoEntry* shown = m_desk.servo(m_selection.current());
+    if (shown != nullptr && shown->servo.profile && !shown->tableRead)
+        m_desk.readTable(m_selection.current());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

@@ -10,6 +10,9 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include <atomic>
+#include <thread>
+
 using session::Desk;
 using session::LinkState;
 using session::ServoRef;
@@ -99,6 +102,46 @@ private Q_SLOTS:
         QCOMPARE(desk.state(), LinkState::Off);
     }
 
+    /// Whatever is asked while a port is still being opened, the latest wish is what happens.
+    void theLatestPortAskedForIsTheOneThatOpens()
+    {
+        support::OwnDataFolder place;
+        session::Session session;
+        Desk desk(session);
+        QStringList connected;
+        connect(&desk, &Desk::happened, &desk, [&](const session::Event& event) {
+            if (event.kind == session::Event::Kind::Connected)
+                connected << event.task;
+        });
+        desk.connectTo({.name = QStringLiteral("sim:modbus")});
+        desk.connectTo({.name = QStringLiteral("sim:lx")});
+        desk.connectTo({.name = QStringLiteral("sim:demo")});
+        QTRY_COMPARE(desk.state(), LinkState::Open);
+        QCOMPARE(connected, QStringList{QStringLiteral("sim:demo")});
+        desk.disconnectFrom();
+        QTRY_COMPARE(desk.state(), LinkState::Off);
+        desk.connectTo({.name = QStringLiteral("sim:lx")});
+        desk.disconnectFrom();
+        desk.disconnectFrom();
+        QCOMPARE(desk.state(), LinkState::Closing); // what is being opened is waited for
+        QTRY_COMPARE(desk.state(), LinkState::Off);
+        QVERIFY(desk.connection() == nullptr);
+        QCOMPARE(connected.size(), 1);
+    }
+
+    void closingIsToldOnceAndNotFromWithin()
+    {
+        Bench bench;
+        QVERIFY(bench.opened);
+        QSignalSpy closed(&bench.desk, &Desk::closed);
+        bench.desk.close();
+        QCOMPARE(closed.size(), 0);
+        QTRY_COMPARE(closed.size(), 1);
+        QCoreApplication::processEvents();
+        QCOMPARE(closed.size(), 1);
+        QCOMPARE(bench.desk.state(), LinkState::Off);
+    }
+
     void servosAppearWhileTheSearchRuns()
     {
         Bench bench;
@@ -140,6 +183,85 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.desk.searching());
         QVERIFY(bench.desk.lastSearch()->stopped);
         QCOMPARE(bench.desk.baud(), 1'000'000);
+    }
+
+    /// What is read beside it waits while a search is at other rates, and goes to its own rate.
+    void aSearchAtAnotherRateIsNotDisturbed()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        bench.desk.search({.firstId = 0, .lastId = 100, .bauds = {500'000}});
+        bench.desk.readTable(ref);
+        QVERIFY(bench.desk.searching());
+        QVERIFY(bench.entry(ref).reading);
+        QTRY_VERIFY(!bench.desk.searching());
+        for (const ServoRef other : bench.desk.servos())
+            QCOMPARE(bench.entry(other).servo.baud, 1'000'000);
+        QVERIFY(!bench.entry(ref).tableRead); // it has waited
+        QVERIFY(bench.settle());
+        QVERIFY(!bench.entry(ref).readError);
+        QVERIFY(bench.entry(ref).tableRead);
+    }
+
+    /// It was asked for while something else ran, and a slow search waited for that too.
+    void aReadingThatWaitedGoesOnBesideTheSearch()
+    {
+        Bench bench(QStringLiteral("sim:lx"));
+        QVERIFY(bench.search({.firstId = 0, .lastId = 10, .bauds = {}}));
+        QVERIFY(!bench.desk.servos().empty());
+        const ServoRef ref = bench.desk.servos().front();
+        const ServoRef other = bench.desk.servos().back();
+        QVERIFY(ref != other);
+        bench.desk.readTable(ref);
+        bench.desk.search({});
+        bench.desk.readTable(other);
+        QTRY_VERIFY(bench.entry(other).tableRead);
+        QVERIFY(bench.desk.searching());
+        bench.desk.stopSearch();
+        QTRY_VERIFY(!bench.desk.searching());
+    }
+
+    /// Nothing tells a servo from another one put in its place with the same ID.
+    void aServoFoundAgainIsReadAnew()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        QVERIFY(bench.write(ref, positionP, 40));
+        bench.desk.readTable(ref);
+        QVERIFY(bench.settle());
+        QVERIFY(bench.entry(ref).tableRead);
+        const auto profile = bench.entry(ref).servo.profile;
+        QVERIFY(bench.search());
+        QVERIFY(!bench.entry(ref).tableRead);
+        QVERIFY(!bench.raw(ref, positionP));
+        QCOMPARE(bench.entry(ref).servo.profile, profile);
+        QVERIFY(bench.write(ref, positionP, 41)); // and saved anew
+        const QFileInfo saved(bench.entry(ref).snapshotPath);
+        QCOMPARE(saved.dir().entryList(QDir::Files).size(), 2);
+    }
+
+    void aTaskForAServoThatLeftTheListEndsAndNobodyIsBusy()
+    {
+        Bench bench(QStringLiteral("sim:sts3215@1,sts3215@2"));
+        QVERIFY(bench.search());
+        const ServoRef second = bench.at(2);
+        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {2}; });
+        bool busy = true;
+        connect(&bench.desk, &Desk::taskChanged, &bench.desk, [&] { busy = bench.desk.busy(); });
+        std::optional<session::TaskEnd> end;
+        session::Task task;
+        task.name = QStringLiteral("nothing");
+        task.guard = &bench.desk;
+        task.work = [](session::TaskContext&) -> base::Result<void> { return {}; };
+        task.done = [&](const session::TaskEnd& how) { end = how; };
+        bench.desk.search({.firstId = 0, .lastId = 10, .bauds = {500'000, 1'000'000}});
+        bench.desk.perform(second, task);
+        QTRY_VERIFY(end);
+        QVERIFY(bench.desk.servo(second) == nullptr);
+        QCOMPARE(end->error->code, base::ErrorCode::NoAnswer);
+        QVERIFY(!busy);
     }
 
     /// A slow search must not keep the technician from a servo that was found already.
@@ -407,6 +529,31 @@ private Q_SLOTS:
         QCOMPARE(bench.troubles(), QByteArray());
         QCOMPARE(bench.outcome(ref, positionP), std::optional(device::WriteOutcome::Kept));
         QCOMPARE(bench.outcome(ref, minAngle), std::optional(device::WriteOutcome::Kept));
+    }
+
+    /// Between saving the table and switching torque on there is nothing on the wire to preempt.
+    void aTaskThatHasBegunDoesNothingAfterAnEmergencyStop()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        std::atomic<bool> begun = false;
+        std::optional<session::TaskEnd> end;
+        session::Task task;
+        task.name = QStringLiteral("between");
+        task.guard = &bench.desk;
+        task.work = [&](session::TaskContext& context) -> base::Result<void> {
+            begun = true;
+            while (!context.stop.requested())
+                std::this_thread::yield();
+            return base::fail(base::ErrorCode::Stopped);
+        };
+        task.done = [&](const session::TaskEnd& how) { end = how; };
+        bench.desk.perform(ref, task);
+        QTRY_VERIFY(begun);
+        bench.desk.emergencyStop();
+        QTRY_VERIFY(end);
+        QCOMPARE(end->error->code, base::ErrorCode::Stopped);
     }
 
     void theEmergencyStopTakesTorqueOff()
