@@ -4,6 +4,7 @@
 #include "gui/window_bench.h"
 
 #include <QSet>
+#include <QToolButton>
 
 using ui::Command;
 
@@ -56,6 +57,23 @@ private Q_SLOTS:
             const QString tip = bench.action(command)->statusTip();
             QVERIFY2(tip != english[static_cast<int>(command)], qPrintable(tip));
         }
+    }
+
+    /// "断开(&D)" is for a menu; a button says "断开".
+    void buttonsShowNoKeysOfMenus()
+    {
+        gui::WindowBench bench(QStringLiteral("zh_CN"));
+        QVERIFY(bench.ready(1));
+        QVERIFY(bench.action(Command::Disconnect)->text().contains(QStringLiteral("(&")));
+        int seen = 0;
+        for (const QToolButton* button : bench.window->findChildren<QToolButton*>()) {
+            const bool command = button->defaultAction() != nullptr;
+            seen += command ? 1 : 0;
+            for (const QString& words : {button->text(), button->accessibleName()})
+                QVERIFY2(!command || !words.contains(QLatin1Char('(')), qPrintable(words));
+        }
+        QVERIFY(seen > 5);
+        QCOMPARE(bench.find<QToolButton>("connectButton")->text(), QStringLiteral("断开"));
     }
 
     void noTwoCommandsShareAShortcut()

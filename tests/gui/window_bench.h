@@ -27,6 +27,7 @@ public:
         ui::initProgram();
         settings.setChoice(QStringLiteral("search/last_id"), 10); // where the simulated ones are
         languages.apply(language);
+        bench.commands.retranslate(); // the program speaks the language before it has commands
         themes.apply(look);
         window = std::make_unique<ui::MainWindow>(bench, settings, themes, languages);
         window->resize(1280, 800);
@@ -70,6 +71,7 @@ public:
     void speak(const QString& language)
     {
         languages.apply(language);
+        bench.commands.retranslate(); // the program speaks the language before it has commands
         QCoreApplication::processEvents();
     }
 

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QIcon>
+#include <QRegularExpression>
 
 namespace ui {
 namespace {
@@ -103,6 +104,13 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
 }};
 // clang-format on
 
+/// Without the key of a menu: Chinese ones carry it in brackets, which a button must not show.
+QString buttonText(QString text)
+{
+    static const QRegularExpression menuKey(QStringLiteral("\\(&.\\)"));
+    return text.remove(menuKey).remove(QLatin1Char('&'));
+}
+
 const Row& rowOf(std::size_t index)
 {
     Q_ASSERT(static_cast<std::size_t>(table[index].command) == index);
@@ -162,6 +170,7 @@ void Commands::retranslate()
         QAction* action = m_actions[i];
         const Row& row = rowOf(i);
         action->setText(QCoreApplication::translate("Commands", row.text));
+        action->setIconText(buttonText(action->text()));
         QString tip = QCoreApplication::translate("Commands", row.tip);
         action->setStatusTip(tip);
         if (!action->shortcut().isEmpty())

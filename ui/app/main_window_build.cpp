@@ -39,7 +39,7 @@ void MainWindow::build()
     buildDocks();
     buildStatusBar();
     m_menus = new Menus(*menuBar(), m_commands,
-                        {m_searchDock->toggleViewAction(), m_logDock->toggleViewAction()});
+                        {m_searchDock->toggleViewAction(), m_commands.action(Command::MessageLog)});
     // Actions in no menu that is open still answer to their keys.
     for (int i = 0; i < static_cast<int>(Command::Count); ++i)
         addAction(m_commands.action(static_cast<Command>(i)));

@@ -50,7 +50,7 @@ void MessageLine::fill()
     m_text->setToolTip((QStringList{m_words.line} + m_words.more).join(QLatin1Char('\n')));
     m_text->setAccessibleName(tr("Latest message"));
     m_text->setAccessibleDescription(m_text->toolTip());
-    m_undo->setAccessibleName(m_commands.action(Command::Undo)->text().remove(QLatin1Char('&')));
+    m_undo->setAccessibleName(m_commands.action(Command::Undo)->iconText());
     elide();
 }
 

@@ -37,8 +37,8 @@ ShortcutList::ShortcutList(const Commands& commands, QWidget* parent)
         const QAction* action = commands.action(static_cast<Command>(i));
         if (action->shortcut().isEmpty())
             continue;
-        addRow(*list, action->shortcut().toString(QKeySequence::NativeText),
-               action->text().remove(QLatin1Char('&')), action->statusTip());
+        addRow(*list, action->shortcut().toString(QKeySequence::NativeText), action->iconText(),
+               action->statusTip());
     }
     list->header()->setStretchLastSection(true);
     for (int column = 0; column < 2; ++column)

@@ -243,7 +243,7 @@ void MemoryToolbar::retranslate()
     name(m_help, tr("Explain this row"),
          tr("Show everything that is known about the selected row"));
     for (QToolButton* button : m_commandButtons)
-        button->setAccessibleName(button->defaultAction()->text().remove(QLatin1Char('&')));
+        button->setAccessibleName(button->defaultAction()->iconText());
 }
 
 void MemoryToolbar::changeEvent(QEvent* event)
