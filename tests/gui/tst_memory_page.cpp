@@ -472,6 +472,7 @@ void TestMemoryPage::readOnlyRowsSaySo()
     auto* banner = bench.child<QWidget>("memoryBanner");
     QVERIFY(banner->isVisible());
     QVERIFY(allText(banner).contains(QStringLiteral("only be read")));
+    QVERIFY(allText(banner).contains(QStringLiteral("Present voltage"))); // not its key
     QVERIFY(!bench.panel().editor());
 }
 

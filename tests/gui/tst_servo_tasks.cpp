@@ -215,7 +215,7 @@ void TestServoTasks::restoringShowsWhereTheTableIs()
     QVERIFY(gui::ended(dialog));
     const QString said = gui::resultOf(dialog);
     QVERIFY2(said.startsWith(QStringLiteral("✓")), qPrintable(said));
-    QVERIFY(said.contains(text("max_temperature")));
+    QVERIFY(said.contains(text("Maximum temperature")));
     static const QRegularExpression file(text("(/\\S+\\.servo\\.json)"));
     const QString path = file.match(said).captured(1);
     QFile saved(path);
@@ -264,6 +264,7 @@ void TestServoTasks::identifyPutsTheLedBack()
     gui::click(dialog, "taskStop");
     QVERIFY(gui::ended(dialog, 1000));
     QVERIFY(gui::resultOf(dialog).contains(text("as it was before")));
+    QVERIFY(gui::resultOf(dialog).contains(text("LED alarm condition"))); // not its key
     QCOMPARE(bench.raw(1, "led_alarm_condition"), before);
     QVERIFY(bench.session.journal().open()->empty());
 }

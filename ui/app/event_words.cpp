@@ -5,6 +5,7 @@
 #include "text/language.h"
 #include "text/notice_words.h"
 #include "text/translate.h"
+#include "ui/models/memory_words.h"
 
 #include <QDir>
 
@@ -40,11 +41,20 @@ EventWords failed(const base::Error& error)
     return result;
 }
 
+const catalog::Register* registerOf(const session::ServoEntry* servo, const QString& key)
+{
+    return servo != nullptr && servo->servo.profile ? servo->servo.profile->find(key) : nullptr;
+}
+
+EventWords failed(const base::Error& error, const session::ServoEntry* servo)
+{
+    return failed(withName(error, registerOf(servo, error.registerKey)));
+}
+
 /// "minimum angle limit 0 → 300, kept".
 QString changeWords(const device::WriteResult& write, const session::ServoEntry* servo)
 {
-    const catalog::Register* reg =
-        servo != nullptr && servo->servo.profile ? servo->servo.profile->find(write.key) : nullptr;
+    const catalog::Register* reg = registerOf(servo, write.key);
     const QString name = reg != nullptr ? reg->name.in(text::inChinese()) : write.key;
     const QString old = write.oldRaw ? QString::number(*write.oldRaw) : QStringLiteral("–");
     return text::translate("EventWords", "%1 %2 → %3, %4")
@@ -66,18 +76,18 @@ Tone toneOf(device::WriteOutcome outcome)
 
 EventWords written(const Event& event, const session::Desk& desk)
 {
+    const session::ServoEntry* servo = desk.servo(event.servo);
     if (event.error && !event.report)
-        return failed(*event.error);
+        return failed(*event.error, servo);
     EventWords words = good({});
     QStringList changes;
-    const session::ServoEntry* servo = desk.servo(event.servo);
     for (const device::WriteResult& write : event.report->writes) {
         changes << changeWords(write, servo);
         const Tone tone = toneOf(write.outcome);
         if (words.tone != Tone::Bad && tone != Tone::Good)
             words.tone = tone;
         if (write.error)
-            words.more += failed(*write.error).more;
+            words.more += failed(*write.error, servo).more;
     }
     words.sign = words.tone == Tone::Good   ? QStringLiteral("✓")
                  : words.tone == Tone::Warn ? QStringLiteral("!")
@@ -137,7 +147,7 @@ EventWords sentence(const Event& event, const session::Desk& desk)
     case Event::Kind::Written:
         return written(event, desk);
     case Event::Kind::Task:
-        return event.error ? failed(*event.error)
+        return event.error ? failed(*event.error, desk.servo(event.servo))
                            : good(text::translate("EventWords", "ID %1 · %2: done")
                                       .arg(event.id)
                                       .arg(taskWord(event.task)));
@@ -145,7 +155,7 @@ EventWords sentence(const Event& event, const session::Desk& desk)
         return warned(
             text::translate("EventWords", "Stop sent: torque off for everybody on the bus"));
     case Event::Kind::Failed:
-        return event.error ? failed(*event.error) : EventWords{};
+        return event.error ? failed(*event.error, desk.servo(event.servo)) : EventWords{};
     }
     return {};
 }

@@ -54,7 +54,8 @@ void IdentifyDialog::act()
         tell([this, report, notices = end.notices] {
             TaskWords words{Tone::Good, translate("ServoTasks", "The LED is as it was before.")};
             words.more << QStringLiteral("%1 = %2").arg(
-                report->key, valueWord(entry()->servo, report->key, report->before));
+                registerWord(entry()->servo, report->key),
+                valueWord(entry()->servo, report->key, report->before));
             words.more += noticeLines(notices);
             return words;
         });

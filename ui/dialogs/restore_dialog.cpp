@@ -14,14 +14,14 @@ using text::translate;
 namespace {
 constexpr int shownKeys = 8;
 
-QString changedLine(const std::vector<QString>& keys)
+QString changedLine(const std::vector<QString>& keys, const device::Servo& servo)
 {
     if (keys.empty())
         return translate("ServoTasks", "No setting differs from before.");
     QStringList shown;
     for (const QString& key : keys) {
         if (shown.size() < shownKeys)
-            shown << key;
+            shown << registerWord(servo, key);
     }
     if (static_cast<int>(keys.size()) > shownKeys)
         shown << QStringLiteral("…");
@@ -88,7 +88,7 @@ TaskWords RestoreDialog::wordsOf(const Outcome& outcome, const session::TaskEnd&
                           .arg(report.oldId)
                           .arg(report.newId)
                           .arg(rateText(report.oldBaud), rateText(report.newBaud))
-                   << changedLine(report.changed) << lockLine(report.lock);
+                   << changedLine(report.changed, entry()->servo) << lockLine(report.lock);
     }
     if (!outcome.path.isEmpty())
         words.more << translate("ServoTasks", "The settings before are in %1")

@@ -37,6 +37,12 @@ QString valueWord(const device::Servo& servo, const QString& key,
     return meaning.unit.isEmpty() ? shown : QStringLiteral("%1 (%2)").arg(*raw).arg(shown);
 }
 
+QString registerWord(const device::Servo& servo, const QString& key)
+{
+    const catalog::Register* reg = servo.profile ? servo.profile->find(key) : nullptr;
+    return reg != nullptr ? reg->name.in(text::inChinese()) : key;
+}
+
 QString lockLine(device::LockState lock)
 {
     if (lock == device::LockState::None)
@@ -86,10 +92,8 @@ TaskWords writeWords(const session::ServoEntry& entry, const device::WriteReport
     for (const device::WriteResult& write : report.writes) {
         const QString before =
             write.oldRaw ? valueWord(entry.servo, write.key, write.oldRaw) : QStringLiteral("?");
-        const catalog::Register* reg =
-            entry.servo.profile ? entry.servo.profile->find(write.key) : nullptr;
         told.more << QStringLiteral("%1: %2 → %3, %4")
-                         .arg(reg != nullptr ? reg->name.in(text::inChinese()) : write.key, before,
+                         .arg(registerWord(entry.servo, write.key), before,
                               valueWord(entry.servo, write.key, write.newRaw),
                               text::outcomeWord(device::outcomeName(write.outcome)));
         if (!write.error)

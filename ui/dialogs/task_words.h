@@ -23,6 +23,8 @@ QString modelName(const session::ServoEntry& entry);
 QString valueWord(const device::Servo& servo, const QString& key,
                   const std::optional<std::int64_t>& raw);
 
+QString registerWord(const device::Servo& servo, const QString& key); ///< its name, else the key
+
 QString lockLine(device::LockState lock); ///< "EPROM lock: closed"
 QStringList noticeLines(const device::Notices& notices);
 TaskWords errorWords(const base::Error& error); ///< what, likely cause, what to do

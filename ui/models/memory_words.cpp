@@ -123,6 +123,13 @@ QString memoryHeaderHelp(MemoryColumn column)
     return {};
 }
 
+base::Error withName(base::Error error, const catalog::Register* reg)
+{
+    if (reg != nullptr && error.registerKey == reg->key)
+        error.registerKey = reg->name.in(text::inChinese());
+    return error;
+}
+
 QString registerName(const MemoryRow& row)
 {
     return row.meaning.name.in(text::inChinese());

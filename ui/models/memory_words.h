@@ -31,6 +31,9 @@ QString memoryText(const MemoryRow& row, MemoryColumn column, bool physicalFirst
 /// Everything there is to say about the cell; never empty.
 QString memoryTip(const MemoryRow& row, MemoryColumn column, bool physicalFirst);
 
+/// The error with the register's name, as the table has it, in place of its key.
+base::Error withName(base::Error error, const catalog::Register* reg);
+
 QString registerName(const MemoryRow& row); ///< without the mark of a changed row
 QString stateWord(const MemoryRow& row);    ///< with its sign: "✓ kept"
 QString stateHelp(const MemoryRow& row);    ///< a sentence, with the error's cause and remedy

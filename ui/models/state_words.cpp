@@ -122,7 +122,7 @@ QString stateHelp(const MemoryRow& row)
 {
     QStringList lines{meaningOfState(row)};
     if (row.error && tellsError(row.state)) {
-        const text::Description words = text::describe(*row.error);
+        const text::Description words = text::describe(withName(*row.error, row.reg));
         lines << words.what << words.cause << words.remedy;
     }
     if (row.age.seconds == 0)

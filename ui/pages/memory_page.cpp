@@ -2,6 +2,8 @@
 #include "ui/pages/memory_page.h"
 
 #include "device/writer.h"
+#include "text/error_words.h"
+#include "ui/models/memory_words.h"
 #include "ui/pages/history_panel.h"
 #include "ui/pages/lock_badge.h"
 #include "ui/pages/memory_output.h"
@@ -25,7 +27,7 @@ namespace {
 // Of the panel beside the table, in letters; between them a share of the width.
 constexpr int leastPanel = 28;
 constexpr int mostPanel = 48;
-constexpr int panelPercent = 28;
+constexpr int panelPercent = 22;
 
 /// What the servo left out of its whole table it never tells (stored move of some LX).
 bool answersTo(const session::ServoEntry& entry, const catalog::Register& reg)
@@ -151,11 +153,15 @@ void MemoryPage::explainReadOnly(const QModelIndex& index)
     const QModelIndex source = m_filter.mapToSource(index);
     if (!source.isValid())
         return;
-    base::Error error{base::ErrorCode::ReadOnly, QStringLiteral("write")};
-    error.registerKey = m_model.row(source.row()).reg->key;
+    const catalog::Register* reg = m_model.row(source.row()).reg;
     m_standing = false;
     m_complaining = true;
-    m_banner->present(error);
+    m_banner->present([reg, profile = m_model.profile()] { // the profile is the register's home
+        base::Error error{base::ErrorCode::ReadOnly, QStringLiteral("write")};
+        error.registerKey = reg->key;
+        const text::Description words = text::describe(withName(error, reg));
+        return BannerWords{Tone::Warn, words.what, words.cause, words.remedy};
+    });
 }
 
 void MemoryPage::updateLive()
