@@ -162,6 +162,22 @@ private Q_SLOTS:
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
     }
 
+    void theUsualWindowShowsEveryColumn_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << "en";
+        QTest::newRow("Chinese") << "zh_CN";
+    }
+    void theUsualWindowShowsEveryColumn()
+    {
+        QFETCH(QString, language);
+        gui::WindowBench bench(language);
+        QVERIFY(bench.ready(1));
+        const auto* table = bench.find<QTableView>("memoryTable");
+        for (int column = 0; column < table->model()->columnCount(); ++column)
+            QVERIFY2(!table->isColumnHidden(column), qPrintable(QString::number(column)));
+    }
+
     void whateverCanBeUsedHasNames()
     {
         gui::WindowBench bench;

@@ -20,6 +20,8 @@ using namespace std::chrono_literals;
 constexpr auto refreshDelay = 25ms; // forty looks a second are more than an eye follows
 constexpr auto ageStep = 1s;
 constexpr auto liveDelay = 150ms;
+constexpr int sideMargin = 4; // the table needs every letter of the width
+constexpr int topMargin = 8;
 } // namespace
 
 MemoryPage::MemoryPage(session::Desk& desk, Commands& commands, Selection& selection,
@@ -74,6 +76,7 @@ void MemoryPage::build(session::Settings& settings)
     m_splitter->addWidget(side);
     connect(m_splitter, &QSplitter::splitterMoved, this, [this] { m_ownSplit = true; });
     auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(sideMargin, topMargin, sideMargin, 0);
     column->addWidget(m_toolbar);
     column->addWidget(m_banner);
     column->addWidget(m_splitter, 1);

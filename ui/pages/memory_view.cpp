@@ -15,6 +15,9 @@ namespace {
 constexpr std::array spare{MemoryColumn::Area, MemoryColumn::Range, MemoryColumn::Default,
                            MemoryColumn::Access};
 
+// In letters: "temporary · 12 s" with its sign. Longer ones must not make columns vanish.
+constexpr int usualState = 17;
+
 int section(MemoryColumn column)
 {
     return static_cast<int>(column);
@@ -125,7 +128,7 @@ void MemoryView::measureColumn(MemoryColumn column, bool mayShrink)
     if (column == MemoryColumn::Physical)
         width = std::clamp(width, 11 * em, 26 * em);
     if (column == MemoryColumn::State)
-        width = std::clamp(width, 16 * em, 28 * em);
+        width = std::clamp(width, usualState * em, 28 * em);
     if (column == MemoryColumn::Name)
         width = std::min(width, 34 * em);
     width = std::max(width, horizontalHeader()->sectionSizeHint(index));
@@ -161,14 +164,16 @@ void MemoryView::fit()
     const int room = viewport()->width();
     const auto name = static_cast<std::size_t>(MemoryColumn::Name);
     const auto physical = static_cast<std::size_t>(MemoryColumn::Physical);
+    const auto state = static_cast<std::size_t>(MemoryColumn::State);
     auto widths = m_wanted;
     const auto atLeast = [&](MemoryColumn column, int least) {
         const auto index = static_cast<std::size_t>(column);
         const int header = horizontalHeader()->sectionSizeHint(section(column));
         widths[index] = std::min(widths[index], std::max(least, header));
     };
-    atLeast(MemoryColumn::Name, 25 * em);
-    atLeast(MemoryColumn::Physical, 14 * em);
+    atLeast(MemoryColumn::Name, 22 * em);
+    atLeast(MemoryColumn::Physical, 12 * em);
+    atLeast(MemoryColumn::State, usualState * em);
     int needed = std::accumulate(widths.begin(), widths.end(), 0);
     std::array<bool, memoryColumns> shown{};
     shown.fill(true);
@@ -189,7 +194,7 @@ void MemoryView::fit()
         needed -= less;
     }
     int left = std::max(0, room - needed);
-    for (const auto index : {name, physical}) {
+    for (const auto index : {state, name, physical}) {
         const int more = std::min(left, m_wanted[index] - widths[index]);
         widths[index] += more;
         left -= more;
