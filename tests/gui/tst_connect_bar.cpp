@@ -101,6 +101,7 @@ private Q_SLOTS:
     void rememberedForEachAdapter();
     void theLastOneIsSuggested();
     void figuresAreShown();
+    void aStopIsNoError();
     void searchesAreNoErrors();
     void failuresAreTold_data();
     void failuresAreTold();
@@ -235,6 +236,24 @@ void TestConnectBar::figuresAreShown()
     QTRY_VERIFY2_WITH_TIMEOUT(busy.match(status->words()).hasMatch(), qPrintable(status->words()),
                               5000);
     QVERIFY(status->toolTip().contains(QStringLiteral("Round trip")));
+}
+
+/// Every servo answers to the stop, and nobody waits for it.
+void TestConnectBar::aStopIsNoError()
+{
+    Bench bench;
+    auto* status = bench.find<ui::Pill>("linkStatus");
+    QVERIFY(bench.open(QStringLiteral("sim:sts3215@1,sts3215@2")));
+    QVERIFY(bench.search({.firstId = 0, .lastId = 2, .bauds = {}}));
+    const auto sum = [&] { return bench.desk.statistics().total; };
+    const auto before = sum().foreign;
+    bench.desk.emergencyStop();
+    QTRY_VERIFY(sum().foreign > before);
+    bench.desk.readTable(bench.ref(1));
+    const auto answered = sum().ok;
+    QTRY_VERIFY(sum().ok > answered);
+    QTRY_VERIFY_WITH_TIMEOUT(!status->words().startsWith(QStringLiteral("0 reads/s")), 5000);
+    QVERIFY2(status->words().contains(QStringLiteral(" 0 errors")), qPrintable(status->words()));
 }
 
 void TestConnectBar::searchesAreNoErrors()

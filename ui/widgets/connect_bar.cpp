@@ -82,6 +82,13 @@ void ConnectBar::connectSignals()
         if (m_state == LinkState::Open)
             m_meter.look(m_desk.statistics(), !m_desk.searching(), m_desk.now());
     });
+    // Nor do the answers to a stop, which nobody waits for.
+    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
+        if (event.kind != session::Event::Kind::Stopped || m_state != LinkState::Open)
+            return;
+        m_meter.look(m_desk.statistics(), m_desk.searching(), m_desk.now());
+        m_stopped = true;
+    });
     connect(m_commands.action(Command::Connect), &QAction::triggered, this,
             &ConnectBar::connectNow);
     connect(m_commands.action(Command::UseSimulation), &QAction::triggered, this, [this] {
@@ -207,18 +214,19 @@ void ConnectBar::showButton()
         m_button->setDefaultAction(wanted);
         m_button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     }
-    const QString words = QString(wanted->text()).remove(QLatin1Char('&'));
-    m_button->setAccessibleName(words);
+    m_button->setAccessibleName(wanted->iconText());
     int width = 0;
     for (const Command command : {Command::Connect, Command::Disconnect})
-        width = qMax(width, fontMetrics().horizontalAdvance(m_commands.action(command)->text()));
+        width =
+            qMax(width, fontMetrics().horizontalAdvance(m_commands.action(command)->iconText()));
     m_button->setMinimumWidth(width + 24);
 }
 
 void ConnectBar::look()
 {
     if (m_state == LinkState::Open)
-        m_meter.look(m_desk.statistics(), m_desk.searching(), m_desk.now());
+        m_meter.look(m_desk.statistics(), m_desk.searching() || m_stopped, m_desk.now());
+    m_stopped = false;
     showStatistics();
 }
 

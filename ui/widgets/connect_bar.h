@@ -67,6 +67,7 @@ private:
 
     QTimer m_timer;
     LinkMeter m_meter;
+    bool m_stopped = false; ///< torque was taken off the whole bus since the last look
     session::LinkState m_state = session::LinkState::Off;
 };
 } // namespace ui
