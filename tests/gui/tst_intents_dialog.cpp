@@ -251,6 +251,8 @@ void TestIntentsDialog::nothingOpenSaysSo()
     QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QVERIFY(gui::resultOf(dialog).contains(text("No change was left open")));
+    QVERIFY(!gui::textOf(dialog, "explanation").contains(text("Choose what to do")));
+    QCOMPARE(gui::button(dialog, "intentLater")->text(), text("Close"));
     QVERIFY(!gui::button(dialog, "intentForget")->isEnabled());
 }
 

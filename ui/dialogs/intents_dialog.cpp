@@ -54,7 +54,6 @@ IntentsDialog::IntentsDialog(Desk& desk, const std::vector<Recovered>& intents, 
     connect(m_undo, &QPushButton::clicked, this, [this] { settle(RecoverAction::Undo); });
     connect(m_forget, &QPushButton::clicked, this, &IntentsDialog::forget);
     connect(m_later, &QPushButton::clicked, this, &QDialog::reject);
-    retranslate();
     found(intents);
 }
 
@@ -100,12 +99,17 @@ void IntentsDialog::retranslate()
 {
     setWindowTitle(translate("ServoTasks", "Interrupted writes"));
     setAccessibleName(windowTitle());
+    const bool none = m_model->rowCount() == 0;
     m_explanation->setText(
-        translate("ServoTasks",
-                  "These changes were begun and have no end in the journal: a cable was pulled, "
-                  "power failed, or the program was ended. Looking at them wrote nothing. Choose "
-                  "what to do with each; what is left for later is offered again at the next "
-                  "connection."));
+        none ? translate("ServoTasks",
+                         "Changes that were begun and have no end in the journal, because a cable "
+                         "was pulled, power failed, or the program was ended, are listed here.")
+             : translate(
+                   "ServoTasks",
+                   "These changes were begun and have no end in the journal: a cable was pulled, "
+                   "power failed, or the program was ended. Looking at them wrote nothing. Choose "
+                   "what to do with each; what is left for later is offered again at the next "
+                   "connection."));
     const auto say = [](QPushButton* button, const QString& text, const QString& tip) {
         button->setText(text);
         button->setAccessibleName(text);
@@ -117,7 +121,7 @@ void IntentsDialog::retranslate()
         translate("ServoTasks", "Put the old values back, prove them, and close the lock"));
     say(m_forget, translate("ServoTasks", "Forget…"),
         translate("ServoTasks", "Strike it from the journal; the servo is left as it is"));
-    say(m_later, translate("ServoTasks", "Later"),
+    say(m_later, none ? translate("ServoTasks", "Close") : translate("ServoTasks", "Later"),
         translate("ServoTasks", "Close this list; nothing is written"));
     m_table->setAccessibleName(translate("ServoTasks", "Interrupted writes"));
     m_table->setToolTip(translate("ServoTasks", "Writes without an end in the journal"));
@@ -176,6 +180,7 @@ void IntentsDialog::found(const std::vector<Recovered>& all)
         return;
     }
     m_model->setIntents(all);
+    retranslate();
     if (!all.empty())
         m_table->selectRow(0);
     for (int column = 0; column < m_model->columnCount() - 1; ++column)
@@ -206,6 +211,7 @@ void IntentsDialog::settled(const std::vector<Recovered>& one)
     }
     if (!one.empty() && one.front().done)
         m_model->remove(uuid);
+    retranslate();
     // What else is open now is a matter of looking.
     m_desk.lookForIntents();
     updateButtons();
