@@ -18,6 +18,14 @@ constexpr Colours lightColours{0xfff3f4f6, 0xffffffff, 0xfff8f9fb, 0xff1f2430, 0
 constexpr Colours darkColours{0xff26292f, 0xff2d3138, 0xff31353d, 0xffe6e8ec, 0xffa3abb8,
                               0xff353a43, 0xff4b515c, 0xff3d82ea, 0xffffffff, 0xff3a3f49};
 
+/// What cannot be used now: still to be read, but not taken for something that can.
+QColor faintText(const Colours& c)
+{
+    QColor faint(c.text);
+    faint.setAlphaF(0.5F);
+    return faint;
+}
+
 QPalette paletteOf(const Colours& c)
 {
     QPalette palette;
@@ -44,11 +52,8 @@ QPalette paletteOf(const Colours& c)
     set(QPalette::Mid, c.line);
     set(QPalette::Dark, c.line);
     palette.setColor(QPalette::Shadow, QColor(0, 0, 0));
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-        QColor faint(c.text);
-        faint.setAlphaF(0.45F);
-        palette.setColor(QPalette::Disabled, role, faint);
-    }
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, faintText(c));
     palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(c.line));
     return palette;
 }
@@ -62,7 +67,7 @@ QPushButton[mainAction="true"] {
     border: 1px solid palette(highlight); border-radius: 4px; padding: 5px 12px;
 }
 QPushButton[mainAction="true"]:disabled {
-    background: palette(button); color: palette(mid); border-color: palette(mid);
+    background: palette(button); color: @faint; border-color: palette(mid);
 }
 QPushButton[mainAction="true"]:focus { border: 2px solid palette(window-text); }
 QPushButton[stopAction="true"] {
@@ -71,7 +76,7 @@ QPushButton[stopAction="true"] {
 }
 QPushButton[stopAction="true"]:hover { background: #d63c3c; }
 QPushButton[stopAction="true"]:pressed { background: #a32222; }
-QPushButton[stopAction="true"]:disabled { background: palette(button); color: palette(mid); }
+QPushButton[stopAction="true"]:disabled { background: palette(button); color: @faint; }
 QHeaderView::section {
     padding: 4px 6px; border: none; border-bottom: 1px solid palette(mid);
     background: palette(base); font-weight: 600;
@@ -132,9 +137,16 @@ void ThemeSwitch::show()
         qApp->styleSheet().isEmpty())
         QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QIcon::setThemeName(dark() ? QStringLiteral("breeze-dark") : QStringLiteral("breeze"));
-    QApplication::setPalette(paletteOf(dark() ? darkColours : lightColours));
+    const Colours& colours = dark() ? darkColours : lightColours;
+    QApplication::setPalette(paletteOf(colours));
     // Set anew each time: rules with palette(...) are resolved when they are set.
-    qApp->setStyleSheet(QString::fromLatin1(styleRules));
+    const QColor faint = faintText(colours);
+    qApp->setStyleSheet(QString::fromLatin1(styleRules)
+                            .replace(QLatin1String("@faint"), QStringLiteral("rgba(%1,%2,%3,%4)")
+                                                                  .arg(faint.red())
+                                                                  .arg(faint.green())
+                                                                  .arg(faint.blue())
+                                                                  .arg(faint.alpha())));
     Q_EMIT changed();
 }
 } // namespace ui

@@ -11,6 +11,8 @@
 
 namespace ui {
 namespace {
+constexpr int margin = 16; ///< text at the very edge is hard to read
+
 /// Pictures are named IMAGE:page in the text; there is one for each language and theme.
 QString withPictures(QString markdown, bool chinese, bool dark)
 {
@@ -33,6 +35,7 @@ HelpWindow::HelpWindow(QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("help"));
     m_text->setObjectName(QStringLiteral("helpText"));
+    m_text->document()->setDocumentMargin(margin);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_text);
