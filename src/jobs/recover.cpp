@@ -223,11 +223,11 @@ base::Result<std::vector<Recovered>> recover(const device::Context& outer, Recov
         if (context.stop.requested())
             return base::fail(ErrorCode::Stopped, QStringLiteral("recover"));
         auto one = recoverOne(context, intent, action);
+        if (context.bus.hasBaud()) // also after an error: whoever comes next counts on it
+            (void)context.bus.setBaud(baudBefore);
         if (!one)
             return tl::unexpected(one.error());
         all.push_back(std::move(*one));
-        if (context.bus.hasBaud())
-            (void)context.bus.setBaud(baudBefore);
     }
     return all;
 }

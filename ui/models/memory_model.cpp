@@ -61,7 +61,8 @@ void MemoryModel::setEntry(const session::ServoEntry* entry, const RowClock& clo
     if (ref != m_ref || profile != m_profile || fresh.size() != m_rows.size()) {
         beginResetModel();
         m_ref = ref;
-        m_profile = profile;
+        // The view closes its editors in the end of the reset, and they know the old registers.
+        const catalog::ProfilePtr old = std::exchange(m_profile, profile);
         m_rows = std::move(fresh);
         endResetModel();
         return;
