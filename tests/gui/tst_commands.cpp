@@ -2,6 +2,7 @@
 // The table of commands: every command has words in both languages, an icon that is inside the
 // program, a shortcut of its own if it has one, and is of use only when it can be.
 #include "gui/window_bench.h"
+#include "ui/dialogs/help_window.h"
 
 #include <QSet>
 #include <QToolButton>
@@ -74,6 +75,15 @@ private Q_SLOTS:
         }
         QVERIFY(seen > 5);
         QCOMPARE(bench.find<QToolButton>("connectButton")->text(), QStringLiteral("断开"));
+    }
+
+    void helpOpensOnce()
+    {
+        gui::WindowBench bench;
+        bench.action(Command::Help)->trigger();
+        bench.action(Command::Help)->trigger();
+        QCOMPARE(bench.window->findChildren<ui::HelpWindow*>().size(), 1);
+        QVERIFY(bench.window->findChild<ui::HelpWindow*>()->isVisible());
     }
 
     void noTwoCommandsShareAShortcut()

@@ -102,7 +102,13 @@ void MainWindow::connectCommands()
     on(Command::English, [this] { m_language.apply(QStringLiteral("en")); });
     on(Command::Chinese, [this] { m_language.apply(QStringLiteral("zh_CN")); });
     on(Command::MessageLog, [this](bool shown) { m_logDock->setVisible(shown); });
-    on(Command::Help, [this] { (new HelpWindow(this))->show(); });
+    on(Command::Help, [this] {
+        auto* help = findChild<HelpWindow*>(); // one is enough
+        help = help != nullptr ? help : new HelpWindow(this);
+        help->show();
+        help->raise();
+        help->activateWindow();
+    });
     on(Command::Shortcuts, [this] { (new ShortcutList(m_commands, this))->open(); });
     on(Command::About, [this] { (new About(this))->open(); });
     on(Command::Quit, [this] { close(); });
