@@ -96,7 +96,9 @@ void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind
         if (report) {
             for (const device::WriteResult& result : report->writes) {
                 RowWrite& row = known->writes[result.key];
-                row.outcome = result.outcome;
+                // Not begun because nobody answered is no refusal of the servo's.
+                const bool begun = result.outcome != WriteOutcome::Refused || !result.error;
+                row.outcome = begun ? result.outcome : outcomeOf(*result.error);
                 row.error = result.error;
                 row.at = now();
             }
