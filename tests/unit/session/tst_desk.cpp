@@ -514,6 +514,24 @@ private Q_SLOTS:
         QCOMPARE(bench.at(1), ref);
     }
 
+    /// Wherever in the write the cable is pulled: a servo that was not reached has refused nothing.
+    void aCutCableIsNoRefusal()
+    {
+        for (const std::size_t bytes : {0, 10, 20, 30, 40}) {
+            Bench bench(QStringLiteral("sim:sts3215@1"));
+            QVERIFY(bench.search({.firstId = 1, .lastId = 2, .bauds = {}}));
+            const ServoRef ref = bench.at(1);
+            QVERIFY(bench.write(ref, positionP, 33)); // and the table is saved
+            bench.withWire([&](sim::VirtualBus& bus) { bus.cutAfterHostBytes(bytes); });
+            bench.desk.write(ref, {{{positionP, 40}}, false, false});
+            QTRY_VERIFY(!bench.entry(ref).writing());
+            const auto outcome = bench.outcome(ref, positionP);
+            QVERIFY(outcome);
+            QVERIFY(*outcome != device::WriteOutcome::Refused);
+            QVERIFY(*outcome != device::WriteOutcome::Kept);
+        }
+    }
+
     void closingFinishesTheWritesThatWereAskedFor()
     {
         Bench bench;
