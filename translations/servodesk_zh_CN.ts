@@ -1365,6 +1365,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <source>The servo answers as ID %1.</source>
         <translation>舵机现以 ID %1 应答。</translation>
     </message>
+    <message>
+        <source>Changes that were begun and have no end in the journal, because a cable was pulled, power failed, or the program was ended, are listed here.</source>
+        <translation>因拔线、断电或程序被结束而没有写完的更改会列在这里。</translation>
+    </message>
 </context>
 <context>
     <name>ValueEditor</name>

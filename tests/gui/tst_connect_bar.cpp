@@ -260,16 +260,20 @@ void TestConnectBar::searchesAreNoErrors()
 {
     ui::LinkMeter meter;
     bus::Statistics now;
+    bus::Counters& servo = now.byId[1];
+    servo.ok = 1;
     meter.look(now, false, {});
-    now.total.timeOuts = 1;
+    servo.timeOuts = 1;
     meter.look(now, false, std::chrono::milliseconds(900)); // a search begins
-    now.total.timeOuts = 251;
+    servo.timeOuts = 3;
+    now.byId[100].timeOuts = 250;
     now.total.badChecks = 2;
     meter.look(now, true, std::chrono::seconds(1));
-    now.total.timeOuts = 255;
+    servo.timeOuts = 5;
     meter.look(now, true, std::chrono::seconds(2)); // it has ended
     QCOMPARE(meter.figures().errors, std::uint64_t(1));
     now.total.foreign = 1;
+    now.byId[77].timeOuts = 4; // a free ID that a change of ID has asked for
     now.total.ok = 100;
     now.wireTime = std::chrono::milliseconds(500);
     meter.look(now, false, std::chrono::seconds(4));

@@ -5,8 +5,9 @@
 
 #include <QApplication>
 #include <QIcon>
-#include <QStyle>
-#include <QStyleFactory>
+#include <QPainter>
+#include <QProxyStyle>
+#include <QStyleOption>
 
 namespace ui {
 namespace {
@@ -83,6 +84,28 @@ QHeaderView::section {
 }
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { padding: 2px 4px; min-height: 20px; }
 )";
+/// Fusion outlines a tick box a little darker than the window, which nobody sees on a dark one.
+class ClearBoxes final : public QProxyStyle {
+public:
+    ClearBoxes()
+        : QProxyStyle(QStringLiteral("Fusion"))
+    {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override
+    {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        const bool box =
+            element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck;
+        if (!box || !isDark(option->palette))
+            return;
+        painter->save();
+        painter->setPen(option->palette.color(QPalette::PlaceholderText));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        painter->restore();
+    }
+};
 } // namespace
 
 bool isDark(const QPalette& palette)
@@ -132,10 +155,9 @@ bool ThemeSwitch::dark() const
 
 void ThemeSwitch::show()
 {
-    if (QApplication::style()->objectName().compare(QLatin1String("fusion"), Qt::CaseInsensitive) !=
-            0 &&
-        qApp->styleSheet().isEmpty())
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    if (!m_styled)
+        QApplication::setStyle(new ClearBoxes);
+    m_styled = true;
     QIcon::setThemeName(dark() ? QStringLiteral("breeze-dark") : QStringLiteral("breeze"));
     const Colours& colours = dark() ? darkColours : lightColours;
     QApplication::setPalette(paletteOf(colours));

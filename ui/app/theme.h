@@ -38,5 +38,6 @@ private:
 
     session::Theme m_theme = session::Theme::System;
     DesktopLook* m_desktop;
+    bool m_styled = false;
 };
 } // namespace ui

@@ -6,6 +6,20 @@
 namespace ui {
 namespace {
 constexpr double shortest = 0.5; ///< seconds
+
+/// Time-outs of servos since the last look. An ID that never answered is nobody: a free one that a
+/// change of ID has asked for.
+std::uint64_t silences(const bus::Statistics& last, const bus::Statistics& now)
+{
+    std::uint64_t sum = 0;
+    for (const auto& [id, counters] : now.byId) {
+        const auto before = last.byId.find(id);
+        const std::uint64_t then = before != last.byId.end() ? before->second.timeOuts : 0;
+        if (counters.ok > 0 && counters.timeOuts > then)
+            sum += counters.timeOuts - then;
+    }
+    return sum;
+}
 } // namespace
 
 void LinkMeter::reset()
@@ -19,9 +33,10 @@ void LinkMeter::look(const bus::Statistics& now, bool searched, base::Duration a
         const std::uint64_t before = last.total.*counter;
         return now.total.*counter > before ? now.total.*counter - before : 0;
     };
-    for (const auto counter :
-         {&bus::Counters::timeOuts, &bus::Counters::badChecks, &bus::Counters::foreign})
-        m_figures.errors += searched ? 0 : grown(m_last, counter);
+    if (!searched) {
+        m_figures.errors += grown(m_last, &bus::Counters::badChecks) +
+                            grown(m_last, &bus::Counters::foreign) + silences(m_last, now);
+    }
     m_last = now;
     const double seconds = double((at - m_rateAt).count()) / 1e6;
     if (m_rateFrom && seconds < shortest)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the status light says of an open port, worked out from the bus's counters between two looks.
-// What a search hears is no error: it asks IDs that nobody has, and everybody at once. A value;
-// main thread.
+// What a search hears is no error: it asks IDs that nobody has, and everybody at once. Nor is the
+// silence of an ID that never answered. A value; main thread.
 #pragma once
 
 #include "bus/statistics.h"
