@@ -184,7 +184,10 @@ void Desk::goOn()
     if (idle && (m_state == LinkState::Closing || m_state == LinkState::Lost)) {
         m_search.reset();
         m_live.poll = 0;
-        m_connection.reset();
+        // Closing a port may take as long as its adapter likes. Opening waits in the same line.
+        m_openThread->start([old = std::shared_ptr<Connection>(std::move(m_connection))]() mutable {
+            old.reset();
+        });
         if (m_state == LinkState::Closing)
             finishClosing();
         return;

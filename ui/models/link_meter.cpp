@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/link_meter.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
 
 namespace ui {
@@ -43,7 +45,7 @@ void LinkMeter::look(const bus::Statistics& now, bool searched, base::Duration a
         return;
     if (m_rateFrom) {
         const auto reads = double(grown(*m_rateFrom, &bus::Counters::ok));
-        m_figures.readsPerSecond = int(reads / seconds + 0.5);
+        m_figures.readsPerSecond = qRound(reads / seconds);
         const double wire = double((now.wireTime - m_rateFrom->wireTime).count()) / 1e6;
         m_figures.wireUse = std::clamp(wire / seconds, 0.0, 1.0);
     }

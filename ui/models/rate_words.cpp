@@ -35,7 +35,7 @@ QString spanText(base::Duration span)
     if (seconds < 9.95)
         return QCoreApplication::translate("ui", "%1 s").arg(seconds, 0, 'f', 1);
     if (seconds < longest)
-        return QCoreApplication::translate("ui", "%1 s").arg(int(seconds + 0.5));
-    return QCoreApplication::translate("ui", "%1 min").arg(int(seconds / minute + 0.5));
+        return QCoreApplication::translate("ui", "%1 s").arg(qRound(seconds));
+    return QCoreApplication::translate("ui", "%1 min").arg(qRound(seconds / minute));
 }
 } // namespace ui

@@ -250,7 +250,7 @@ void ConnectBar::showStatistics()
     const QString words = (now.errors == 1 ? tr("%1 reads/s · %2 error · wire %3 %")
                                            : tr("%1 reads/s · %2 errors · wire %3 %"))
                               .arg(figure(now.readsPerSecond), figure(now.errors))
-                              .arg(int(now.wireUse * 100 + 0.5));
+                              .arg(qRound(now.wireUse * 100));
     const QString brief = tr("%1/s · %2 err").arg(figure(now.readsPerSecond), figure(now.errors));
     const QString more =
         tr("Port: %1 at %2 baud\nSent: %3, answered: %4\nLost: %5, damaged: %6, foreign: %7, "

@@ -168,7 +168,7 @@ void TestSettings::brokenFilesArePutAside_data()
     QTest::addColumn<QByteArray>("content");
     QTest::newRow("no ini") << QByteArray("{\"version\": 1}\nlanguage\n");
     QTest::newRow("cut in a group") << QByteArray("[interface]\nlanguage=zh_CN\n[adapt");
-    QTest::newRow("binary") << QByteArray("[interface]\nlanguage=\0\0\0zh", 29);
+    QTest::newRow("binary") << QByteArray("[interface]\nlanguage=\0\0\0zh", 26);
     QTest::newRow("objects") << QByteArray("[a]\nb=@Variant(\\0\\0\\0\\x7f)\n");
     QTest::newRow("endless") << QByteArray(2 * 1024 * 1024, 'x');
 }
