@@ -159,6 +159,18 @@ private:
     QRandomGenerator m_dice;
 };
 
+int openLocks(gui::WindowBench& bench)
+{
+    int open = 0;
+    if (bench.desk().connection() == nullptr)
+        return open;
+    bench.desk().connection()->simulation()->with([&](sim::VirtualBus& bus) {
+        for (sim::VirtualServo* servo : bus.servos())
+            open += servo->raw(QStringLiteral("lock")) == 0 ? 1 : 0;
+    });
+    return open;
+}
+
 void closeEverything()
 {
     while (QWidget* popup = QApplication::activePopupWidget())
@@ -195,12 +207,14 @@ private Q_SLOTS:
         bench.desk().stopTask();
         QVERIFY(bench.settled());
         closeEverything();
+        const int locks = openLocks(bench);
         bench.window->close();
         QTRY_VERIFY_WITH_TIMEOUT(!bench.window->isVisible(), 20000);
         const auto open = bench.session.journal().open();
         QVERIFY(open);
-        for (const base::Intent& intent : *open)
-            qInfo("left open: %s", qPrintable(intent.items.front().key));
+        // One was opened by hand. Where a silent servo kept ServoDesk from closing its lock, the
+        // journal knows it.
+        QVERIFY2(locks <= int(open->size()) + 1, qPrintable(QString::number(locks)));
     }
 };
 
