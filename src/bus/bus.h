@@ -111,7 +111,7 @@ public:
     virtual int baud() const = 0;
     virtual bool hasBaud() const = 0;
     virtual QString portName() const = 0;
-    virtual bool lost() const = 0; ///< the link is gone and will not come back
+    virtual bool lost() const = 0;   ///< the link is gone and will not come back
     virtual bool echoes() const = 0; ///< the adapter returns what is sent
 
     /// Waits while polls run; false when `stop` is requested first.
