@@ -4401,7 +4401,7 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>Write</source>
-        <translation>保存</translation>
+        <translation>写入</translation>
     </message>
     <message>
         <source>Write this value, read it back, and keep it where the register can</source>
