@@ -21,6 +21,24 @@ base::Result<void> halt(const Context& context, Servo& servo);
 /// stays off. The limits and the speed for the way back are remembered in the journal.
 base::Result<WriteReport> switchMode(const Context& context, Servo& servo, const QString& mode);
 
+/// What switchMode would do, for whoever is to decide. Reads only.
+struct ModePlan {
+    struct Write {
+        QString key;
+        std::optional<std::int64_t> oldRaw;
+        std::int64_t newRaw = 0;
+    };
+    QString from; ///< mode key; empty: not known
+    QString to;
+    bool torqueGoesOff = false;   ///< it is on now
+    std::vector<Write> writes;    ///< limits and mode, in order
+    QString zeroed;               ///< the command that is set to 0; empty: none
+    bool limitsKept = false;      ///< the present limits are remembered for the way back
+    bool limitsRestored = false;  ///< from what was remembered
+    bool limitsDefaulted = false; ///< nothing was remembered: factory values
+};
+base::Result<ModePlan> planMode(const Context& context, Servo& servo, const QString& mode);
+
 /// Torque off and the present mode's command at zero: the safe end of a half-done mode switch.
 base::Result<void> quieten(const Context& context, Servo& servo);
 
@@ -34,7 +52,8 @@ struct MoveOrder {
     QString goal;
     std::optional<QString> speed{};
     std::optional<QString> acceleration{};
-    std::optional<QString> time{}; ///< milliseconds; only where the map has a time
+    std::optional<QString> time{};    ///< milliseconds; only where the map has a time
+    std::optional<QString> current{}; ///< HLS: the limit for this move; not in current mode
 };
 
 /// What will be written, worked out and checked before anything is sent.

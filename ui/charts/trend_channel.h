@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One curve of a trend chart: which samples, and how they look. A value; main thread.
+#pragma once
+
+#include "record/sample_store.h"
+
+#include <QColor>
+#include <QString>
+
+namespace ui {
+struct TrendChannel {
+    record::ChannelId id = -1;
+    QString key;  ///< stable, for presets: "1/present_position"; "error" rows: "1/error"
+    QString name; ///< translated: "ID 1 · Present position"
+    QString unit; ///< channels of one unit share an axis: "°", "rpm", "V" …; empty: plain number
+    QColor colour;
+    bool visible = true;
+    bool steps = false; ///< holds its value until the next sample: goals, flags
+    double scale = 1.0; ///< drawn as value × scale + offset; cursors show the value itself
+    double offset = 0.0;
+};
+} // namespace ui
