@@ -13,6 +13,9 @@ namespace session {
 struct FeedPart {
     ServoRef servo = 0;
     QStringList keys; ///< registers it has not, or cannot measure, are left out
+    /// Read about twice a second, by reads of their own beside the fast ones: torque switch, mode,
+    /// limits, which another program may change.
+    QStringList slowKeys{};
 };
 
 struct FeedWish {
