@@ -2,9 +2,9 @@
 // Samples of many channels over hours, kept so that a chart can ask for any stretch at any width:
 // raw samples in chunks, and a min/max pyramid above them. Owned and used by one thread (in the
 // window the main thread). Times are bus-clock instants; values are physical, in the channel's
-// unit. Within a channel times never go back: a sample that would is dropped and counted. When the
-// budget is used up, the oldest chunks are thinned to their extremes (statistics say so), and after
-// that dropped.
+// unit; one that is no number is a gap. Within a channel times never go back: a sample that would
+// is dropped and counted. When the budget is used up, the oldest chunks are thinned to their
+// extremes (statistics say so), and after that dropped.
 #pragma once
 
 #include "base/clock.h"
@@ -53,7 +53,8 @@ struct SampleStatistics {
     double max = 0;
     double sigma = 0;
     double slope = 0;
-    bool exact = true; ///< false: part of the stretch is kept as extremes only
+    /// False: it ends within a part of which only extremes are kept, or begins in what was dropped.
+    bool exact = true;
 };
 
 class SampleStore {
@@ -99,7 +100,6 @@ public:
     bool thinned() const;             ///< something is kept as extremes only, or was dropped
 
 private:
-    struct Channel;
     struct Data;
     std::unique_ptr<Data> m_data;
 };

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/sample_chunk.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace record {
+namespace {
+constexpr std::size_t smallNode = 16;
+constexpr std::size_t largeNode = 256;
+constexpr std::size_t firstRoom = 64;
+constexpr std::size_t thinBucket = 64; ///< of this many, two are left
+constexpr double secondsPerTick = 1e-6;
+
+void include(std::vector<Extremes>& nodes, bool begins, const Extremes& what)
+{
+    if (begins)
+        nodes.push_back(what);
+    else
+        nodes.back().include(what);
+}
+} // namespace
+
+void Moments::merge(const Moments& other)
+{
+    if (other.count == 0)
+        return;
+    const auto mine = double(count);
+    const auto theirs = double(other.count);
+    const double all = mine + theirs;
+    const double timeStep = other.meanTime - meanTime;
+    const double step = other.mean - mean;
+    const double weight = mine * theirs / all;
+    timeSquares += other.timeSquares + timeStep * timeStep * weight;
+    squares += other.squares + step * step * weight;
+    products += other.products + timeStep * step * weight;
+    meanTime += timeStep * theirs / all;
+    mean += step * theirs / all;
+    count += other.count;
+}
+
+bool SampleChunk::takes(base::Duration at) const
+{
+    return !m_closed && size() < most &&
+           (at - m_base).count() <= std::numeric_limits<std::uint32_t>::max();
+}
+
+void SampleChunk::grow()
+{
+    const std::size_t room = std::clamp(m_values.capacity() * 2, firstRoom, most);
+    m_offsets.reserve(room);
+    m_values.reserve(room);
+    m_small.reserve(room / smallNode);
+    m_large.reserve((room + largeNode - 1) / largeNode);
+}
+
+void SampleChunk::append(base::Duration at, double value)
+{
+    const std::size_t i = size();
+    m_offsets.push_back(std::uint32_t((at - m_base).count()));
+    m_values.push_back(value);
+    include(m_small, i % smallNode == 0, {value, value});
+    if (i % smallNode == smallNode - 1)
+        include(m_large, i / smallNode % (largeNode / smallNode) == 0, m_small.back());
+}
+
+void SampleChunk::close()
+{
+    m_extremes = extremes(0, size());
+    m_moments = moments(0, size());
+    m_closed = true;
+    m_offsets.shrink_to_fit();
+    m_values.shrink_to_fit();
+    m_small.shrink_to_fit();
+    m_large.shrink_to_fit();
+    m_gaps.shrink_to_fit();
+}
+
+SampleChunk SampleChunk::thinned() const
+{
+    SampleChunk thin(m_base);
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i <= size(); ++i) {
+        if (i == size() || i - begin == thinBucket || gapAt(i)) {
+            keep(begin, i, thin);
+            begin = i;
+        }
+    }
+    thin.close();
+    thin.m_moments = m_moments;
+    thin.m_thinned = true;
+    return thin;
+}
+
+void SampleChunk::keep(std::size_t begin, std::size_t end, SampleChunk& into) const
+{
+    const auto first = m_values.begin();
+    const auto [low, high] =
+        std::minmax_element(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end));
+    std::array<std::size_t, 4> kept{std::size_t(low - first), std::size_t(high - first)};
+    std::size_t count = 2;
+    if (begin == 0 || gapAt(begin))
+        kept[count++] = begin;
+    if (end == size() || gapAt(end))
+        kept[count++] = end - 1;
+    std::sort(kept.begin(), kept.begin() + std::ptrdiff_t(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0 && kept[i] == kept[i - 1])
+            continue;
+        if (gapAt(kept[i]))
+            into.markGap();
+        into.append(timeAt(kept[i]), m_values[kept[i]]);
+    }
+}
+
+bool SampleChunk::gapAt(std::size_t i) const
+{
+    return !m_gaps.empty() && std::binary_search(m_gaps.begin(), m_gaps.end(), std::uint16_t(i));
+}
+
+std::size_t SampleChunk::lowerBound(base::Duration at, std::size_t start) const
+{
+    const auto offset = (at - m_base).count();
+    if (offset <= 0)
+        return start;
+    // Neighbouring columns are near each other: look near first.
+    std::size_t step = 1;
+    std::size_t low = start;
+    while (low + step < size() && m_offsets[low + step] < offset) {
+        low += step;
+        step *= 2;
+    }
+    const auto first = m_offsets.begin();
+    const auto found = std::lower_bound(
+        first + std::ptrdiff_t(low), first + std::ptrdiff_t(std::min(low + step, size())), offset);
+    return std::size_t(found - first);
+}
+
+Extremes SampleChunk::extremes(std::size_t begin, std::size_t end) const
+{
+    if (m_closed && begin == 0 && end == size())
+        return m_extremes;
+    Extremes found{m_values[begin], m_values[begin]};
+    for (std::size_t i = begin; i < end;) {
+        if (i % largeNode == 0 && i + largeNode <= end) {
+            found.include(m_large[i / largeNode]);
+            i += largeNode;
+        } else if (i % smallNode == 0 && i + smallNode <= end) {
+            found.include(m_small[i / smallNode]);
+            i += smallNode;
+        } else {
+            found.include({m_values[i], m_values[i]});
+            ++i;
+        }
+    }
+    return found;
+}
+
+Moments SampleChunk::moments(std::size_t begin, std::size_t end) const
+{
+    if (begin == end)
+        return {};
+    if (m_closed && begin == 0 && end == size())
+        return m_moments;
+    double times = 0;
+    double values = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        times += m_offsets[i];
+        // From the first value, so that a small noise on a large number keeps its digits.
+        values += m_values[i] - m_values[begin];
+    }
+    const auto count = double(end - begin);
+    return moments(begin, end, times / count * secondsPerTick, m_values[begin] + values / count);
+}
+
+Moments SampleChunk::moments(std::size_t begin, std::size_t end, double meanTime, double mean) const
+{
+    Moments sums{end - begin, meanTime, mean};
+    for (std::size_t i = begin; i < end; ++i) {
+        const double time = m_offsets[i] * secondsPerTick - meanTime;
+        const double value = m_values[i] - mean;
+        sums.timeSquares += time * time;
+        sums.squares += value * value;
+        sums.products += time * value;
+    }
+    return sums;
+}
+
+std::size_t SampleChunk::bytes() const
+{
+    return sizeof(*this) + m_offsets.capacity() * sizeof(m_offsets[0]) +
+           m_values.capacity() * sizeof(m_values[0]) +
+           (m_small.capacity() + m_large.capacity()) * sizeof(Extremes) +
+           m_gaps.capacity() * sizeof(m_gaps[0]);
+}
+} // namespace record

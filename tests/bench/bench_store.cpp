@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sample store with 8 channels x 200 Hz x 60 min (5.76 M samples): memory with its pyramid,
+// appending, and what a chart asks for: columns of 1600 pixels and statistics at several zooms;
+// beside a loop that only puts the same samples into vectors. Wanted: 120 MB, 10 M samples/s.
+// Then the same with a budget of a tenth of that, so that the old is thinned.
+#include "record/sample_store.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+namespace {
+using Steady = std::chrono::steady_clock;
+using base::Duration;
+
+constexpr int channelCount = 8;
+constexpr int perChannel = 200 * 3600;
+constexpr Duration period{5000};
+constexpr double megabyte = 1024.0 * 1024.0;
+constexpr double wantedMegabytes = 120;
+constexpr double wantedRate = 10e6;
+
+double secondsSince(Steady::time_point start)
+{
+    return std::chrono::duration<double>(Steady::now() - start).count();
+}
+
+double valueAt(int sample)
+{
+    return 90 * std::sin(sample * 0.001) + (sample % 1009 * 7919 % 13) * 0.088;
+}
+
+double fill(record::SampleStore& store)
+{
+    for (int i = 0; i < channelCount; ++i)
+        store.open();
+    std::vector<double> values;
+    for (int i = 0; i < perChannel; ++i)
+        values.push_back(valueAt(i));
+    const auto start = Steady::now();
+    for (int i = 0; i < perChannel; ++i) {
+        for (int channel = 0; channel < channelCount; ++channel)
+            store.append(channel, period * i, values[std::size_t(i)]);
+    }
+    return channelCount * double(perChannel) / secondsSince(start);
+}
+
+double bareRate()
+{
+    std::vector<std::vector<record::SamplePoint>> bare(channelCount);
+    const auto start = Steady::now();
+    for (int i = 0; i < perChannel; ++i) {
+        for (auto& channel : bare)
+            channel.push_back({period * i, double(i)});
+    }
+    return channelCount * double(perChannel) / secondsSince(start);
+}
+
+/// Milliseconds for all channels, following: the stretch ends later each time.
+template <typename Function>
+double perFrame(Duration length, const Function& ask)
+{
+    constexpr int frames = 50;
+    const Duration last = period * perChannel;
+    const auto start = Steady::now();
+    for (int i = 0; i < frames; ++i) {
+        const Duration end = last - std::chrono::milliseconds(33) * (frames - i);
+        for (int channel = 0; channel < channelCount; ++channel)
+            ask(channel, record::TimeSpan{std::max(end - length, Duration(0)), end});
+    }
+    return secondsSince(start) * 1000 / frames;
+}
+
+void benchQuestions(const record::SampleStore& store)
+{
+    for (const int seconds : {1, 10, 60, 600, 3600}) {
+        const Duration length = std::chrono::seconds(seconds);
+        std::vector<record::SampleColumn> columns;
+        std::size_t got = 0;
+        const double columnTime = perFrame(length, [&](int channel, record::TimeSpan span) {
+            store.columns(channel, span, 1600, columns);
+            got = columns.size();
+        });
+        double sum = 0;
+        const double rangeTime = perFrame(length, [&](int channel, record::TimeSpan span) {
+            sum += store.range(channel, span)->first;
+        });
+        const double statisticsTime = perFrame(length, [&](int channel, record::TimeSpan span) {
+            sum += store.statistics(channel, span).sigma;
+        });
+        std::printf("%5d s shown, 8 channels: columns %.3f ms (%zu each), range %.3f ms, "
+                    "statistics %.3f ms%s\n",
+                    seconds, columnTime, got, rangeTime, statisticsTime,
+                    std::isfinite(sum) ? "" : "!");
+    }
+}
+} // namespace
+
+int main()
+{
+    record::SampleStore store;
+    const double rate = fill(store);
+    const double used = double(store.bytes()) / megabyte;
+    std::printf("%llu samples: %.1f MB (wanted <= %.0f)\n",
+                static_cast<unsigned long long>(store.count()), used, wantedMegabytes);
+    std::printf("appending: %.1f M samples/s (wanted >= %.0f); bare vectors %.1f M/s\n", rate / 1e6,
+                wantedRate / 1e6, bareRate() / 1e6);
+    benchQuestions(store);
+
+    record::SampleStore small(store.bytes() / 10);
+    const double thinRate = fill(small);
+    std::printf("with a tenth of the room: %.1f MB, %.1f M samples/s, all %s there\n",
+                double(small.bytes()) / megabyte, thinRate / 1e6,
+                small.span() == store.span() ? "still" : "NOT");
+    benchQuestions(small);
+    return used <= wantedMegabytes && rate >= wantedRate ? 0 : 1;
+}
