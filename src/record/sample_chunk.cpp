@@ -7,18 +7,43 @@
 
 namespace record {
 namespace {
-constexpr std::size_t smallNode = 16;
-constexpr std::size_t largeNode = 256;
+constexpr std::size_t smallNode = 8;
+constexpr std::size_t largeNode = 64;
 constexpr std::size_t firstRoom = 64;
 constexpr std::size_t thinBucket = 64; ///< of this many, two are left
 constexpr double secondsPerTick = 1e-6;
 
-void include(std::vector<Extremes>& nodes, bool begins, const Extremes& what)
+void add(std::vector<Extremes>& nodes, bool begins, const Extremes& what)
 {
     if (begins)
         nodes.push_back(what);
     else
         nodes.back().include(what);
+}
+
+struct Stretch {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    bool empty() const { return begin >= end; }
+};
+
+/// The nodes of `size` that lie in [begin, end) entirely.
+Stretch nodesWithin(std::size_t begin, std::size_t end, std::size_t size)
+{
+    return {(begin + size - 1) / size, end / size};
+}
+
+void include(Extremes& found, const std::vector<double>& values, std::size_t begin, std::size_t end)
+{
+    for (std::size_t i = begin; i < end; ++i)
+        found.include({values[i], values[i]});
+}
+
+void include(Extremes& found, const std::vector<Extremes>& nodes, std::size_t begin,
+             std::size_t end)
+{
+    for (std::size_t i = begin; i < end; ++i)
+        found.include(nodes[i]);
 }
 } // namespace
 
@@ -60,9 +85,9 @@ void SampleChunk::append(base::Duration at, double value)
     const std::size_t i = size();
     m_offsets.push_back(std::uint32_t((at - m_base).count()));
     m_values.push_back(value);
-    include(m_small, i % smallNode == 0, {value, value});
+    add(m_small, i % smallNode == 0, {value, value});
     if (i % smallNode == smallNode - 1)
-        include(m_large, i / smallNode % (largeNode / smallNode) == 0, m_small.back());
+        add(m_large, i / smallNode % (largeNode / smallNode) == 0, m_small.back());
 }
 
 void SampleChunk::close()
@@ -122,18 +147,31 @@ bool SampleChunk::gapAt(std::size_t i) const
 std::size_t SampleChunk::lowerBound(base::Duration at, std::size_t start) const
 {
     const auto offset = (at - m_base).count();
-    if (offset <= 0)
+    if (start >= size() || offset <= std::int64_t(m_offsets[start]))
         return start;
-    // Neighbouring columns are near each other: look near first.
-    std::size_t step = 1;
+    if (offset > std::int64_t(m_offsets.back()))
+        return size();
+    const auto wanted = std::uint32_t(offset);
+    // Samples mostly come at a steady rate: guess, and look around the guess. From here on low is
+    // before the place and high is not.
     std::size_t low = start;
-    while (low + step < size() && m_offsets[low + step] < offset) {
-        low += step;
-        step *= 2;
+    std::size_t high = size() - 1;
+    const double share = double(wanted - m_offsets[low]) / double(m_offsets[high] - m_offsets[low]);
+    std::size_t guess = low + std::size_t(share * double(high - low));
+    for (std::size_t step = 1; high - low > 1; step *= 2) {
+        guess = std::clamp(guess, low + 1, high - 1);
+        const bool before = m_offsets[guess] < wanted;
+        (before ? low : high) = guess;
+        if (before && step < high - guess)
+            guess += step;
+        else if (!before && step < guess - low)
+            guess -= step;
+        else
+            break;
     }
     const auto first = m_offsets.begin();
-    const auto found = std::lower_bound(
-        first + std::ptrdiff_t(low), first + std::ptrdiff_t(std::min(low + step, size())), offset);
+    const auto found =
+        std::lower_bound(first + std::ptrdiff_t(low + 1), first + std::ptrdiff_t(high), wanted);
     return std::size_t(found - first);
 }
 
@@ -142,18 +180,21 @@ Extremes SampleChunk::extremes(std::size_t begin, std::size_t end) const
     if (m_closed && begin == 0 && end == size())
         return m_extremes;
     Extremes found{m_values[begin], m_values[begin]};
-    for (std::size_t i = begin; i < end;) {
-        if (i % largeNode == 0 && i + largeNode <= end) {
-            found.include(m_large[i / largeNode]);
-            i += largeNode;
-        } else if (i % smallNode == 0 && i + smallNode <= end) {
-            found.include(m_small[i / smallNode]);
-            i += smallNode;
-        } else {
-            found.include({m_values[i], m_values[i]});
-            ++i;
-        }
+    const Stretch small = nodesWithin(begin, end, smallNode);
+    if (small.empty()) {
+        include(found, m_values, begin, end);
+        return found;
     }
+    include(found, m_values, begin, small.begin * smallNode);
+    include(found, m_values, small.end * smallNode, end);
+    const Stretch large = nodesWithin(small.begin, small.end, largeNode / smallNode);
+    if (large.empty()) {
+        include(found, m_small, small.begin, small.end);
+        return found;
+    }
+    include(found, m_small, small.begin, large.begin * (largeNode / smallNode));
+    include(found, m_large, large.begin, large.end);
+    include(found, m_small, large.end * (largeNode / smallNode), small.end);
     return found;
 }
 

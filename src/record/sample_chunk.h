@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Up to 4096 samples of one channel in time order, with min/max of each 16 and each 256 of them, so
+// Up to 4096 samples of one channel in time order, with min/max of each 8 and each 64 of them, so
 // that the extremes of any stretch cost some dozens of steps. Times are 32-bit microseconds from
 // the first one. Owned by SampleStore, its thread. Values are finite.
 #pragma once
@@ -70,8 +70,8 @@ private:
     base::Duration m_base;
     std::vector<std::uint32_t> m_offsets;
     std::vector<double> m_values;
-    std::vector<Extremes> m_small; ///< of 16 samples each
-    std::vector<Extremes> m_large; ///< of 256
+    std::vector<Extremes> m_small; ///< of 8 samples each
+    std::vector<Extremes> m_large; ///< of 64
     std::vector<std::uint16_t> m_gaps;
     Moments m_moments; ///< of all, once closed
     Extremes m_extremes;

@@ -5,12 +5,11 @@
 // Then the same with a budget of a tenth of that, so that the old is thinned.
 #include "record/sample_store.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 namespace {
-using Steady = std::chrono::steady_clock;
 using base::Duration;
 
 constexpr int channelCount = 8;
@@ -20,9 +19,10 @@ constexpr double megabyte = 1024.0 * 1024.0;
 constexpr double wantedMegabytes = 120;
 constexpr double wantedRate = 10e6;
 
-double secondsSince(Steady::time_point start)
+/// CPU time, so that other programs on this machine do not count.
+double seconds()
 {
-    return std::chrono::duration<double>(Steady::now() - start).count();
+    return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
 double valueAt(int sample)
@@ -37,23 +37,23 @@ double fill(record::SampleStore& store)
     std::vector<double> values;
     for (int i = 0; i < perChannel; ++i)
         values.push_back(valueAt(i));
-    const auto start = Steady::now();
+    const double start = seconds();
     for (int i = 0; i < perChannel; ++i) {
         for (int channel = 0; channel < channelCount; ++channel)
             store.append(channel, period * i, values[std::size_t(i)]);
     }
-    return channelCount * double(perChannel) / secondsSince(start);
+    return channelCount * double(perChannel) / (seconds() - start);
 }
 
 double bareRate()
 {
     std::vector<std::vector<record::SamplePoint>> bare(channelCount);
-    const auto start = Steady::now();
+    const double start = seconds();
     for (int i = 0; i < perChannel; ++i) {
         for (auto& channel : bare)
             channel.push_back({period * i, double(i)});
     }
-    return channelCount * double(perChannel) / secondsSince(start);
+    return channelCount * double(perChannel) / (seconds() - start);
 }
 
 /// Milliseconds for all channels, following: the stretch ends later each time.
@@ -62,19 +62,19 @@ double perFrame(Duration length, const Function& ask)
 {
     constexpr int frames = 50;
     const Duration last = period * perChannel;
-    const auto start = Steady::now();
+    const double start = seconds();
     for (int i = 0; i < frames; ++i) {
         const Duration end = last - std::chrono::milliseconds(33) * (frames - i);
         for (int channel = 0; channel < channelCount; ++channel)
             ask(channel, record::TimeSpan{std::max(end - length, Duration(0)), end});
     }
-    return secondsSince(start) * 1000 / frames;
+    return (seconds() - start) * 1000 / frames;
 }
 
 void benchQuestions(const record::SampleStore& store)
 {
-    for (const int seconds : {1, 10, 60, 600, 3600}) {
-        const Duration length = std::chrono::seconds(seconds);
+    for (const int shown : {1, 10, 60, 600, 3600}) {
+        const Duration length = std::chrono::seconds(shown);
         std::vector<record::SampleColumn> columns;
         std::size_t got = 0;
         const double columnTime = perFrame(length, [&](int channel, record::TimeSpan span) {
@@ -90,7 +90,7 @@ void benchQuestions(const record::SampleStore& store)
         });
         std::printf("%5d s shown, 8 channels: columns %.3f ms (%zu each), range %.3f ms, "
                     "statistics %.3f ms%s\n",
-                    seconds, columnTime, got, rangeTime, statisticsTime,
+                    shown, columnTime, got, rangeTime, statisticsTime,
                     std::isfinite(sum) ? "" : "!");
     }
 }
