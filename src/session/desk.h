@@ -61,7 +61,8 @@ struct TaskContext {
     const device::Context& device;
     device::Servo& servo;
     const base::Stop& stop;
-    jobs::ProgressFn progress; ///< may be called; arrives as Desk::taskProgress
+    jobs::ProgressFn progress;            ///< may be called; arrives as Desk::taskProgress
+    std::vector<device::Servo*> others{}; ///< copies too, as Task::others; all are merged
 };
 
 struct TaskEnd {
@@ -69,10 +70,22 @@ struct TaskEnd {
     device::Notices notices;
 };
 
+/// What a task may do to a shaft. After an emergency stop Moves is refused until an Energises has
+/// succeeded for each servo it concerns.
+enum class Effect : std::uint8_t {
+    None,
+    Moves,     ///< goals, actions, motion registers
+    Energises, ///< the user switches torque on
+};
+
 struct Task {
     QString name;            ///< technical: "center"; goes into the Event
     bool savesTable = false; ///< the table is saved first if this session has not yet
-    bool quiet = false;      ///< no Event unless it failed
+    Effect effect = Effect::None;
+    /// Servos the task owns beside its own, all at the same rate; one that is gone ends the task
+    /// with NoAnswer before the first byte.
+    std::vector<ServoRef> others{};
+    bool quiet = false;                                   ///< no Event unless it failed
     std::function<base::Result<void>(TaskContext&)> work; ///< job thread
     QPointer<QObject> guard;                              ///< `done` is dropped when it is gone
     std::function<void(const TaskEnd&)> done{};           ///< main thread
@@ -214,10 +227,12 @@ private:
     void enqueue(std::shared_ptr<Work> work);
     bool mayRun(const Work& work) const;
     void startNext();
+    std::optional<base::Error> copyServos(Work& work) const;
+    base::Result<void> prepare(const device::Context& context, Work& work);
     void runWork(Work& work);
     void workEnded(const std::shared_ptr<Work>& work);
     void dropQueue(base::ErrorCode why, bool finishWrites = false);
-    void endUnrun(Work& work, base::ErrorCode why);
+    void endUnrun(Work& work, base::Error why);
     ServoEntry* entry(ServoRef ref);
     void merge(ServoEntry& into, const device::Servo& from, base::Duration since);
     void sortOrder();

@@ -43,7 +43,7 @@ void Desk::enqueue(std::shared_ptr<Work> work)
     const bool open = m_state == LinkState::Open;
     const bool servoGone = work->ref != 0 && servo(work->ref) == nullptr;
     if (!open || servoGone) {
-        endUnrun(*work, open ? base::ErrorCode::NoAnswer : base::ErrorCode::LinkLost);
+        endUnrun(*work, {open ? base::ErrorCode::NoAnswer : base::ErrorCode::LinkLost});
         return;
     }
     m_queue.push_back(std::move(work));
@@ -68,17 +68,12 @@ void Desk::startNext()
         return;
     m_running = m_queue.front();
     m_queue.pop_front();
-    if (m_running->ref != 0) {
-        const ServoEntry* known = servo(m_running->ref);
-        if (known == nullptr) {
-            const auto orphan = std::exchange(m_running, nullptr);
-            endUnrun(*orphan, base::ErrorCode::NoAnswer);
-            Q_EMIT taskChanged();
-            startNext();
-            return;
-        }
-        m_running->servo = known->servo;
-        m_running->tableSaved = !known->snapshotPath.isEmpty();
+    if (const auto why = copyServos(*m_running)) {
+        const auto orphan = std::exchange(m_running, nullptr);
+        endUnrun(*orphan, *why);
+        Q_EMIT taskChanged();
+        startNext();
+        return;
     }
     m_running->startedAt = now();
     updateLive();
@@ -89,33 +84,67 @@ void Desk::startNext()
     Q_EMIT taskChanged();
 }
 
+/// Why the work cannot begin; nothing if its servos are there, as copies.
+std::optional<base::Error> Desk::copyServos(Work& work) const
+{
+    if (work.ref == 0)
+        return std::nullopt;
+    std::vector<Work::Part> parts;
+    for (const ServoRef ref : work.refs()) {
+        const ServoEntry* known = servo(ref);
+        if (known == nullptr)
+            return base::Error{base::ErrorCode::NoAnswer};
+        if (!parts.empty() && known->servo.baud != parts.front().servo.baud && hasBaud())
+            return base::Error{base::ErrorCode::NotSupported, {}, QStringLiteral("other-rates")};
+        parts.push_back({ref, known->servo, !known->snapshotPath.isEmpty()});
+    }
+    work.own = std::move(parts.front());
+    work.others.assign(std::make_move_iterator(parts.begin() + 1),
+                       std::make_move_iterator(parts.end()));
+    return std::nullopt;
+}
+
+/// On the task thread: the rate of its servos, and their tables saved.
+base::Result<void> Desk::prepare(const device::Context& context, Work& work)
+{
+    bus::Bus& bus = context.bus;
+    if (work.ref != 0 && bus.hasBaud() && bus.baud() != work.own.servo.baud) {
+        if (const auto set = bus.setBaud(work.own.servo.baud); !set)
+            return set;
+    }
+    if (!work.task.savesTable)
+        return {};
+    const auto save = [&](Work::Part& part) -> base::Result<void> {
+        if (part.tableSaved)
+            return {};
+        return saveSafetySnapshot(context, part.servo).map([&](const QString& path) {
+            part.savedPath = path;
+        });
+    };
+    auto saved = save(work.own);
+    for (std::size_t i = 0; saved && i < work.others.size(); ++i)
+        saved = save(work.others[i]);
+    return saved;
+}
+
 /// On the task thread.
 void Desk::runWork(Work& work)
 {
     device::Context context = m_connection->context(work.stop, work.notices);
     context.priority = bus::Priority::Interactive;
-    bus::Bus& bus = context.bus;
-    if (work.ref != 0 && bus.hasBaud() && bus.baud() != work.servo.baud) {
-        if (const auto set = bus.setBaud(work.servo.baud); !set) {
-            work.error = set.error();
-            return;
-        }
-    }
-    if (work.task.savesTable && !work.tableSaved) {
-        const auto saved = saveSafetySnapshot(context, work.servo);
-        if (!saved) {
-            work.error = saved.error();
-            return;
-        }
-        work.savedPath = *saved;
-    }
-    if (work.stop.requested()) {
-        work.error = base::Error{base::ErrorCode::Stopped, work.task.name, {}, work.servo.id};
+    if (const auto ready = prepare(context, work); !ready) {
+        work.error = ready.error();
         return;
     }
-    TaskContext task{context, work.servo, work.stop, [this](const jobs::Progress& progress) {
+    if (work.stop.requested()) {
+        work.error = base::Error{base::ErrorCode::Stopped, work.task.name, {}, work.own.servo.id};
+        return;
+    }
+    TaskContext task{context, work.own.servo, work.stop, [this](const jobs::Progress& progress) {
                          m_inbox.post([this, progress] { Q_EMIT taskProgress(progress); });
                      }};
+    for (Work::Part& other : work.others)
+        task.others.push_back(&other.servo);
     if (const auto done = work.task.work(task); !done)
         work.error = done.error();
 }
@@ -123,23 +152,16 @@ void Desk::runWork(Work& work)
 void Desk::workEnded(const std::shared_ptr<Work>& work)
 {
     m_running.reset();
-    if (ServoEntry* known = entry(work->ref)) {
-        if (work->error && work->error->code == base::ErrorCode::NoAnswer) {
-            known->silent = true;
-        } else if (!work->error || heardSince(work->servo, work->startedAt)) {
-            known->lastSeen = now();
-            known->silent = false;
-        }
-        if (!work->savedPath.isEmpty()) {
-            known->snapshotPath = work->savedPath;
-            tell({.kind = Event::Kind::TableSaved, .servo = work->ref, .path = work->savedPath});
-        }
-        merge(*known, work->servo, work->startedAt);
-    }
+    if (work->ref != 0)
+        work->partEnded(*this, work->own);
+    for (const Work::Part& other : work->others)
+        work->partEnded(*this, other);
     if (work->merged)
         work->merged(*work);
-    if (const ServoEntry* known = servo(work->ref))
-        changed(*known);
+    for (const ServoRef ref : work->refs()) {
+        if (const ServoEntry* known = servo(ref))
+            changed(*known);
+    }
     if (!work->task.quiet) {
         tell({.kind = Event::Kind::Task,
               .servo = work->ref,
@@ -153,10 +175,39 @@ void Desk::workEnded(const std::shared_ptr<Work>& work)
     goOn();
 }
 
-/// It never ran: said at once, but not from within the call that asked for it.
-void Desk::endUnrun(Work& work, base::ErrorCode why)
+std::vector<ServoRef> Desk::Work::refs() const
 {
-    work.error = base::Error{why, work.task.name, {}, -1};
+    std::vector<ServoRef> all;
+    if (ref != 0)
+        all.push_back(ref);
+    all.insert(all.end(), task.others.begin(), task.others.end());
+    return all;
+}
+
+void Desk::Work::partEnded(Desk& desk, const Part& part) const
+{
+    ServoEntry* known = desk.entry(part.ref);
+    if (known == nullptr)
+        return;
+    const bool blamed = error && (error->id == part.servo.id || (error->id < 0 && part.ref == ref));
+    if (blamed && error->code == base::ErrorCode::NoAnswer) {
+        known->silent = true;
+    } else if (!error || heardSince(part.servo, startedAt)) {
+        known->lastSeen = desk.now();
+        known->silent = false;
+    }
+    if (!part.savedPath.isEmpty()) {
+        known->snapshotPath = part.savedPath;
+        desk.tell({.kind = Event::Kind::TableSaved, .servo = part.ref, .path = part.savedPath});
+    }
+    desk.merge(*known, part.servo, startedAt);
+}
+
+/// It never ran: said at once, but not from within the call that asked for it.
+void Desk::endUnrun(Work& work, base::Error why)
+{
+    why.operation = work.task.name;
+    work.error = std::move(why);
     if (const ServoEntry* known = servo(work.ref))
         work.error->id = known->servo.id;
     m_inbox.post([this, merged = work.merged, done = work.task.done, guard = work.task.guard,
@@ -179,7 +230,7 @@ void Desk::dropQueue(base::ErrorCode why, bool finishWrites)
         if (finishWrites && work->finishes)
             m_queue.push_back(work);
         else
-            endUnrun(*work, why);
+            endUnrun(*work, {why});
     }
     Q_EMIT taskChanged();
 }

@@ -13,13 +13,22 @@ struct Desk::Work {
     bool finishes = false;             ///< a write: begun or not, it is done before the port closes
     std::function<void(Work&)> merged; ///< main thread, after the servo has been merged
 
-    device::Servo servo; ///< a copy, made when the work starts
-    bool tableSaved = false;
+    /// A servo it concerns: copied when the work starts, merged when it has ended.
+    struct Part {
+        ServoRef ref = 0;
+        device::Servo servo;
+        bool tableSaved = false;
+        QString savedPath{}; ///< the table was saved there
+    };
+    Part own;
+    std::vector<Part> others; ///< as task.others
+    /// All that is copied: none, when it concerns the whole bus.
+    std::vector<ServoRef> refs() const;
+    void partEnded(Desk& desk, const Part& part) const; ///< main thread
     base::Stop stop;
     base::Duration startedAt{};
 
     device::Notices notices;
-    QString savedPath; ///< the table was saved there
     std::optional<base::Error> error;
 };
 

@@ -24,6 +24,9 @@ constexpr std::array notSupported{
     RefusalWords{"no-async", QT_TRANSLATE_NOOP("text", "it cannot hold a goal for later"),
                  QT_TRANSLATE_NOOP("text", "This family has no write that waits for a start."),
                  QT_TRANSLATE_NOOP("text", "Give the goals one by one.")},
+    RefusalWords{"other-mode", QT_TRANSLATE_NOOP("text", "it is in another mode than the first"),
+                 QT_TRANSLATE_NOOP("text", "One goal for all would mean something else to it."),
+                 QT_TRANSLATE_NOOP("text", "Bring all of them into the same mode first.")},
     RefusalWords{"mode-first",
                  QT_TRANSLATE_NOOP("text", "the mode and its command cannot be written together"),
                  QT_TRANSLATE_NOOP("text", "A change of mode begins with its command at zero, so "
@@ -66,10 +69,24 @@ constexpr std::array notSupported{
                  QT_TRANSLATE_NOOP("text", "It stands at its goal and drives neither way."),
                  QT_TRANSLATE_NOOP("text", "Take the load off and give a goal away from the stall "
                                            "yourself, or switch its supply off and on.")},
+    RefusalWords{"other-rates", QT_TRANSLATE_NOOP("text", "the servos do not talk at one rate"),
+                 QT_TRANSLATE_NOOP("text", "Nobody on the wire can be heard at two baud rates at "
+                                           "the same time."),
+                 QT_TRANSLATE_NOOP("text", "Choose servos of one baud rate, or set them to the "
+                                           "same one.")},
     RefusalWords{"release-limit",
                  QT_TRANSLATE_NOOP("text", "its angle limits leave no way back from the stall"),
                  QT_TRANSLATE_NOOP("text", "A goal away from the stall would lie outside them."),
                  QT_TRANSLATE_NOOP("text", "Widen the limits, or switch its supply off and on.")},
+};
+
+constexpr std::array preempted{
+    RefusalWords{"torque-first",
+                 QT_TRANSLATE_NOOP("text", "the emergency stop keeps it from moving"),
+                 QT_TRANSLATE_NOOP("text", "Torque was taken off the whole bus and has not been "
+                                           "switched on again since."),
+                 QT_TRANSLATE_NOOP("text", "Make sure that nothing can move, switch torque on "
+                                           "first, then start again.")},
 };
 
 constexpr std::array consent{
@@ -95,6 +112,18 @@ constexpr std::array consent{
                  QT_TRANSLATE_NOOP("text", "Look at the alarm again, then decide.")},
 };
 
+constexpr std::array refused{
+    RefusalWords{"mode-changed", QT_TRANSLATE_NOOP("text", "its operating mode is another one now"),
+                 QT_TRANSLATE_NOOP("text", "Something else has switched it. In the new mode this "
+                                           "goal would mean something else."),
+                 QT_TRANSLATE_NOOP("text", "Look at the mode shown now, then give a goal for it.")},
+    RefusalWords{"too-many-turns",
+                 QT_TRANSLATE_NOOP("text", "this step would lead beyond ±7.5 turns"),
+                 QT_TRANSLATE_NOOP("text", "The servo counts no further; the steps made since it "
+                                           "was connected are added up here."),
+                 QT_TRANSLATE_NOOP("text", "Step back the other way.")},
+};
+
 template <typename List>
 const RefusalWords* findIn(const List& list, const QString& detail)
 {
@@ -112,6 +141,10 @@ const RefusalWords* refusalWords(const base::Error& error)
         return findIn(notSupported, error.detail);
     if (error.code == base::ErrorCode::NeedsConsent)
         return findIn(consent, error.detail);
+    if (error.code == base::ErrorCode::Refused)
+        return findIn(refused, error.detail);
+    if (error.code == base::ErrorCode::Preempted)
+        return findIn(preempted, error.detail);
     return nullptr;
 }
 } // namespace text
