@@ -35,6 +35,8 @@ public:
     /// Waits some seconds for other programs; closing the file gives the lock back.
     bool lock(Lock lock);
     std::optional<Info> info() const;
+    /// Of what has this name now; none: nothing has.
+    static std::optional<Info> infoOf(const QString& path);
     std::optional<QByteArray> read(qint64 offset, qint64 count) const;
     bool write(const QByteArray& bytes);
     bool sync();

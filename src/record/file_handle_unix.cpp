@@ -25,6 +25,13 @@ int flagsFor(FileHandle::Mode mode)
     return mode == FileHandle::Mode::Append ? common | O_RDWR | O_APPEND | O_CREAT
                                             : common | O_RDONLY;
 }
+
+FileHandle::Info infoFrom(const struct stat& status)
+{
+    return {{quint64(status.st_dev), quint64(status.st_ino)},
+            qint64(status.st_size),
+            S_ISREG(status.st_mode)};
+}
 } // namespace
 
 FileHandle::FileHandle(const QString& path, Mode mode)
@@ -58,9 +65,15 @@ std::optional<FileHandle::Info> FileHandle::info() const
     struct stat status = {};
     if (::fstat(m_descriptor, &status) != 0)
         return std::nullopt;
-    return Info{{quint64(status.st_dev), quint64(status.st_ino)},
-                qint64(status.st_size),
-                S_ISREG(status.st_mode)};
+    return infoFrom(status);
+}
+
+std::optional<FileHandle::Info> FileHandle::infoOf(const QString& path)
+{
+    struct stat status = {};
+    if (::stat(QFile::encodeName(path).constData(), &status) != 0)
+        return std::nullopt;
+    return infoFrom(status);
 }
 
 std::optional<QByteArray> FileHandle::read(qint64 offset, qint64 count) const

@@ -51,6 +51,14 @@ std::optional<FileHandle::Info> FileHandle::info() const
     return Info{{}, qint64(status.st_size), (status.st_mode & _S_IFREG) != 0};
 }
 
+std::optional<FileHandle::Info> FileHandle::infoOf(const QString& path)
+{
+    struct _stat64 status = {};
+    if (::_wstat64(reinterpret_cast<const wchar_t*>(path.utf16()), &status) != 0)
+        return std::nullopt;
+    return Info{{}, qint64(status.st_size), (status.st_mode & _S_IFREG) != 0};
+}
+
 std::optional<QByteArray> FileHandle::read(qint64 offset, qint64 count) const
 {
     if (::_lseeki64(m_descriptor, offset, SEEK_SET) < 0)

@@ -38,9 +38,12 @@ public:
     Recorder& operator=(const Recorder&) = delete;
     ~Recorder(); ///< writes what waits
 
-    /// False: no room, nothing was taken; offer it again, or say lost().
+    /// False: no room, nothing was taken; offer it again, or say lost(). Both come back empty when
+    /// they were taken. After the end everything is taken and dropped (after an error: as lost).
     bool offer(std::vector<RecordingRow>& rows, std::vector<Mark>& marks);
     void lost(std::uint64_t rows);
+    /// Time goes on without rows too: ends a recording whose length is over.
+    void reach(base::Duration now);
     /// Returns at once; status().ended follows when everything is on the disk.
     void stop();
     RecorderStatus status() const;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was measured, as an open text file: CSV (time in µs, one column a channel with its unit in
-// the header, a last column for marks, gaps empty) or JSON lines. A row is one reading of one
-// servo; columns of other servos are empty in it. The CSV begins with '#' lines (version, start,
-// port, servos). Values; reading runs on the caller's thread.
+// What was measured, as an open text file: CSV (time in µs, the servo, one column a channel with
+// its unit in the header, a last column for marks, gaps empty) or JSON lines. A row is one reading
+// of one servo; columns of other servos are empty in it. The CSV begins with '#' lines (version,
+// start, port, servos). Numbers have as many digits as it takes to read the very same ones back.
+// Values; reading runs on the caller's thread.
 #pragma once
 
 #include "base/error.h"
@@ -37,9 +38,9 @@ struct RecordingHead {
 };
 
 /// One reading of one servo. `values` are those of the channels with this `servo`, in their order;
-/// NaN: not read. All NaN: the servo did not answer.
+/// NaN: not read this time. All NaN: the servo did not answer, a gap in all its channels.
 struct RecordingRow {
-    base::Duration at{}; ///< bus clock; in the file it counts from the first row
+    base::Duration at{}; ///< bus clock; in the file it counts from the first line
     int servo = 0;
     std::vector<double> values{};
 };
@@ -51,15 +52,17 @@ struct RecordingReport {
     TimeSpan span{};            ///< of its rows, from the start of the recording
 };
 
-/// Reads a file into a store: channel i of the head becomes ids[i]. Times count from 0. Errors:
-/// FileUnreadable, FileFormat (no recording, or of a newer version), Stopped. Bad lines are left
-/// out and counted.
 struct LoadedRecording {
     RecordingHead head;
     std::vector<ChannelId> ids;
     std::vector<Mark> marks;
     RecordingReport report;
 };
+
+/// Reads a file into a store, block by block: channel i of the head becomes ids[i]. Times count
+/// from 0. Errors: FileMissing, FileUnreadable, FileFormat (no recording, or of a newer version;
+/// detail says where), Stopped; then no channel is left behind. Bad lines are left out and counted.
+/// `onProgress` gets 0…1.
 base::Result<LoadedRecording> loadRecording(const QString& path, SampleStore& into,
                                             const base::Stop& stop,
                                             const std::function<void(double)>& onProgress = {});

@@ -30,8 +30,8 @@ struct Mark {
 
 struct TriggerSpec {
     enum class Kind : std::uint8_t {
-        Above, ///< the level counts at once, also when it is there from the beginning
-        Below,
+        Above,   ///< the level itself, or more; counts also when it is there from the beginning
+        Below,   ///< or less
         Rising,  ///< must have been below (level - hysteresis) before
         Falling, ///< must have been above (level + hysteresis) before
         Mark,    ///< any mark of `mark`
@@ -41,7 +41,7 @@ struct TriggerSpec {
     double level = 0;
     double hysteresis = 0;
     MarkKind mark = MarkKind::Fault;
-    int servoId = -1;      ///< Mark: of this servo only; -1: of any
+    int servoId = -1;      ///< Mark: of this servo, or one that concerns all; -1: of any
     base::Duration pre{};  ///< shown before the instant
     base::Duration post{}; ///< waited for after it
 };
