@@ -10,8 +10,12 @@ namespace device {
 using base::ErrorCode;
 using catalog::Role;
 
+QString keptLimits()
+{
+    return QStringLiteral("limits");
+}
+
 namespace {
-const QString limitsName = QStringLiteral("limits");
 const QString speedName = QStringLiteral("position-speed");
 } // namespace
 
@@ -55,16 +59,23 @@ base::Result<void> addQuietCommand(const Servo& servo, RegisterValues& items)
     return {};
 }
 
+namespace {
+bool limitsVanish(const Servo& servo, const RegisterValues& items)
+{
+    const bool some =
+        servo.raw(Role::MinAngle).value_or(0) != 0 || servo.raw(Role::MaxAngle).value_or(0) != 0;
+    return some && valueAfter(servo, items, Role::MinAngle).value_or(0) == 0 &&
+           valueAfter(servo, items, Role::MaxAngle).value_or(0) == 0;
+}
+} // namespace
+
 base::Result<void> rememberWayBack(const Context& context, const Servo& servo,
                                    const ModeChange& change, const RegisterValues& items)
 {
-    const std::int64_t min = servo.raw(Role::MinAngle).value_or(0);
-    const std::int64_t max = servo.raw(Role::MaxAngle).value_or(0);
-    const bool limitsVanish = (min != 0 || max != 0) &&
-                              valueAfter(servo, items, Role::MinAngle).value_or(0) == 0 &&
-                              valueAfter(servo, items, Role::MaxAngle).value_or(0) == 0;
-    if (limitsVanish) {
-        const auto kept = context.journal.keep(servo.identity(), limitsName, {min, max});
+    if (limitsVanish(servo, items)) {
+        const std::int64_t min = servo.raw(Role::MinAngle).value_or(0);
+        const std::int64_t max = servo.raw(Role::MaxAngle).value_or(0);
+        const auto kept = context.journal.keep(servo.identity(), keptLimits(), {min, max});
         if (!kept)
             return kept;
         context.note(NoticeCode::LimitsKept, servo.id, {}, min, max);
@@ -153,20 +164,45 @@ base::Result<void> restoreCurrent(const Context& context, Servo& servo)
 }
 } // namespace
 
+namespace {
+Role commandBefore(const ModeChange& change)
+{
+    return change.from != nullptr ? change.from->command : Role::None;
+}
+
+/// The command that must not act in the new mode with the value it has; None: there is none.
+Role commandToZero(const ModeChange& change)
+{
+    const Role after = change.to->command;
+    const Role before = commandBefore(change);
+    if (after != Role::GoalPosition)
+        return after;
+    const bool harmless =
+        before == Role::GoalPosition || before == Role::GoalSpeed || before == Role::GoalCurrent;
+    return harmless ? Role::None : before;
+}
+} // namespace
+
+Role zeroedBySwitch(const Servo& servo, const ModeChange& change)
+{
+    for (const catalog::Mode& mode : servo.profile->modes) {
+        if (travelsWithMode(*servo.profile, mode.command))
+            return mode.command;
+    }
+    return commandToZero(change);
+}
+
 base::Result<void> settleMode(const Context& context, Servo& servo, const ModeChange& change)
 {
     const Role after = change.to->command;
-    const Role before = change.from != nullptr ? change.from->command : Role::None;
+    const Role before = commandBefore(change);
     base::Result<void> done;
     if (before == Role::GoalCurrent && after != Role::GoalCurrent)
         done = restoreCurrent(context, servo);
     if (!done)
         return done;
-    if (after != Role::GoalPosition)
-        done = zeroCommand(context, servo, after);
-    else if (before != Role::GoalPosition && before != Role::GoalSpeed &&
-             before != Role::GoalCurrent && before != Role::None)
-        done = zeroCommand(context, servo, before);
+    if (const Role command = commandToZero(change); command != Role::None)
+        done = zeroCommand(context, servo, command);
     // The speed may have been zeroed several modes ago.
     if (done && after == Role::GoalPosition && before != Role::GoalPosition)
         done = restoreSpeed(context, servo, before);
@@ -204,69 +240,5 @@ base::Result<void> quieten(const Context& context, Servo& servo)
     if (const auto zeroed = zeroCommand(context, servo, mode->command); !zeroed)
         return zeroed;
     return torqueOff(context, servo);
-}
-
-namespace {
-base::Result<void> addLimits(const Context& context, const Servo& servo,
-                             const catalog::Mode& target, std::vector<WriteItem>& items)
-{
-    const catalog::Register* min = servo.profile->byRole(Role::MinAngle);
-    const catalog::Register* max = servo.profile->byRole(Role::MaxAngle);
-    if (min == nullptr || max == nullptr)
-        return {};
-    const bool zeroNow = servo.raw(*min) == 0 && servo.raw(*max) == 0;
-    if (target.limitsZero && !zeroNow) {
-        items.push_back({min->key, 0});
-        items.push_back({max->key, 0});
-    }
-    if (target.limitsZero || !zeroNow || target.command != Role::GoalPosition)
-        return {};
-    const auto kept = context.journal.kept(servo.identity(), limitsName);
-    if (!kept)
-        return tl::unexpected(kept.error());
-    const bool known = kept->has_value() && (*kept)->size() == 2;
-    const std::int64_t low = known ? (**kept)[0] : min->defaultRaw.value_or(0);
-    const std::int64_t high =
-        known ? (**kept)[1] : max->defaultRaw.value_or(servo.profile->stepsPerTurn - 1);
-    items.push_back({min->key, low});
-    items.push_back({max->key, high});
-    context.note(known ? NoticeCode::LimitsRestored : NoticeCode::LimitsDefaulted, servo.id, {},
-                 low, high);
-    return {};
-}
-} // namespace
-
-base::Result<WriteReport> switchMode(const Context& context, Servo& servo, const QString& modeKey)
-{
-    const catalog::Mode* target = servo.profile->mode(modeKey);
-    if (target == nullptr) {
-        QStringList known;
-        for (const catalog::Mode& mode : servo.profile->modes)
-            known.append(mode.key);
-        return tl::unexpected(base::Error{ErrorCode::NotSupported, QStringLiteral("mode"),
-                                          known.join(QStringLiteral(", ")), servo.id});
-    }
-    if (const auto done = readSettings(context, servo); !done)
-        return tl::unexpected(done.error());
-    std::vector<WriteItem> items;
-    if (const auto done = addLimits(context, servo, *target, items); !done)
-        return tl::unexpected(done.error());
-    const catalog::Register* mode = servo.profile->byRole(Role::OperatingMode);
-    if (mode != nullptr && target->operatingMode && servo.raw(*mode) != *target->operatingMode)
-        items.push_back({mode->key, *target->operatingMode});
-    if (items.empty()) {
-        context.note(NoticeCode::AlreadySo, servo.id, modeKey);
-        WriteReport nothing;
-        nothing.id = servo.id;
-        return nothing;
-    }
-    // Asking for the mode is the consent: the manoeuvre takes the danger out of register 33.
-    WriteOptions options;
-    options.dangerous = true;
-    options.kind = base::IntentKind::Mode;
-    auto report = write(context, servo, items, options);
-    if (report)
-        context.note(NoticeCode::TorqueStaysOff, servo.id);
-    return report;
 }
 } // namespace device

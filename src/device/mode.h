@@ -30,6 +30,12 @@ base::Result<void> rememberWayBack(const Context& context, const Servo& servo,
 /// current limit back, and makes sure that torque is still off.
 base::Result<void> settleMode(const Context& context, Servo& servo, const ModeChange& change);
 
+/// The command that a switch leaves at 0, or None.
+catalog::Role zeroedBySwitch(const Servo& servo, const ModeChange& change);
+
+/// The journal keeps the angle limits for the way back under this name.
+QString keptLimits();
+
 /// Torque off, proven. Notes it when torque was on.
 base::Result<void> torqueOff(const Context& context, Servo& servo);
 

@@ -54,6 +54,11 @@ struct MoveOrder {
     std::optional<QString> acceleration{};
     std::optional<QString> time{};    ///< milliseconds; only where the map has a time
     std::optional<QString> current{}; ///< HLS: the limit for this move; not in current mode
+    /// Settings read no longer ago are not read again before the goal; 0: read now. For goals that
+    /// follow each other quickly while a slider is dragged.
+    base::Duration settingsMayBe{};
+    /// The goal is meant for this mode and refused in another one ("mode-changed"); empty: any.
+    QString mode{};
 };
 
 /// What will be written, worked out and checked before anything is sent.
@@ -65,6 +70,7 @@ struct MovePlan {
     base::Duration ownTime{};      ///< the travel time written with the goal
     std::int64_t goalRaw = 0;
     catalog::Role goalRole = catalog::Role::GoalPosition;
+    QString mode{}; ///< key of the mode it was worked out for
 };
 
 base::Result<MovePlan> planMove(const Context& context, const MoveOrder& order);
@@ -72,6 +78,17 @@ base::Result<MovePlan> planMove(const Context& context, const MoveOrder& order);
 /// Sync and Async start all of them together, in the way each family has for it: one packet, held
 /// writes, stored moves. NotSupported ("no-sync", "no-async") where one of them has none.
 base::Result<void> sendMoves(const Context& context, std::vector<MovePlan>& plans, MoveHow how);
+
+/// The two halves of Async. holdMoves leaves each goal in its servo; it does not move for it.
+/// NotSupported ("no-async").
+base::Result<void> holdMoves(const Context& context, std::vector<MovePlan>& plans);
+/// Starts what was held: everything on the bus that holds a goal, whoever gave it, and one stored
+/// LX move alone. Before the first byte: Refused ("mode-changed") where a goal now means something
+/// else.
+base::Result<void> startHeld(const Context& context, std::vector<MovePlan>& plans);
+/// Nothing of ours is held any more and nothing has moved. Feetech: torque must be off, and is off
+/// afterwards.
+base::Result<void> forgetHeld(const Context& context, std::vector<MovePlan>& plans);
 
 /// Waits until every servo's moving flag is down (without a flag: until it stands still and its own
 /// travel time is over), or `limit` has passed (NoAnswer/Refused then), or stop. `onSample` sees

@@ -16,6 +16,13 @@ tl::unexpected<base::Error> refuse(ErrorCode code, const Servo& servo, const QSt
     return tl::unexpected(base::Error{code, QStringLiteral("move"), detail, servo.id, key});
 }
 
+QString fieldName(Role role)
+{
+    if (role == Role::GoalCurrent)
+        return QStringLiteral("current");
+    return role == Role::Acceleration ? QStringLiteral("acceleration") : QStringLiteral("speed");
+}
+
 /// Builds the list of fields; holds what the helpers share.
 class Planner {
 public:
@@ -32,7 +39,9 @@ private:
     base::Result<void> addAcceleration();
     base::Result<void> addSpeed();
     base::Result<void> addTime();
+    base::Result<void> addCurrent();
     base::Result<void> addGoal();
+    base::Result<void> know();
     bool drivesPosition() const { return m_mode->command == Role::GoalPosition; }
 
     const Context& m_context;
@@ -45,11 +54,8 @@ private:
 base::Result<void> Planner::addField(Role role, const QString& text)
 {
     const catalog::Register* reg = m_servo.profile->byRole(role);
-    if (reg == nullptr) {
-        return refuse(ErrorCode::NotSupported, m_servo, {},
-                      role == Role::Acceleration ? QStringLiteral("acceleration")
-                                                 : QStringLiteral("speed"));
-    }
+    if (reg == nullptr)
+        return refuse(ErrorCode::NotSupported, m_servo, {}, fieldName(role));
     const auto meaning = m_servo.meaning(*reg);
     const auto raw = catalog::parseValue(text, *reg, meaning);
     if (!raw) {
@@ -115,6 +121,22 @@ base::Result<void> Planner::addTime()
     return {};
 }
 
+/// Of this move. In the modes it drives it is the goal itself. 0 is no torque at all: sendMoves
+/// says so.
+base::Result<void> Planner::addCurrent()
+{
+    if (!m_order.current)
+        return {};
+    if (m_mode->command == Role::GoalCurrent)
+        return refuse(ErrorCode::NotSupported, m_servo, QStringLiteral("current"), m_mode->key);
+    const auto added = addField(Role::GoalCurrent, *m_order.current);
+    if (added && m_plan.fields.back().raw < 0) {
+        return refuse(ErrorCode::OutOfRange, m_servo, QStringLiteral("current"),
+                      QStringLiteral("< 0"));
+    }
+    return added;
+}
+
 base::Result<void> Planner::addGoal()
 {
     static const QRegularExpression bareNumber(QStringLiteral("^\\s*[-+]?\\d+\\s*$"));
@@ -129,21 +151,37 @@ base::Result<void> Planner::addGoal()
     return added;
 }
 
+/// What the fields are checked against.
+base::Result<void> Planner::know()
+{
+    const base::Duration now = m_context.bus.clock().now();
+    const bool known = m_order.settingsMayBe > base::Duration::zero() &&
+                       settingsReadSince(m_servo, now - m_order.settingsMayBe);
+    if (!known) {
+        if (const auto fresh = readSettings(m_context, m_servo); !fresh)
+            return fresh;
+    }
+    m_mode = m_servo.mode();
+    if (m_mode == nullptr || m_servo.profile->byRole(m_mode->command) == nullptr)
+        return refuse(ErrorCode::NotSupported, m_servo, {}, QStringLiteral("mode"));
+    if (!m_order.mode.isEmpty() && m_order.mode != m_mode->key)
+        return refuse(ErrorCode::Refused, m_servo, m_mode->key, QStringLiteral("mode-changed"));
+    return {};
+}
+
 base::Result<MovePlan> Planner::plan()
 {
     if (!m_servo.profile->writable)
         return refuse(ErrorCode::UnknownModel, m_servo, {}, m_servo.profile->identity.firmware());
-    if (const auto fresh = readSettings(m_context, m_servo); !fresh)
-        return tl::unexpected(fresh.error());
-    m_mode = m_servo.mode();
-    if (m_mode == nullptr || m_servo.profile->byRole(m_mode->command) == nullptr)
-        return refuse(ErrorCode::NotSupported, m_servo, {}, QStringLiteral("mode"));
+    if (const auto known = know(); !known)
+        return tl::unexpected(known.error());
     m_plan.servo = &m_servo;
+    m_plan.mode = m_mode->key;
     m_plan.goalRole = m_mode->command;
-    m_plan.relative = m_mode->key == QLatin1StringView("step");
+    m_plan.relative = isRelative(*m_mode);
     m_plan.energises = m_servo.raw(Role::TorqueSwitch).value_or(0) != 1;
-    for (const auto add :
-         {&Planner::addAcceleration, &Planner::addSpeed, &Planner::addTime, &Planner::addGoal}) {
+    for (const auto add : {&Planner::addAcceleration, &Planner::addSpeed, &Planner::addTime,
+                           &Planner::addCurrent, &Planner::addGoal}) {
         if (const auto added = (this->*add)(); !added)
             return tl::unexpected(added.error());
     }

@@ -87,6 +87,17 @@ base::Result<void> energise(const Context& context, MovePlan& plan)
     return {};
 }
 
+base::Result<void> prepare(const Context& context, std::vector<MovePlan>& plans)
+{
+    for (MovePlan& plan : plans) {
+        if (const auto on = energiseFirst(context, plan); !on)
+            return on;
+        if (const auto fresh = refreshBlocks(context, plan); !fresh)
+            return fresh;
+    }
+    return {};
+}
+
 base::Result<void> send(const Context& context, std::vector<MovePlan>& plans, MoveHow how)
 {
     Plans all;
@@ -95,28 +106,14 @@ base::Result<void> send(const Context& context, std::vector<MovePlan>& plans, Mo
     const auto ways = how == MoveHow::Write ? base::Result<Ways>(Ways{}) : sortOut(plans, how);
     if (!ways)
         return tl::unexpected(ways.error());
-    for (MovePlan* plan : all) {
-        if (const auto on = energiseFirst(context, *plan); !on)
-            return on;
-        if (const auto fresh = refreshBlocks(context, *plan); !fresh)
-            return fresh;
-    }
+    if (const auto ready = prepare(context, plans); !ready)
+        return ready;
     return how == MoveHow::Write ? sendByWrite(context, all) : sendTogether(context, *ways);
 }
-} // namespace
 
-base::Result<void> sendMoves(const Context& outer, std::vector<MovePlan>& plans, MoveHow how)
+/// What there is to say of servos that have begun to move.
+base::Result<void> lookAfter(const Context& context, std::vector<MovePlan>& plans)
 {
-    std::vector<int> ids;
-    ids.reserve(plans.size());
-    for (const MovePlan& plan : plans)
-        ids.push_back(plan.servo->id);
-    const Owned owned = own(outer, ids);
-    const Context& context = owned.context;
-    if (context.stop.requested())
-        return base::fail(ErrorCode::Stopped, QStringLiteral("move"));
-    if (const auto sent = send(context, plans, how); !sent)
-        return sent;
     for (MovePlan& plan : plans) {
         if (const auto on = energise(context, plan); !on)
             return on;
@@ -124,5 +121,88 @@ base::Result<void> sendMoves(const Context& outer, std::vector<MovePlan>& plans,
         noteAlarms(context, *plan.servo);
     }
     return {};
+}
+
+/// A context that owns the servos of these plans, or why not.
+base::Result<Owned> ownAll(const Context& outer, const std::vector<MovePlan>& plans)
+{
+    std::vector<int> ids;
+    ids.reserve(plans.size());
+    for (const MovePlan& plan : plans)
+        ids.push_back(plan.servo->id);
+    if (outer.stop.requested())
+        return base::fail(ErrorCode::Stopped, QStringLiteral("move"));
+    return own(outer, ids);
+}
+
+/// The goal must still mean what it meant when it was held.
+base::Result<void> checkMeaning(const Context& context, MovePlan& plan)
+{
+    Servo& servo = *plan.servo;
+    if (const auto fresh = readSettings(context, servo); !fresh)
+        return fresh;
+    const catalog::Mode* mode = servo.mode();
+    if (mode != nullptr && mode->key == plan.mode) {
+        plan.energises = servo.raw(Role::TorqueSwitch).value_or(0) != 1;
+        return {};
+    }
+    return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("move"),
+                                      QStringLiteral("mode-changed"), servo.id});
+}
+} // namespace
+
+base::Result<void> sendMoves(const Context& outer, std::vector<MovePlan>& plans, MoveHow how)
+{
+    const auto owned = ownAll(outer, plans);
+    if (!owned)
+        return tl::unexpected(owned.error());
+    if (const auto sent = send(owned->context, plans, how); !sent)
+        return sent;
+    return lookAfter(owned->context, plans);
+}
+
+base::Result<void> holdMoves(const Context& outer, std::vector<MovePlan>& plans)
+{
+    const auto owned = ownAll(outer, plans);
+    if (!owned)
+        return tl::unexpected(owned.error());
+    const auto ways = sortOut(plans, MoveHow::Async);
+    if (!ways)
+        return tl::unexpected(ways.error());
+    if (const auto ready = prepare(owned->context, plans); !ready)
+        return ready;
+    return holdGoals(owned->context, *ways);
+}
+
+base::Result<void> startHeld(const Context& outer, std::vector<MovePlan>& plans)
+{
+    const auto owned = ownAll(outer, plans);
+    if (!owned)
+        return tl::unexpected(owned.error());
+    const Context& context = owned->context;
+    const auto ways = sortOut(plans, MoveHow::Async);
+    if (!ways)
+        return tl::unexpected(ways.error());
+    for (MovePlan& plan : plans) {
+        if (const auto same = checkMeaning(context, plan); !same)
+            return same;
+        // A stored goal is lost on a servo that was unloaded meanwhile.
+        if (const auto on = energiseFirst(context, plan); !on)
+            return on;
+    }
+    if (const auto started = startGoals(context, *ways); !started)
+        return started;
+    return lookAfter(context, plans);
+}
+
+base::Result<void> forgetHeld(const Context& outer, std::vector<MovePlan>& plans)
+{
+    const auto owned = ownAll(outer, plans);
+    if (!owned)
+        return tl::unexpected(owned.error());
+    const auto ways = sortOut(plans, MoveHow::Async);
+    if (!ways)
+        return tl::unexpected(ways.error());
+    return forgetGoals(owned->context, *ways);
 }
 } // namespace device

@@ -18,6 +18,15 @@ base::Result<Ways> sortOut(std::vector<MovePlan>& plans, MoveHow how);
 
 base::Result<void> sendTogether(const Context& context, const Ways& ways);
 
+/// The halves of a start together: each goal waits in its servo; all of them are started; or none
+/// is kept any more.
+base::Result<void> holdGoals(const Context& context, const Ways& ways);
+base::Result<void> startGoals(const Context& context, const Ways& ways);
+base::Result<void> forgetGoals(const Context& context, const Ways& ways);
+
+/// One request whose answer says nothing more than that it came.
+base::Result<void> transactPlain(const Context& context, protocol::Request request);
+
 /// The blocks that come before the goal's.
 base::Result<void> sendSettings(const Context& context, MovePlan& plan,
                                 const std::vector<Block>& blocks);

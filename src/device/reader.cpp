@@ -274,16 +274,32 @@ base::Result<void> readAll(const Context& context, Servo& servo)
     return readTable(context, servo, registers);
 }
 
-base::Result<void> readSettings(const Context& context, Servo& servo)
+namespace {
+std::vector<const catalog::Register*> settingsOf(const catalog::Profile& profile)
 {
     using catalog::Area;
     std::vector<const catalog::Register*> registers;
-    for (const catalog::Register& reg : servo.profile->registers) {
+    for (const catalog::Register& reg : profile.registers) {
         const bool setting = reg.area == Area::Eprom || reg.area == Area::Sram ||
                              (reg.area == Area::Factory && reg.writable());
         if (setting && !maySilent(reg))
             registers.push_back(&reg);
     }
-    return readTable(context, servo, registers);
+    return registers;
+}
+} // namespace
+
+base::Result<void> readSettings(const Context& context, Servo& servo)
+{
+    return readTable(context, servo, settingsOf(*servo.profile));
+}
+
+bool settingsReadSince(const Servo& servo, base::Duration since)
+{
+    const auto settings = settingsOf(*servo.profile);
+    return std::all_of(settings.begin(), settings.end(), [&](const catalog::Register* reg) {
+        const auto at = servo.image.readAt(reg->offset);
+        return at && *at >= since;
+    });
 }
 } // namespace device

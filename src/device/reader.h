@@ -37,4 +37,6 @@ base::Result<void> readAll(const Context& context, Servo& servo);
 /// The registers that decide what others mean: modes, limits, phase, factor, level, torque, lock;
 /// not the stored move.
 base::Result<void> readSettings(const Context& context, Servo& servo);
+/// All of them were read at this time of the bus' clock or later.
+bool settingsReadSince(const Servo& servo, base::Duration since);
 } // namespace device

@@ -70,7 +70,7 @@ base::Result<RegisterValues> holdingValues(const Servo& servo)
     if (command == nullptr)
         return refuse(ErrorCode::NotSupported, servo, mode->key);
     std::int64_t goal = 0; // step mode: a relative move of nothing; speed and PWM: standstill
-    if (mode->command == Role::GoalPosition && mode->key != QLatin1StringView("step")) {
+    if (mode->command == Role::GoalPosition && !isRelative(*mode)) {
         const auto holding = holdingGoal(servo, *mode);
         if (!holding)
             return tl::unexpected(holding.error());
@@ -210,7 +210,7 @@ base::Result<void> halt(const Context& outer, Servo& servo)
     }
     const catalog::Mode* mode = servo.mode();
     // A step that is under way cannot be taken back by another one.
-    if (mode != nullptr && mode->key == QLatin1StringView("step"))
+    if (mode != nullptr && isRelative(*mode))
         return torqueOff(context, servo);
     const bool drivesPosition = mode != nullptr && mode->command == Role::GoalPosition;
     if (drivesPosition && canSay(servo, protocol::Request::halt(servo.id)))

@@ -110,12 +110,18 @@ std::optional<std::int64_t> valueAfter(const Servo& servo, const RegisterValues&
     return servo.raw(role);
 }
 
+bool isRelative(const catalog::Mode& mode)
+{
+    return mode.key == QLatin1StringView("step");
+}
+
 std::optional<GoalRange> goalRange(const Servo& servo)
 {
     const catalog::Mode* mode = servo.mode();
     const auto min = servo.raw(Role::MinAngle);
     const auto max = servo.raw(Role::MaxAngle);
-    if (mode == nullptr || mode->command != Role::GoalPosition || mode->limitsZero || !min || !max)
+    if (mode == nullptr || mode->command != Role::GoalPosition || mode->limitsZero ||
+        isRelative(*mode) || !min || !max)
         return std::nullopt;
     // The goal counts in coarse steps when a resolution factor is set; the limits do not.
     const std::int64_t factor =

@@ -21,6 +21,9 @@ base::Result<void> checkValues(const Context& context, const Servo& servo,
 std::optional<std::int64_t> valueAfter(const Servo& servo, const RegisterValues& items,
                                        catalog::Role role);
 
+/// Step mode: the goal says how far, not where to.
+bool isRelative(const catalog::Mode& mode);
+
 /// Minimum and maximum of a goal in its raw unit, as the servo's own limits allow; nullopt: free.
 struct GoalRange {
     std::int64_t min = 0;

@@ -8,6 +8,7 @@
 
 #include "device/mode.h"
 #include "device/motion.h"
+#include "device/move_limits.h"
 #include "session/desk.h"
 
 namespace session {
@@ -20,6 +21,9 @@ struct MoveWish {
     std::optional<QString> time{};    ///< ms
     std::optional<QString> current{}; ///< HLS: the current limit of a move
     device::MoveHow how = device::MoveHow::Write;
+    /// One of many while a control is dragged. The settings are read with the first and then once
+    /// a second; after a failure the rest of the drag is not sent. See endDrag().
+    bool dragged = false;
 };
 
 class Drive final : public QObject {
@@ -35,34 +39,64 @@ public:
     /// Several servos go by sync write or by held writes; by plain writes one after the other.
     /// Async only leaves the goals in the servos: execute() starts them.
     void move(const MoveWish& wish);
+    void endDrag();
     /// Step mode: the last step once more.
     void again();
+    bool canRepeat() const { return m_lastStep.has_value(); }
+    /// Starts all goals of ours that wait in servos, chosen now or not.
     void execute();
-    int held() const; ///< servos with a goal of ours that waits for execute()
+    int held() const { return static_cast<int>(m_held.size()); }
+    /// Steps of relative moves since the port was opened or step mode was entered here.
+    std::int64_t stepSum(ServoRef ref) const;
 
     void setTorque(device::Torque torque);
     void halt(); ///< ends the motion, torque stays on
     void switchMode(const QString& mode);
-    /// What switchMode would do, worked out from reads only; modePlanned follows, or failed.
+    /// What switchMode would do to the first servo, worked out from reads only; modePlanned
+    /// follows, or failed.
     void planMode(const QString& mode);
-    void setTorqueLimit(std::int64_t raw); ///< the RAM register (48; SCS 16)
+    /// The RAM register, or where there is none the EPROM row until power-off (SCS).
+    void setTorqueLimit(std::int64_t raw);
 
-    bool busy() const; ///< something is on its way
+    /// An emergency stop has been given, and torque not been switched on since.
+    bool stopped() const { return m_stopped; }
+    bool busy() const { return m_running > 0; } ///< something is on its way
 
 Q_SIGNALS:
-    void changed(); ///< servos, held(), busy()
-    void sent();    ///< a goal has arrived
+    void changed();                           ///< servos, held(), busy(), stepSum()
+    void sent(const session::MoveWish& wish); ///< its goals have arrived, or wait in the servos
+    void started();                           ///< held goals
     void modePlanned(const device::ModePlan& plan);
+    void modeSwitched();
     void failed(const base::Error& error);
     void noted(const device::Notices& notices);
 
 private:
+    struct Sending;
+
+    void deskHappened(const Event& event);
+    void forgetGone();
+    void send(const MoveWish& wish);
     void sendNext();
+    void moveEnded(const Sending& sending, const TaskEnd& end);
+    void forgetHeldGoals();
+    void perform(const std::vector<ServoRef>& servos, Task task,
+                 std::function<void(const TaskEnd&)> done);
+    void tell(const TaskEnd& end);
 
     Desk& m_desk;
     std::vector<ServoRef> m_servos;
     std::optional<MoveWish> m_next;
-    std::optional<MoveWish> m_last;
+    std::optional<MoveWish> m_lastStep;
+    bool m_sending = false; ///< a goal is on its way
+    bool m_stopped = false;
     int m_running = 0;
+
+    bool m_dragging = false;
+    bool m_dragFailed = false;
+    device::Notices m_dragNotices; ///< told in this drag
+
+    std::map<ServoRef, device::MovePlan> m_held; ///< their servo pointers are null
+    std::map<ServoRef, std::int64_t> m_stepSums;
 };
 } // namespace session

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/drive.h"
+
+#include "session/drive_tasks.h"
+
+#include <algorithm>
+
+namespace session {
+using base::ErrorCode;
+using device::MoveHow;
+
+namespace {
+/// So often at least a drag looks whether another program has changed the settings.
+constexpr base::Duration dragTrust = std::chrono::milliseconds(900);
+
+/// The user has stopped it, and knows.
+bool wasStopped(const base::Error& error)
+{
+    return error.code == ErrorCode::Preempted || error.code == ErrorCode::Stopped;
+}
+} // namespace
+
+/// One wish on its way to the wire.
+struct Drive::Sending {
+    MoveWish wish;
+    std::vector<ServoRef> servos;
+    std::shared_ptr<std::vector<device::MovePlan>> plans; ///< filled on the job thread
+};
+
+Drive::Drive(Desk& desk, QObject* parent)
+    : QObject(parent)
+    , m_desk(desk)
+{
+    connect(&desk, &Desk::happened, this, &Drive::deskHappened);
+    connect(&desk, &Desk::servoRemoved, this, &Drive::forgetGone);
+    connect(&desk, &Desk::servosCleared, this, &Drive::forgetGone);
+    connect(&desk, &Desk::linkChanged, this, [this] {
+        if (m_desk.state() == LinkState::Open)
+            return;
+        // Whoever opens the port again finds servos that may have been switched off meanwhile.
+        m_next.reset();
+        m_lastStep.reset();
+        m_held.clear();
+        m_stepSums.clear();
+        m_stopped = false;
+        Q_EMIT changed();
+    });
+}
+
+void Drive::deskHappened(const Event& event)
+{
+    if (event.kind != Event::Kind::Stopped)
+        return;
+    m_stopped = true;
+    m_next.reset();
+    m_lastStep.reset();
+    m_dragFailed = m_dragging;
+    forgetHeldGoals();
+    Q_EMIT changed();
+}
+
+void Drive::forgetGone()
+{
+    const auto gone = [this](const auto& item) { return m_desk.servo(item.first) == nullptr; };
+    std::erase_if(m_held, gone);
+    std::erase_if(m_stepSums, gone);
+    std::erase_if(m_servos, [this](ServoRef ref) { return m_desk.servo(ref) == nullptr; });
+    if (m_servos.empty())
+        m_next.reset();
+    Q_EMIT changed();
+}
+
+void Drive::setServos(const std::vector<ServoRef>& servos)
+{
+    if (servos == m_servos)
+        return;
+    m_servos = servos;
+    m_next.reset();
+    m_lastStep.reset();
+    endDrag();
+    Q_EMIT changed();
+}
+
+std::int64_t Drive::stepSum(ServoRef ref) const
+{
+    const auto sum = m_stepSums.find(ref);
+    return sum != m_stepSums.end() ? sum->second : 0;
+}
+
+void Drive::move(const MoveWish& wish)
+{
+    if (m_servos.empty())
+        return;
+    if (!wish.dragged)
+        endDrag();
+    if (m_dragFailed)
+        return;
+    if (m_sending) {
+        m_next = wish;
+        return;
+    }
+    send(wish);
+}
+
+void Drive::endDrag()
+{
+    m_dragging = false;
+    m_dragFailed = false;
+    m_dragNotices.clear();
+}
+
+void Drive::again()
+{
+    if (m_lastStep)
+        move(*m_lastStep);
+}
+
+void Drive::send(const MoveWish& wish)
+{
+    const bool inDrag = wish.dragged && std::exchange(m_dragging, wish.dragged);
+    MoveJob job{wish, inDrag ? dragTrust : base::Duration::zero(), {}};
+    for (const ServoRef ref : m_servos) {
+        const ServoEntry* known = m_desk.servo(ref);
+        const catalog::Mode* mode =
+            known != nullptr && known->servo.profile ? known->servo.mode() : nullptr;
+        job.expected.push_back({mode != nullptr ? mode->key : QString(), stepSum(ref)});
+    }
+    Sending sending{wish, m_servos, std::make_shared<std::vector<device::MovePlan>>()};
+    Task task;
+    task.name = QStringLiteral("move");
+    task.quiet = true;
+    task.effect = Effect::Moves;
+    task.work = [job = std::move(job), plans = sending.plans](TaskContext& context) {
+        return sendWish(context, job, *plans);
+    };
+    m_sending = true;
+    perform(m_servos, std::move(task),
+            [this, sending](const TaskEnd& end) { moveEnded(sending, end); });
+}
+
+void Drive::moveEnded(const Sending& sending, const TaskEnd& end)
+{
+    m_sending = false;
+    if (end.error) {
+        m_next.reset();
+        m_dragFailed = m_dragging;
+        tell(end);
+        return;
+    }
+    for (std::size_t i = 0; i < sending.plans->size(); ++i) {
+        const device::MovePlan& plan = (*sending.plans)[i];
+        const ServoRef ref = sending.servos[i];
+        if (sending.wish.how == MoveHow::Async)
+            m_held[ref] = plan;
+        else if (plan.relative)
+            m_stepSums[ref] += plan.goalRaw;
+        if (plan.relative)
+            m_lastStep = sending.wish;
+    }
+    tell(end);
+    Q_EMIT sent(sending.wish);
+    sendNext();
+}
+
+void Drive::sendNext()
+{
+    if (m_sending || !m_next || m_servos.empty())
+        return;
+    const MoveWish wish = *std::exchange(m_next, std::nullopt);
+    send(wish);
+}
+
+void Drive::execute()
+{
+    std::vector<ServoRef> servos;
+    auto plans = std::make_shared<std::vector<device::MovePlan>>();
+    for (const auto& [ref, plan] : m_held) {
+        servos.push_back(ref);
+        plans->push_back(plan);
+    }
+    if (servos.empty())
+        return;
+    Task task;
+    task.name = QStringLiteral("execute");
+    task.quiet = true;
+    task.effect = Effect::Moves;
+    task.work = [plans](TaskContext& context) { return startHeldGoals(context, *plans); };
+    perform(servos, std::move(task), [this, servos, plans](const TaskEnd& end) {
+        if (!end.error) {
+            for (std::size_t i = 0; i < servos.size(); ++i) {
+                if ((*plans)[i].relative)
+                    m_stepSums[servos[i]] += (*plans)[i].goalRaw;
+                m_held.erase(servos[i]);
+            }
+        }
+        tell(end);
+        if (!end.error)
+            Q_EMIT started();
+    });
+}
+
+/// After a stop: a goal that waits in a servo must not be started by anybody's ACTION.
+void Drive::forgetHeldGoals()
+{
+    std::vector<ServoRef> servos;
+    auto plans = std::make_shared<std::vector<device::MovePlan>>();
+    for (const auto& [ref, plan] : m_held) {
+        servos.push_back(ref);
+        plans->push_back(plan);
+    }
+    m_held.clear();
+    if (servos.empty())
+        return;
+    Task task;
+    task.name = QStringLiteral("forget-held");
+    task.quiet = true;
+    task.work = [plans](TaskContext& context) { return forgetHeldGoalsOf(context, *plans); };
+    perform(servos, std::move(task), [this](const TaskEnd& end) { tell(end); });
+}
+
+void Drive::setTorque(device::Torque torque)
+{
+    m_next.reset();
+    Task task;
+    task.name = QStringLiteral("torque");
+    if (torque != device::Torque::Off)
+        task.effect = Effect::Energises;
+    task.work = [torque](TaskContext& context) { return torqueOfAll(context, torque); };
+    perform(m_servos, std::move(task), [this, torque](const TaskEnd& end) {
+        if (!end.error && torque != device::Torque::Off)
+            m_stopped = false;
+        tell(end);
+    });
+}
+
+void Drive::halt()
+{
+    m_next.reset();
+    Task task;
+    task.name = QStringLiteral("halt");
+    task.quiet = true;
+    task.work = [](TaskContext& context) { return haltAll(context); };
+    perform(m_servos, std::move(task), [this](const TaskEnd& end) { tell(end); });
+}
+
+void Drive::switchMode(const QString& mode)
+{
+    m_next.reset();
+    m_lastStep.reset();
+    ModeJob job{mode, {}};
+    for (const ServoRef ref : m_servos) {
+        const auto held = m_held.find(ref);
+        job.held.push_back(held != m_held.end() ? std::optional(held->second) : std::nullopt);
+    }
+    Task task;
+    task.name = QStringLiteral("mode");
+    task.savesTable = true;
+    task.work = [job = std::move(job)](TaskContext& context) { return switchAll(context, job); };
+    perform(m_servos, std::move(task), [this, servos = m_servos](const TaskEnd& end) {
+        for (const ServoRef ref : servos) {
+            if (!end.error) {
+                m_held.erase(ref);
+                m_stepSums.erase(ref);
+            }
+        }
+        tell(end);
+        if (!end.error)
+            Q_EMIT modeSwitched();
+    });
+}
+
+void Drive::planMode(const QString& mode)
+{
+    if (m_servos.empty())
+        return;
+    auto plan = std::make_shared<device::ModePlan>();
+    Task task;
+    task.name = QStringLiteral("plan-mode");
+    task.quiet = true;
+    task.work = [mode, plan](TaskContext& context) -> base::Result<void> {
+        auto planned = device::planMode(context.device, context.servo, mode);
+        if (!planned)
+            return tl::unexpected(planned.error());
+        *plan = std::move(*planned);
+        return {};
+    };
+    perform({m_servos.front()}, std::move(task), [this, plan](const TaskEnd& end) {
+        tell(end);
+        if (!end.error)
+            Q_EMIT modePlanned(*plan);
+    });
+}
+
+/// By the desk's own safe write: recorded, shown in the table, and taken back by undo.
+void Drive::setTorqueLimit(std::int64_t raw)
+{
+    for (const ServoRef ref : m_servos) {
+        const ServoEntry* known = m_desk.servo(ref);
+        if (known == nullptr || !known->servo.profile)
+            continue;
+        const device::TorqueLimit limit = device::torqueLimit(*known->servo.profile);
+        if (limit.reg == nullptr)
+            continue;
+        WriteOrder order;
+        order.items.push_back({limit.reg->key, raw});
+        order.temporary = limit.temporary;
+        m_desk.write(ref, order);
+    }
+}
+
+void Drive::perform(const std::vector<ServoRef>& servos, Task task,
+                    std::function<void(const TaskEnd&)> done)
+{
+    if (servos.empty())
+        return;
+    task.others.assign(servos.begin() + 1, servos.end());
+    task.guard = this;
+    task.done = [this, done = std::move(done)](const TaskEnd& end) {
+        --m_running;
+        done(end);
+        Q_EMIT changed();
+    };
+    ++m_running;
+    m_desk.perform(servos.front(), std::move(task));
+    Q_EMIT changed();
+}
+
+/// In a drag the same notice is told once.
+void Drive::tell(const TaskEnd& end)
+{
+    device::Notices news;
+    for (const device::Notice& notice : end.notices) {
+        const bool told = m_dragging && std::find(m_dragNotices.begin(), m_dragNotices.end(),
+                                                  notice) != m_dragNotices.end();
+        if (!told)
+            news.push_back(notice);
+    }
+    if (m_dragging)
+        m_dragNotices.insert(m_dragNotices.end(), news.begin(), news.end());
+    if (!news.empty())
+        Q_EMIT noted(news);
+    if (end.error && !wasStopped(*end.error))
+        Q_EMIT failed(*end.error);
+}
+} // namespace session
