@@ -133,8 +133,7 @@ void MainWindow::connectDesk()
             searchEnded();
     });
     connect(&m_desk, &session::Desk::servoRemoved, this, [this](session::ServoRef ref) {
-        if (m_selection.current() == ref)
-            m_selection.select(0);
+        m_selection.drop(ref);
     });
     connect(&m_desk, &session::Desk::servosCleared, this, [this] { m_selection.select(0); });
     connect(&m_desk, &session::Desk::closed, this, &QWidget::close);

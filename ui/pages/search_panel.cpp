@@ -18,6 +18,8 @@
 #include <QSignalBlocker>
 #include <QStackedWidget>
 
+#include <algorithm>
+
 namespace ui {
 using session::LinkState;
 using session::ServoRef;
@@ -173,18 +175,41 @@ void SearchPanel::listMenu(const QPoint& place)
     menu->popup(m_list->viewport()->mapToGlobal(place));
 }
 
+/// The one that was current stays the first as long as it is chosen.
+void SearchPanel::chosen()
+{
+    std::vector<ServoRef> refs;
+    for (const QModelIndex& index : m_list->selectionModel()->selectedIndexes()) {
+        if (const ServoRef ref = m_model->refAt(index.row()); ref != 0)
+            refs.push_back(ref);
+    }
+    if (refs.empty())
+        return followSelection(); // a click beside the rows is nobody's choice
+    const auto has = [&](ServoRef ref) {
+        return std::find(refs.begin(), refs.end(), ref) != refs.end();
+    };
+    const ServoRef now = m_model->refAt(m_list->currentIndex().row());
+    const ServoRef first = has(m_selection.current()) ? m_selection.current() : now;
+    std::stable_partition(refs.begin(), refs.end(), [&](ServoRef ref) { return ref == first; });
+    m_selection.choose(std::move(refs));
+}
+
 void SearchPanel::followSelection()
 {
-    const int row = m_model->rowOf(m_selection.current());
-    QItemSelectionModel* chosen = m_list->selectionModel();
-    if (row < 0) {
-        const QSignalBlocker quiet(chosen); // another row becoming current is nobody's choice
-        chosen->clear();
-        m_list->viewport()->update();
-        return;
+    QItemSelectionModel* marked = m_list->selectionModel();
+    QItemSelection rows;
+    for (const ServoRef ref : m_selection.chosen()) {
+        if (const int row = m_model->rowOf(ref); row >= 0)
+            rows.select(m_model->index(row, 0), m_model->index(row, 0));
     }
-    if (m_list->currentIndex().row() != row || !chosen->isRowSelected(row))
-        m_list->setCurrentIndex(m_model->index(row, 0));
+    const int current = m_model->rowOf(m_selection.current());
+    const QSignalBlocker quiet(marked); // what is marked here has been chosen elsewhere
+    marked->select(rows, QItemSelectionModel::ClearAndSelect);
+    if (current >= 0 && m_list->currentIndex().row() != current)
+        marked->setCurrentIndex(m_model->index(current, 0), QItemSelectionModel::NoUpdate);
+    else if (current < 0)
+        marked->clearCurrentIndex();
+    m_list->viewport()->update();
 }
 
 void SearchPanel::linkChanged()
@@ -210,7 +235,8 @@ void SearchPanel::retranslate()
     m_progress->setAccessibleName(tr("Progress of the search"));
     m_progress->setToolTip(tr("How much of the search is done"));
     m_list->setAccessibleName(tr("Servos"));
-    m_list->setToolTip(tr("Servos that have answered; choosing one reads it and writes nothing"));
+    m_list->setToolTip(tr("Servos that have answered; choosing one reads it and writes "
+                          "nothing. With Ctrl or Shift several are chosen, to move together"));
     m_empty->setText(m_desk.state() == LinkState::Open
                          ? tr("No servo in the list yet. Search the bus.")
                          : tr("Servos appear here as they are found."));

@@ -52,6 +52,7 @@ private:
     void showList(bool list);
     void showChecklist();
     void listMenu(const QPoint& place);
+    void chosen();
     void followSelection();
     void note(const session::Event& event);
     void linkChanged();

@@ -87,6 +87,7 @@ QWidget* SearchPanel::buildList()
 {
     m_list->setObjectName(QStringLiteral("servoList"));
     m_list->setModel(m_model);
+    m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setItemDelegate(m_delegate);
     m_list->setUniformItemSizes(false);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -137,12 +138,9 @@ void SearchPanel::connectDesk()
 
 void SearchPanel::connectList()
 {
-    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
-            [this](const QModelIndex& now) {
-                if (const ServoRef ref = m_model->refAt(now.row()); now.isValid() && ref != 0)
-                    m_selection.select(ref);
-            });
-    connect(&m_selection, &Selection::changed, this, &SearchPanel::followSelection);
+    connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &SearchPanel::chosen);
+    connect(&m_selection, &Selection::chosenChanged, this, &SearchPanel::followSelection);
     connect(m_list, &QListView::customContextMenuRequested, this, &SearchPanel::listMenu);
     const auto again = [this] {
         showList(true);

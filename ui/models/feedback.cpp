@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/feedback.h"
+
+#include "catalog/units.h"
+#include "device/write_check.h"
+#include "text/translate.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+using catalog::Role;
+using text::translate;
+
+namespace {
+struct Known {
+    Measure measure;
+    Role role;
+    const char* title; ///< context "Feedback"
+    int decimals;
+    bool bothWays;
+    double usual; ///< end of the scale where the servo tells none
+};
+constexpr std::array known{
+    Known{Measure::Voltage, Role::PresentVoltage, QT_TRANSLATE_NOOP("Feedback", "Voltage"), 1,
+          false, 12},
+    Known{Measure::Temperature, Role::PresentTemperature,
+          QT_TRANSLATE_NOOP("Feedback", "Temperature"), 0, false, 100},
+    Known{Measure::Load, Role::PresentLoad, QT_TRANSLATE_NOOP("Feedback", "Load"), 1, true, 100},
+    Known{Measure::Current, Role::PresentCurrent, QT_TRANSLATE_NOOP("Feedback", "Current"), 0, true,
+          1000},
+    Known{Measure::Speed, Role::PresentSpeed, QT_TRANSLATE_NOOP("Feedback", "Speed"), 1, true, 60},
+};
+
+const Known& knownOf(Measure measure)
+{
+    return known[static_cast<std::size_t>(measure)];
+}
+
+std::optional<double> limit(const device::Servo& servo, Role role)
+{
+    const auto value = servo.physical(role);
+    return value && *value > 0 ? value : std::nullopt;
+}
+
+QString number(double value, int decimals)
+{
+    return QLocale().toString(value, 'f', decimals);
+}
+
+/// The value the table may show, in its unit.
+std::optional<double> shown(const session::ServoEntry& entry, const catalog::Register& reg)
+{
+    const auto raw = entry.shown(reg);
+    return raw ? std::optional(catalog::toPhysical(*raw, entry.servo.meaning(reg))) : std::nullopt;
+}
+
+void setVoltage(const device::Servo& servo, GaugeView& view)
+{
+    constexpr double below = 0.6;
+    constexpr double above = 1.2;
+    const auto low = limit(servo, Role::MinVoltage);
+    const auto high = limit(servo, Role::MaxVoltage);
+    view.scale.low = low;
+    view.scale.high = high;
+    view.scale.min = low ? *low * below : 0;
+    view.scale.max = high ? *high * above : knownOf(Measure::Voltage).usual;
+    if (low && high)
+        view.foot = number(*low, 1) + QStringLiteral(" … ") + number(*high, 1);
+}
+
+void setTemperature(const device::Servo& servo, GaugeView& view)
+{
+    constexpr double above = 1.3;
+    const auto high = limit(servo, Role::MaxTemperature);
+    view.scale.high = high;
+    view.scale.max = high ? *high * above : knownOf(Measure::Temperature).usual;
+    if (high)
+        view.foot = QStringLiteral("≤ ") + number(*high, 0);
+}
+
+/// Above the overload threshold an alarm is near; the torque limit is what the servo gives at most.
+void setLoad(const device::Servo& servo, GaugeView& view)
+{
+    const auto overload = limit(servo, Role::OverloadTorque);
+    auto most = servo.physical(Role::TorqueLimit);
+    if (!most)
+        most = servo.physical(Role::MaxTorque);
+    view.scale.max = knownOf(Measure::Load).usual;
+    view.scale.min = -view.scale.max;
+    view.scale.high = overload;
+    QStringList words;
+    if (overload)
+        words << QStringLiteral("≤ ") + number(*overload, 0);
+    if (most && *most < view.scale.max)
+        words << translate("Feedback", "limit %1", "torque limit in %").arg(number(*most, 0));
+    view.foot = words.join(QStringLiteral(" · "));
+}
+
+void setCurrent(const device::Servo& servo, GaugeView& view)
+{
+    constexpr double above = 1.2;
+    const auto high = limit(servo, Role::ProtectionCurrent);
+    view.scale.high = high;
+    view.scale.max = high ? *high * above : knownOf(Measure::Current).usual;
+    view.scale.min = -view.scale.max;
+    if (high)
+        view.foot = QStringLiteral("≤ ") + number(*high, 0);
+}
+
+/// The scale grows with what is seen, in whole steps, so that it does not follow each value.
+void setSpeed(const session::ServoEntry& entry, GaugeView& view)
+{
+    constexpr double step = 30;
+    double top = knownOf(Measure::Speed).usual;
+    const catalog::Register* fastest = entry.servo.profile->find(QStringLiteral("max_speed_limit"));
+    if (const auto most = fastest != nullptr ? shown(entry, *fastest) : std::nullopt)
+        top = std::max(top, *most);
+    if (view.value)
+        top = std::max(top, std::ceil(std::abs(*view.value) / step) * step);
+    view.scale.max = top;
+    view.scale.min = -top;
+    view.foot = view.value && *view.value != 0
+                    ? (*view.value > 0 ? QStringLiteral("↻") : QStringLiteral("↺"))
+                    : QString();
+}
+
+QString plainUnit(const QString& unit)
+{
+    return catalog::unitSuffix(unit).trimmed();
+}
+
+void addKeys(const device::Servo& servo, std::initializer_list<Role> roles, QStringList& keys)
+{
+    for (const Role role : roles) {
+        const catalog::Register* reg = servo.profile->byRole(role);
+        if (reg != nullptr && servo.measures(*reg))
+            keys << reg->key;
+    }
+}
+} // namespace
+
+Role roleOf(Measure measure)
+{
+    return knownOf(measure).role;
+}
+
+GaugeView gaugeView(const session::ServoEntry& entry, Measure measure)
+{
+    const Known& what = knownOf(measure);
+    GaugeView view;
+    view.title = translate("Feedback", what.title);
+    if (!entry.servo.profile)
+        return view;
+    const device::Servo& servo = entry.servo;
+    const catalog::Register* reg = servo.profile->byRole(what.role);
+    if (reg == nullptr || !servo.measures(*reg)) {
+        view.unmeasured = translate("Feedback", "not measured by %1").arg(servo.profile->modelName);
+        return view;
+    }
+    view.value = shown(entry, *reg);
+    view.scale.decimals = what.decimals;
+    view.scale.unit = plainUnit(servo.meaning(*reg).unit);
+    switch (measure) {
+    case Measure::Voltage:
+        setVoltage(servo, view);
+        break;
+    case Measure::Temperature:
+        setTemperature(servo, view);
+        break;
+    case Measure::Load:
+        setLoad(servo, view);
+        break;
+    case Measure::Current:
+        setCurrent(servo, view);
+        break;
+    case Measure::Speed:
+        setSpeed(entry, view);
+        break;
+    }
+    return view;
+}
+
+QStringList feedbackKeys(const device::Servo& servo)
+{
+    QStringList keys;
+    if (!servo.profile)
+        return keys;
+    addKeys(servo,
+            {Role::PresentPosition, Role::PresentSpeed, Role::PresentLoad, Role::PresentVoltage,
+             Role::PresentTemperature, Role::Status, Role::Moving, Role::PresentCurrent},
+            keys);
+    const bool tellsGoal = servo.profile->byRole(Role::ActiveGoal) != nullptr;
+    addKeys(servo, {tellsGoal ? Role::ActiveGoal : Role::GoalPosition}, keys);
+    return keys;
+}
+
+QStringList settingKeys(const device::Servo& servo)
+{
+    QStringList keys;
+    if (!servo.profile)
+        return keys;
+    addKeys(servo,
+            {Role::TorqueSwitch, Role::OperatingMode, Role::MinAngle, Role::MaxAngle,
+             Role::GoalPosition, Role::GoalSpeed, Role::Acceleration, Role::GoalPwm, Role::GoalTime,
+             Role::GoalCurrent, Role::TorqueLimit, Role::Lock, Role::AsyncFlag},
+            keys);
+    keys.removeDuplicates();
+    return keys;
+}
+
+DialView dialView(const session::ServoEntry& entry)
+{
+    DialView view;
+    const device::Servo& servo = entry.servo;
+    if (!servo.profile)
+        return view;
+    const catalog::Profile& profile = *servo.profile;
+    const auto factor =
+        double(std::max<std::int64_t>(1, servo.raw(Role::AngleResolution).value_or(1)));
+    view.stepsPerTurn = profile.stepsPerTurn / factor; // of a goal
+    view.rangeDegrees = profile.angleRangeDeg.value_or(360);
+    view.old = entry.silent;
+    const catalog::Mode* mode = servo.mode();
+    const bool drivesPosition = mode != nullptr && mode->command == Role::GoalPosition;
+    const bool steps = mode != nullptr && mode->key == QLatin1StringView("step");
+    const catalog::Register* present = profile.byRole(Role::PresentPosition);
+    const auto raw = present != nullptr ? entry.shown(*present) : std::nullopt;
+    if (raw) {
+        // Feedback comes in single steps, goals in steps of the resolution factor.
+        view.position = double(*raw) / factor;
+        const catalog::Meaning meaning = servo.meaning(*present);
+        view.value = withUnit(catalog::toPhysical(*raw, meaning), meaning.unit, 1);
+        view.below = QLocale::c().toString(qlonglong(*raw));
+    } else {
+        view.value = QStringLiteral("—");
+        view.below = translate("Feedback", "not read");
+    }
+    if (steps)
+        view.turns = translate("Feedback", "left to go");
+    const catalog::Register* goal = profile.byRole(
+        profile.byRole(Role::ActiveGoal) != nullptr ? Role::ActiveGoal : Role::GoalPosition);
+    const auto goalRaw = goal != nullptr ? entry.shown(*goal) : std::nullopt;
+    if (!drivesPosition || steps || !goalRaw)
+        return view;
+    view.goal = double(*goalRaw);
+    view.below += QStringLiteral(" → ") + QLocale::c().toString(qlonglong(*goalRaw));
+    if (const auto range = device::goalRange(servo); range && !mode->limitsZero) {
+        view.minGoal = range->min;
+        view.maxGoal = range->max;
+    }
+    return view;
+}
+
+QString faultWord(const QString& key)
+{
+    struct Word {
+        const char* key;
+        const char* word;
+    };
+    static constexpr std::array words{
+        Word{"voltage", QT_TRANSLATE_NOOP("Feedback", "Voltage out of range")},
+        Word{"sensor", QT_TRANSLATE_NOOP("Feedback", "Encoder fault")},
+        Word{"temperature", QT_TRANSLATE_NOOP("Feedback", "Over-temperature")},
+        Word{"current", QT_TRANSLATE_NOOP("Feedback", "Overcurrent")},
+        Word{"angle", QT_TRANSLATE_NOOP("Feedback", "Angle fault")},
+        Word{"overload", QT_TRANSLATE_NOOP("Feedback", "Overload")},
+    };
+    for (const Word& word : words) {
+        if (key == QLatin1StringView(word.key))
+            return translate("Feedback", word.word);
+    }
+    return key;
+}
+
+QString withUnit(double value, const QString& unit, int decimals)
+{
+    return number(value, decimals) + catalog::unitSuffix(unit);
+}
+} // namespace ui

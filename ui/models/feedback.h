@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the gauges, the dial and the lights of the operate page show of one servo: scales and limits
+// from its own registers, values only as far as they were really read, words in the language of the
+// moment. Pure functions of an entry; main thread.
+#pragma once
+
+#include "session/servo_entry.h"
+#include "ui/app/theme.h"
+#include "ui/widgets/gauge.h"
+#include "ui/widgets/position_dial.h"
+
+#include <array>
+
+namespace ui {
+enum class Measure : std::uint8_t { Voltage, Temperature, Load, Current, Speed };
+inline constexpr std::array allMeasures{Measure::Voltage, Measure::Temperature, Measure::Load,
+                                        Measure::Current, Measure::Speed};
+
+struct GaugeView {
+    QString title;
+    GaugeScale scale;
+    std::optional<double> value; ///< none: not read
+    QString foot;
+    QString unmeasured; ///< why there is no such measurement; empty: there is
+};
+GaugeView gaugeView(const session::ServoEntry& entry, Measure measure);
+catalog::Role roleOf(Measure measure);
+
+/// The registers the page reads of a servo as fast as it can, and those it looks at now and then.
+QStringList feedbackKeys(const device::Servo& servo);
+QStringList settingKeys(const device::Servo& servo);
+
+/// Without turns in words and without leave to move the goal: whoever drives adds them.
+DialView dialView(const session::ServoEntry& entry);
+
+/// "过温": what a fault bit is called beside its light. `key` as the catalog names the bit.
+QString faultWord(const QString& key);
+
+/// "12.3°", "30 rpm": a number with its unit, for labels.
+QString withUnit(double value, const QString& unit, int decimals);
+} // namespace ui

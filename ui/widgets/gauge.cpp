@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/gauge.h"
+
+#include "ui/app/theme.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+/// So near a limit, as a share of the scale, is worth a sign.
+constexpr double nearShare = 0.06;
+constexpr int sixteenths = 16; ///< QPainter counts angles in these
+constexpr double half = 180;
+
+Tone toneOf(Gauge::Standing standing)
+{
+    switch (standing) {
+    case Gauge::Standing::Beyond:
+        return Tone::Bad;
+    case Gauge::Standing::Near:
+        return Tone::Warn;
+    case Gauge::Standing::Unknown:
+        return Tone::Quiet;
+    case Gauge::Standing::Fine:
+        break;
+    }
+    return Tone::Accent;
+}
+
+void drawArc(QPainter& painter, const QRectF& box, double from, double to)
+{
+    painter.drawArc(box, qRound(from * sixteenths), qRound((to - from) * sixteenths));
+}
+} // namespace
+
+Gauge::Gauge(QWidget* parent)
+    : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void Gauge::setTitle(const QString& title)
+{
+    m_title = title;
+    describe();
+    update();
+}
+
+void Gauge::setScale(const GaugeScale& scale)
+{
+    if (scale == m_scale)
+        return;
+    m_scale = scale;
+    update();
+}
+
+void Gauge::setValue(std::optional<double> value, const QString& foot, bool old)
+{
+    if (value && !std::isfinite(*value))
+        value.reset();
+    if (value == m_value && foot == m_foot && old == m_old && m_unmeasured.isEmpty())
+        return;
+    m_value = value;
+    m_foot = foot;
+    m_old = old;
+    m_unmeasured.clear();
+    describe();
+    update();
+}
+
+void Gauge::setUnmeasured(const QString& why)
+{
+    if (m_unmeasured == why)
+        return;
+    m_value.reset();
+    m_foot.clear();
+    m_unmeasured = why;
+    describe();
+    update();
+}
+
+void Gauge::describe()
+{
+    setAccessibleName(m_title);
+    const QString words = m_unmeasured.isEmpty()
+                              ? QStringList{valueText(), m_foot}.join(QLatin1Char(' '))
+                              : m_unmeasured;
+    setAccessibleDescription(words);
+    setToolTip(m_title + QLatin1Char('\n') + words);
+}
+
+Gauge::Standing Gauge::standing() const
+{
+    if (!m_value)
+        return Standing::Unknown;
+    const double span = std::max(m_scale.max - m_scale.min, 1e-9);
+    const double value = m_scale.min < 0 ? std::abs(*m_value) : *m_value;
+    const double above = m_scale.high ? value - *m_scale.high : -span;
+    const double below = m_scale.low ? *m_scale.low - value : -span;
+    const double worst = std::max(above, below);
+    if (worst > 0)
+        return Standing::Beyond;
+    return worst > -nearShare * span ? Standing::Near : Standing::Fine;
+}
+
+QString Gauge::valueText() const
+{
+    return m_value ? locale().toString(*m_value, 'f', m_scale.decimals) : QStringLiteral("—");
+}
+
+QSize Gauge::sizeHint() const
+{
+    return {fontMetrics().averageCharWidth() * 20, fontMetrics().height() * 7};
+}
+
+QSize Gauge::minimumSizeHint() const
+{
+    return {fontMetrics().averageCharWidth() * 13, fontMetrics().height() * 7};
+}
+
+double Gauge::angleOf(double value) const
+{
+    const double span = std::max(m_scale.max - m_scale.min, 1e-9);
+    return half - std::clamp((value - m_scale.min) / span, 0.0, 1.0) * half;
+}
+
+void Gauge::paintArcs(QPainter& painter, const QRectF& box) const
+{
+    const double thick = std::clamp(box.width() / 11, 5.0, 14.0);
+    const QColor track = palette().color(QPalette::Mid);
+    painter.setBrush(Qt::NoBrush);
+    const auto pen = [&](const QColor& colour, double width) {
+        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
+    };
+    const QRectF inner = box.adjusted(thick, thick, -thick, -thick);
+    pen(track, thick);
+    drawArc(painter, inner, 0, half);
+    if (m_scale.low || m_scale.high) {
+        const bool both = m_scale.min < 0;
+        const double high = angleOf(m_scale.high.value_or(m_scale.max));
+        const double low =
+            angleOf(both && m_scale.high ? -*m_scale.high : m_scale.low.value_or(m_scale.min));
+        pen(tone(Tone::Bad, palette()), 2);
+        drawArc(painter, box, 0, half);
+        pen(palette().color(QPalette::Base), 3);
+        drawArc(painter, box, high, low);
+        pen(tone(Tone::Good, palette()), 2);
+        drawArc(painter, box, high, low);
+    }
+    if (!m_value)
+        return;
+    const double zero = angleOf(m_scale.min < 0 ? 0 : m_scale.min);
+    const QColor colour = tone(m_old ? Tone::Quiet : toneOf(standing()), palette());
+    pen(colour, thick);
+    drawArc(painter, inner, angleOf(*m_value), zero);
+}
+
+void Gauge::paintTexts(QPainter& painter) const
+{
+    const int line = fontMetrics().height();
+    painter.setPen(tone(Tone::Quiet, palette()));
+    const QRect top(2, 4, width() - 4, line);
+    painter.drawText(top, Qt::AlignCenter,
+                     fontMetrics().elidedText(m_title, Qt::ElideRight, top.width()));
+    if (!m_unmeasured.isEmpty()) {
+        const QRect room(6, height() - 3 * line - 2, width() - 12, 3 * line);
+        painter.drawText(room, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, m_unmeasured);
+        return;
+    }
+    const Standing now = standing();
+    QString sign;
+    if (now == Standing::Near)
+        sign = QStringLiteral("! ");
+    else if (now == Standing::Beyond)
+        sign = QStringLiteral("✗ ");
+    const QRect bottom(2, height() - line - 5, width() - 4, line);
+    const QString foot = m_scale.unit.isEmpty() || m_foot.isEmpty()
+                             ? m_scale.unit + m_foot
+                             : m_scale.unit + QStringLiteral(" · ") + m_foot;
+    painter.drawText(bottom, Qt::AlignCenter,
+                     fontMetrics().elidedText(foot, Qt::ElideRight, bottom.width()));
+    QFont big = font();
+    big.setPointSizeF(font().pointSizeF() * 1.55);
+    big.setBold(true);
+    painter.setFont(big);
+    const bool remarkable = now == Standing::Near || now == Standing::Beyond;
+    painter.setPen(m_old        ? tone(Tone::Quiet, palette())
+                   : remarkable ? tone(toneOf(now), palette())
+                                : palette().color(QPalette::WindowText));
+    const QRect middle(2, bottom.top() - QFontMetrics(big).height() - 2, width() - 4,
+                       QFontMetrics(big).height());
+    painter.drawText(middle, Qt::AlignCenter, sign + valueText());
+}
+
+void Gauge::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(palette().color(QPalette::Mid));
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+    const int line = fontMetrics().height();
+    const double top = line + 8;
+    const double room = height() - top - line - 6;
+    const double radius = std::min(room, width() / 2.0 - 10);
+    if (radius > 10 && m_unmeasured.isEmpty())
+        paintArcs(painter, {width() / 2.0 - radius, top, 2 * radius, 2 * radius});
+    paintTexts(painter);
+}
+} // namespace ui
