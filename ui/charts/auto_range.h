@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The range of a y axis that follows its curves without fidgeting: it grows at once when something
+// would leave the picture, and shrinks only after the curves have needed much less for a while. Or
+// it stands where somebody has put it. A value; one thread.
+#pragma once
+
+#include "base/clock.h"
+#include "ui/charts/axis_ticks.h"
+
+#include <optional>
+
+namespace ui {
+class AutoRange {
+public:
+    static constexpr base::Duration patience = std::chrono::seconds(2);
+
+    explicit AutoRange(QString unit = {})
+        : m_unit(std::move(unit))
+    {}
+
+    /// What is in view now; `now` only ever grows. Nothing is done while it is fixed.
+    void take(double min, double max, base::Duration now);
+    /// As take(), but without patience: another view was asked for.
+    void settle(double min, double max);
+
+    void fix(const AxisRange& range);
+    void release();
+    bool fixed() const { return m_fixed; }
+
+    const QString& unit() const { return m_unit; }
+    /// A little more than round, so that no curve runs on the edge.
+    AxisRange shown() const;
+    /// Between the lines of the grid, for a plot of this height.
+    double step(bool tall) const;
+
+private:
+    QString m_unit;
+    AxisRange m_range; ///< round, unless fixed
+    bool m_known = false;
+    bool m_fixed = false;
+    std::optional<base::Duration> m_tooTallSince;
+};
+} // namespace ui

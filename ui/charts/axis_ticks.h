@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an axis is divided and what is written there: round numbers, and times as people read them.
+// Pure functions. Times are seconds; a step is never 0.
+#pragma once
+
+#include <QString>
+
+#include <vector>
+
+namespace ui {
+struct AxisRange {
+    double low = 0;
+    double high = 1;
+    bool operator==(const AxisRange&) const = default;
+    double size() const { return high - low; }
+};
+
+/// The smallest round step that divides `span` into at most `most` parts. Angles like 15, 30, 45.
+double valueStep(double span, int most, const QString& unit);
+/// As above, on the clock: 10 ms, 1 s, 15 s, 5 min, 2 h …
+double timeStep(double seconds, int most);
+/// The multiples of `step` within the range; a hundred at most.
+std::vector<double> ticks(const AxisRange& range, double step);
+
+/// "-250 ms", "-7.5 s", "1:30", "1:02:30.25": the shape follows what else is on the axis.
+QString timeText(double seconds, const AxisRange& axis, double step);
+/// With as many decimals as the step has.
+QString valueText(double value, double step);
+/// A reading, to about one part in ten thousand of `range`, at most nine decimals.
+QString readingText(double value, double range);
+/// "2.500 s", "12.3 ms", "1:02:30.250"
+QString spanText(double seconds);
+
+/// A round range of four divisions around the values, so that all axes share the grid. At least as
+/// tall as makes sense for the unit: the noise of a constant voltage is not blown up.
+AxisRange roundRange(double min, double max, const QString& unit);
+constexpr int axisDivisions = 4;
+} // namespace ui

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Colours of curves that stay apart for colour-blind eyes (after Okabe and Ito) and stand out from
+// the plot's ground by at least 3:1, on light and on dark. Pure functions; ask when painting, since
+// the theme may change at any time.
+#pragma once
+
+#include <QColor>
+
+namespace ui {
+constexpr int trendColourCount = 8; ///< 7 is the grey one, for goals and other company
+
+/// Any number; after the last comes the first again.
+QColor trendColour(int index, const QColor& ground);
+
+/// What to draw `wanted` with on this ground: one of ours becomes its twin of the right theme, any
+/// other is made lighter or darker until it is seen.
+QColor trendColourOn(const QColor& wanted, const QColor& ground);
+
+/// As WCAG counts it, 1 … 21.
+double contrast(const QColor& one, const QColor& other);
+} // namespace ui

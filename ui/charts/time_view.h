@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which stretch of time a chart shows: the last seconds up to now, or one that stands still.
+// Instants of the bus clock. A value; one thread.
+#pragma once
+
+#include "record/sample_store.h"
+
+namespace ui {
+class TimeView {
+public:
+    static constexpr base::Duration narrowest = std::chrono::milliseconds(1);
+    static constexpr base::Duration widest = std::chrono::hours(24 * 30);
+
+    bool following() const { return m_following; }
+    base::Duration now() const { return m_now; }
+    base::Duration width() const { return m_span.to - m_span.from; }
+    const record::TimeSpan& span() const { return m_span; }
+
+    /// True when what is shown has changed.
+    bool advance(base::Duration now);
+    /// Off: the picture stays as it is.
+    void follow(bool on);
+    /// Stops following.
+    void show(record::TimeSpan span);
+    /// The right edge stays while following, otherwise the middle.
+    void setWidth(base::Duration width);
+    /// factor < 1: closer. `place` 0 … 1 from the left stays where it is, while following the right
+    /// edge.
+    void zoom(double factor, double place);
+    /// Stops following. The picture keeps at least a tenth of `kept` (what there is to be seen).
+    void panBy(base::Duration by, const std::optional<record::TimeSpan>& kept);
+
+    base::Duration at(double place) const;
+    double place(base::Duration at) const;
+
+private:
+    bool m_following = true;
+    base::Duration m_now{};
+    record::TimeSpan m_span{-std::chrono::seconds(10), base::Duration{}};
+};
+} // namespace ui

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One curve as it is about to be painted: min/max columns of a stretch of time, and where they go.
+// A value; main thread.
+#pragma once
+
+#include "record/sample_store.h"
+
+#include <QColor>
+
+namespace ui {
+/// From time and value to pixels, of the screen or of the paper.
+struct TraceFrame {
+    record::TimeSpan span;
+    double low = 0; ///< value at the lower edge
+    double high = 1;
+    double width = 1; ///< pixels
+    double height = 1;
+
+    double x(base::Duration at) const
+    {
+        const double whole = double((span.to - span.from).count());
+        return double((at - span.from).count()) * width / (whole > 0 ? whole : 1);
+    }
+    double y(double value) const { return (high - value) * height / (high - low); }
+};
+
+struct Trace {
+    std::vector<record::SampleColumn> columns;
+    QColor colour;
+    bool steps = false;
+    double scale = 1;
+    double offset = 0;
+    double low = 0; ///< of its axis
+    double high = 1;
+
+    double shown(double value) const { return value * scale + offset; }
+};
+} // namespace ui

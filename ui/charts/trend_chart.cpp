@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/trend_chart.h"
+
+#include "ui/charts/axis_ticks.h"
+#include "ui/charts/trend_chart_private.h"
+
+#include <QEvent>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+namespace ui {
+using base::Duration;
+using record::TimeSpan;
+
+TrendChart::TrendChart(QWidget* parent)
+    : QWidget(parent)
+    , m_private(std::make_unique<Private>(this))
+{
+    auto* const layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(m_private->plot, 1);
+    layout->addWidget(m_private->overview);
+    setFocusProxy(m_private->plot);
+    m_private->connectAll();
+    m_private->takeColours();
+    retranslate();
+}
+
+TrendChart::~TrendChart() = default;
+
+void TrendChart::setStore(const record::SampleStore* store)
+{
+    m_private->state().store = store;
+    m_private->control.forgetBack();
+    m_private->channelsChanged();
+    if (cursorsShown())
+        Q_EMIT cursorsChanged();
+}
+
+void TrendChart::setChannels(std::vector<TrendChannel> channels)
+{
+    m_private->state().channels = std::move(channels);
+    m_private->channelsChanged();
+    if (cursorsShown())
+        Q_EMIT cursorsChanged();
+}
+
+const std::vector<TrendChannel>& TrendChart::channels() const
+{
+    return m_private->state().channels;
+}
+
+void TrendChart::setMarks(const std::vector<record::Mark>* marks)
+{
+    m_private->state().marks = marks;
+    m_private->frameSoon();
+}
+
+void TrendChart::setOrigin(Duration instant)
+{
+    m_private->state().origin = instant;
+    m_private->frameSoon();
+}
+
+void TrendChart::advance(Duration now)
+{
+    const bool moved = m_private->state().view.advance(now);
+    if (moved || m_private->overviewDue())
+        m_private->frameSoon();
+    m_private->cursorsGrow();
+}
+
+bool TrendChart::following() const
+{
+    return m_private->state().view.following();
+}
+
+Duration TrendChart::width() const
+{
+    return m_private->state().view.width();
+}
+
+TimeSpan TrendChart::shown() const
+{
+    return m_private->state().view.span();
+}
+
+bool TrendChart::cursorsShown() const
+{
+    return m_private->state().cursors.has_value();
+}
+
+std::optional<TimeSpan> TrendChart::cursors() const
+{
+    const auto& pair = m_private->state().cursors;
+    if (!pair)
+        return {};
+    return TimeSpan{std::min(pair->first, pair->second), std::max(pair->first, pair->second)};
+}
+
+std::vector<CursorReading> TrendChart::cursorReadings() const
+{
+    std::vector<CursorReading> readings;
+    const TrendState& state = m_private->state();
+    const auto places = cursors();
+    if (!places || state.store == nullptr)
+        return readings;
+    const auto valueAt = [&](record::ChannelId id, Duration at) -> std::optional<double> {
+        const auto point = state.store->at(id, at);
+        return point ? std::optional(point->value) : std::nullopt;
+    };
+    for (const TrendChannel& channel : state.channels) {
+        if (!channel.visible || channel.id < 0)
+            continue;
+        readings.push_back({channel.key, valueAt(channel.id, state.cursors->first),
+                            valueAt(channel.id, state.cursors->second),
+                            state.store->statistics(channel.id, *places)});
+    }
+    return readings;
+}
+
+void TrendChart::setFollowing(bool on)
+{
+    m_private->control.follow(on);
+}
+
+void TrendChart::setWidth(Duration width)
+{
+    m_private->control.setWidth(width);
+}
+
+void TrendChart::show(const TimeSpan& span)
+{
+    m_private->control.show(span);
+}
+
+void TrendChart::fit()
+{
+    m_private->control.fit();
+}
+
+void TrendChart::zoomBack()
+{
+    m_private->control.back();
+}
+
+void TrendChart::setCursorsShown(bool on)
+{
+    m_private->control.showCursors(on);
+}
+
+void TrendChart::setCursors(Duration a, Duration b)
+{
+    m_private->control.setCursors(a, b);
+}
+
+void TrendChart::setChannelVisible(int index, bool visible)
+{
+    auto& channels = m_private->state().channels;
+    if (index < 0 || std::size_t(index) >= channels.size() ||
+        channels[std::size_t(index)].visible == visible)
+        return;
+    channels[std::size_t(index)].visible = visible;
+    m_private->channelsChanged();
+    Q_EMIT channelsChanged();
+    if (cursorsShown())
+        Q_EMIT cursorsChanged();
+}
+
+void TrendChart::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        m_private->takeColours();
+    QWidget::changeEvent(event);
+}
+
+void TrendChart::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    m_private->frame();
+}
+
+void TrendChart::retranslate()
+{
+    m_private->plot->setAccessibleName(tr("Trend chart"));
+    m_private->plot->setToolTip(
+        tr("Drag: zoom into a box. Ctrl+drag or middle button: move. Wheel: zoom time; with Shift "
+           "values. Double click or Backspace: back. Arrows, +, -, Y, Home, End, Space, F, C, "
+           "brackets and digits do the same from the keyboard."));
+    m_private->overview->setAccessibleName(tr("Whole recording"));
+    m_private->overview->setToolTip(tr(
+        "Everything there is. Drag the frame to look elsewhere, its edges to see more or less."));
+    m_private->showNotice();
+}
+} // namespace ui

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Trend chart of a sample store: Qt Charts draws axes, grid and legend, one item paints all traces
+// as min/max columns. Follows the newest sample or stands still; zoom by box, wheel and pinch, pan,
+// overview strip below, two cursors, marks. Shows, never changes the store, which it borrows.
+// Repaints at most 30 times a second. Main thread.
+#pragma once
+
+#include "record/trigger.h"
+#include "ui/charts/trend_channel.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ui {
+struct CursorReading {
+    QString channel; ///< TrendChannel::key
+    std::optional<double> a;
+    std::optional<double> b;
+    record::SampleStatistics between;
+};
+
+class TrendChart final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TrendChart(QWidget* parent = nullptr);
+    ~TrendChart() override;
+
+    /// Null: nothing to show. The store must outlive the chart or be taken away first.
+    void setStore(const record::SampleStore* store);
+    void setChannels(std::vector<TrendChannel> channels);
+    const std::vector<TrendChannel>& channels() const;
+    void setMarks(const std::vector<record::Mark>* marks); ///< borrowed, in time order
+    /// Times on the axis count from here: 0 s is `instant` while not following; while following the
+    /// right edge is 0 s.
+    void setOrigin(base::Duration instant);
+    /// Where "now" is, at about 30 Hz while following; repaints what is new.
+    void advance(base::Duration now);
+
+    using QWidget::show;
+    bool following() const;
+    base::Duration width() const; ///< of time shown
+    record::TimeSpan shown() const;
+    bool cursorsShown() const;
+    std::optional<record::TimeSpan> cursors() const; ///< A … B, in order of time
+    std::vector<CursorReading> cursorReadings() const;
+
+    bool savePng(const QString& path, QSize size, QString* trouble) const; ///< with legend
+    bool saveSvg(const QString& path, QSize size, QString* trouble) const;
+
+public Q_SLOTS:
+    void setFollowing(bool on); ///< false: pause; the store goes on growing
+    void setWidth(base::Duration width);
+    void show(const record::TimeSpan& span); ///< stops following
+    void fit();                              ///< everything there is; y too
+    void zoomBack();                         ///< the view before the last zoom
+    void setCursorsShown(bool on);
+    void setCursors(base::Duration a, base::Duration b);
+    void setChannelVisible(int index, bool visible);
+
+Q_SIGNALS:
+    void viewChanged();     ///< shown(), following(), width()
+    void cursorsChanged();  ///< places, or what is read at them
+    void channelsChanged(); ///< visibility or colour, changed at the legend
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void retranslate();
+
+    class Private;
+    std::unique_ptr<Private> m_private;
+};
+} // namespace ui

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The inside of TrendChart: ties state, plot and overview together and sees to it that not more
+// than 30 frames a second are made, however many wishes come. Main thread.
+#pragma once
+
+#include "ui/charts/trend_chart.h"
+#include "ui/charts/trend_control.h"
+#include "ui/charts/trend_overview.h"
+#include "ui/charts/trend_plot.h"
+
+#include <QTimer>
+
+namespace ui {
+class TrendChart::Private {
+public:
+    explicit Private(TrendChart* chart);
+
+    TrendState& state() { return control.state(); }
+    void connectAll();
+    void takeColours();
+    void channelsChanged();
+    void showNotice();
+
+    /// Now if the last one is long enough ago, otherwise as soon as it is.
+    void frameSoon();
+    void frame();
+    bool overviewDue() const;
+    void cursorsGrow();
+
+    TrendChart* const q;
+    TrendControl control;
+    TrendPlot* const plot;
+    TrendOverview* const overview;
+
+private:
+    void connectPlot();
+    void showTip(const QPointF& scene, const QPoint& screen);
+    void nudge(Cursor which, double pixels);
+    QString valuesAt(base::Duration at) const;
+
+    QTimer m_later;
+    QElapsedTimer m_sinceFrame;
+    QElapsedTimer m_sinceReadings;
+    bool m_atOnce = true; ///< the next frame ranges the axes without patience
+};
+} // namespace ui

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/trend_control.h"
+
+#include <algorithm>
+
+namespace ui {
+using base::Duration;
+using record::TimeSpan;
+
+namespace {
+constexpr std::size_t mostBefore = 50;
+constexpr qint64 oneTurn = 800; ///< ms; a turn of the wheel is many steps, but one zoom
+constexpr double fitMargin = 0.02;
+} // namespace
+
+TrendControl::TrendControl(QObject* parent)
+    : QObject(parent)
+{}
+
+void TrendControl::remember(Kind kind)
+{
+    const bool same = kind != Kind::Single && kind == m_lastKind && m_sinceZoom.isValid() &&
+                      m_sinceZoom.elapsed() < oneTurn;
+    m_lastKind = kind;
+    m_sinceZoom.start();
+    if (same)
+        return;
+    View view{m_state.view.following(), m_state.view.span(), {}};
+    for (const TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
+        if (axis.range.fixed())
+            view.fixed.emplace_back(axis.range.unit(), axis.range.shown());
+    }
+    m_before.push_back(std::move(view));
+    if (m_before.size() > mostBefore)
+        m_before.erase(m_before.begin());
+}
+
+void TrendControl::back()
+{
+    if (m_before.empty())
+        return;
+    const View view = std::move(m_before.back());
+    m_before.pop_back();
+    m_sinceZoom.invalidate();
+    if (view.following) {
+        m_state.view.follow(true);
+        m_state.view.setWidth(view.span.to - view.span.from);
+    } else {
+        m_state.view.show(view.span);
+    }
+    for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
+        const auto found =
+            std::find_if(view.fixed.begin(), view.fixed.end(),
+                         [&](const auto& fixed) { return fixed.first == axis.range.unit(); });
+        axis.range.release();
+        if (found != view.fixed.end())
+            axis.range.fix(found->second);
+    }
+    Q_EMIT viewChanged();
+}
+
+void TrendControl::follow(bool on)
+{
+    if (on == m_state.view.following())
+        return;
+    m_state.view.follow(on);
+    Q_EMIT viewChanged();
+}
+
+void TrendControl::setWidth(Duration width)
+{
+    if (width == m_state.view.width())
+        return;
+    m_state.view.setWidth(width);
+    Q_EMIT viewChanged();
+}
+
+void TrendControl::show(const TimeSpan& span)
+{
+    remember(Kind::Single);
+    drag(span);
+}
+
+void TrendControl::drag(const TimeSpan& span)
+{
+    m_state.view.show(span);
+    Q_EMIT viewChanged();
+}
+
+void TrendControl::fit()
+{
+    remember(Kind::Single);
+    const auto all = m_state.store != nullptr ? m_state.store->span() : std::nullopt;
+    if (all) {
+        const auto more = Duration(std::int64_t(double((all->to - all->from).count()) * fitMargin));
+        m_state.view.show({all->from - more, all->to + more});
+    }
+    for (TrendAxes::ValueAxis& axis : m_axes->valueAxes())
+        axis.range.release();
+    Q_EMIT viewChanged();
+}
+
+template <typename Change>
+void TrendControl::changeAxes(const QString* unit, Change change)
+{
+    for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
+        if (axis.used && (unit == nullptr || axis.range.unit() == *unit))
+            axis.range.fix(change(axis.range.shown()));
+    }
+}
+
+void TrendControl::box(const QRectF& shares)
+{
+    remember(Kind::Single);
+    const TimeView& view = m_state.view;
+    const double low = std::min(shares.top(), shares.bottom());
+    const double high = std::max(shares.top(), shares.bottom());
+    m_state.view.show({view.at(shares.left()), view.at(shares.right())});
+    if (low > 0.001 || high < 0.999) {
+        changeAxes(nullptr, [&](const AxisRange& range) {
+            return AxisRange{range.low + low * range.size(), range.low + high * range.size()};
+        });
+    }
+    Q_EMIT viewChanged();
+}
+
+void TrendControl::pan(double x, double y, bool values)
+{
+    if (x != 0) {
+        const auto by = Duration(std::int64_t(-x * double(m_state.view.width().count())));
+        m_state.view.panBy(by, m_state.store != nullptr ? m_state.store->span() : std::nullopt);
+    }
+    if (y != 0) {
+        for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
+            const AxisRange range = axis.range.shown();
+            if (axis.used && (values || axis.range.fixed()))
+                axis.range.fix({range.low - y * range.size(), range.high - y * range.size()});
+        }
+    }
+    Q_EMIT viewChanged();
+}
+
+void TrendControl::zoom(double factor, double place)
+{
+    remember(Kind::Wheel);
+    m_state.view.zoom(factor, place);
+    Q_EMIT viewChanged();
+}
+
+void TrendControl::zoomValues(const QString* unit, double factor, double place)
+{
+    remember(Kind::Values);
+    changeAxes(unit, [&](const AxisRange& range) {
+        const double pinned = range.low + std::clamp(place, 0.0, 1.0) * range.size();
+        return AxisRange{pinned + (range.low - pinned) * factor,
+                         pinned + (range.high - pinned) * factor};
+    });
+    Q_EMIT viewChanged();
+}
+
+void TrendControl::goToEnd(bool newest)
+{
+    if (newest) {
+        follow(true);
+        return;
+    }
+    const auto all = m_state.store != nullptr ? m_state.store->span() : std::nullopt;
+    if (!all)
+        return;
+    m_state.view.show({all->from, all->from + m_state.view.width()});
+    Q_EMIT viewChanged();
+}
+
+void TrendControl::showCursors(bool on)
+{
+    if (on == m_state.cursors.has_value())
+        return;
+    if (on)
+        m_state.cursors = {m_state.view.at(1.0 / 3), m_state.view.at(2.0 / 3)};
+    else
+        m_state.cursors.reset();
+    Q_EMIT cursorsChanged();
+}
+
+void TrendControl::setCursors(Duration a, Duration b)
+{
+    m_state.cursors = {a, b};
+    Q_EMIT cursorsChanged();
+}
+
+void TrendControl::moveCursor(Cursor which, Duration to)
+{
+    if (!m_state.cursors)
+        showCursors(true);
+    (which == Cursor::A ? m_state.cursors->first : m_state.cursors->second) =
+        std::clamp(to, m_state.view.span().from, m_state.view.span().to);
+    Q_EMIT cursorsChanged();
+}
+} // namespace ui

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keeps what a chart shows and turns wishes (box, wheel, keys, buttons) into another view, with the
+// way back. Draws nothing. Owned by the chart; main thread.
+#pragma once
+
+#include "ui/charts/trend_picture.h"
+
+#include <QElapsedTimer>
+
+namespace ui {
+class TrendControl final : public QObject {
+    Q_OBJECT
+
+public:
+    explicit TrendControl(QObject* parent);
+
+    TrendState& state() { return m_state; }
+    const TrendState& state() const { return m_state; }
+    void setAxes(TrendAxes* axes) { m_axes = axes; }
+
+    void follow(bool on);
+    void setWidth(base::Duration width);
+    void show(const record::TimeSpan& span);
+    void fit();
+    void back();
+    void forgetBack() { m_before.clear(); }
+
+    void rememberView() { remember(Kind::Single); }
+    void drag(const record::TimeSpan& span); ///< show() without a way back of its own
+    void box(const QRectF& shares);
+    /// `values` also where an axis still ranges by itself.
+    void pan(double x, double y, bool values);
+    void zoom(double factor, double place);
+    void zoomValues(const QString* unit, double factor, double place);
+    void goToEnd(bool newest);
+
+    void showCursors(bool on);
+    void setCursors(base::Duration a, base::Duration b);
+    void moveCursor(Cursor which, base::Duration to);
+
+Q_SIGNALS:
+    void viewChanged();
+    void cursorsChanged();
+
+private:
+    enum class Kind : std::uint8_t { Single, Wheel, Values };
+    struct View {
+        bool following = true;
+        record::TimeSpan span{};
+        std::vector<std::pair<QString, AxisRange>> fixed{};
+    };
+
+    void remember(Kind kind);
+    template <typename Change>
+    void changeAxes(const QString* unit, Change change);
+
+    TrendState m_state;
+    TrendAxes* m_axes = nullptr;
+    std::vector<View> m_before;
+    Kind m_lastKind = Kind::Single;
+    QElapsedTimer m_sinceZoom;
+};
+} // namespace ui

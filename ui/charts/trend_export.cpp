@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The chart as a picture file: on white whatever the theme, with legend and time axis, from a chart
+// of its own that nobody sees. Written beside the old file first, so that a full disk leaves no
+// half picture.
+#include "ui/charts/trend_chart_private.h"
+
+#include <QBuffer>
+#include <QChart>
+#include <QGraphicsScene>
+#include <QPainter>
+#include <QSaveFile>
+#include <QSvgGenerator>
+
+namespace ui {
+namespace {
+constexpr double border = 12;
+constexpr QSize leastSize(320, 240);
+
+/// The same view, axes as they stand, on paper.
+void paintOnPaper(QPainter* painter, const TrendState& state, const TrendAxes& axes,
+                  const QFont& font, const QSizeF& size)
+{
+    QGraphicsScene scene;
+    auto* const chart = new QChart;
+    scene.addItem(chart);
+    chart->resize(size - QSizeF(2 * border, 2 * border));
+    TrendPicture picture(chart, state, nullptr);
+    picture.setPaper(true);
+    picture.setFont(font);
+    picture.setColours(TrendColours::ofPaper());
+    picture.layOut();
+    picture.refresh(TrendPicture::Axes::AtOnce, 1);
+    for (const TrendAxes::ValueAxis& axis : axes.valueAxes())
+        picture.axes().axisOf(axis.range.unit()).range = axis.range;
+    picture.refresh(TrendPicture::Axes::Calm, 1);
+    painter->fillRect(QRectF(QPointF(0, 0), size), Qt::white);
+    const QRectF paper(QPointF(border, border), chart->size());
+    scene.render(painter, paper, QRectF(QPointF(0, 0), chart->size()));
+}
+
+bool write(const QString& path, const QByteArray& bytes, QString* trouble)
+{
+    QSaveFile file(path);
+    const bool good = !path.isEmpty() && file.open(QIODevice::WriteOnly) &&
+                      file.write(bytes) == bytes.size() && file.commit();
+    if (!good && trouble != nullptr)
+        *trouble =
+            path.isEmpty()
+                ? TrendChart::tr("No file name was given.")
+                : TrendChart::tr("%1 could not be written: %2").arg(path, file.errorString());
+    return good;
+}
+} // namespace
+
+bool TrendChart::savePng(const QString& path, QSize size, QString* trouble) const
+{
+    const double ratio = devicePixelRatioF();
+    const QSize logical = size.expandedTo(leastSize);
+    QImage image(logical * ratio, QImage::Format_RGB32);
+    image.setDevicePixelRatio(ratio);
+    image.fill(Qt::white);
+    {
+        QPainter painter(&image);
+        paintOnPaper(&painter, m_private->state(), m_private->plot->picture().axes(), font(),
+                     logical);
+    }
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return write(path, bytes, trouble);
+}
+
+bool TrendChart::saveSvg(const QString& path, QSize size, QString* trouble) const
+{
+    const QSize logical = size.expandedTo(leastSize);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    {
+        QSvgGenerator generator;
+        generator.setOutputDevice(&buffer);
+        generator.setSize(logical);
+        generator.setViewBox(QRect(QPoint(0, 0), logical));
+        generator.setTitle(tr("Trend chart"));
+        QPainter painter(&generator);
+        paintOnPaper(&painter, m_private->state(), m_private->plot->picture().axes(), font(),
+                     logical);
+    }
+    return write(path, bytes, trouble);
+}
+} // namespace ui

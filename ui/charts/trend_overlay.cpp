@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/trend_overlay.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace ui {
+using record::Mark;
+using record::MarkKind;
+
+namespace {
+constexpr double flagSize = 16;
+constexpr double apart = 20;           ///< marks closer than this share a flag
+constexpr double textSpace = 5;        ///< beside a flag
+constexpr double leastText = 24;       ///< less is not worth writing
+constexpr double reach = 6;            ///< of the mouse
+constexpr std::size_t mostLooked = 64; ///< marks of a group that are looked at for the gravest
+constexpr int mostListed = 12;
+
+QString signOf(MarkKind kind)
+{
+    switch (kind) {
+    case MarkKind::Write:
+        return QStringLiteral("W");
+    case MarkKind::Fault:
+        return QStringLiteral("!");
+    case MarkKind::FaultOver:
+        return QStringLiteral("\u2713");
+    case MarkKind::LinkError:
+        return QStringLiteral("\u00d7");
+    case MarkKind::LinkBack:
+        return QStringLiteral("+");
+    case MarkKind::Move:
+        return QStringLiteral("M");
+    case MarkKind::Stop:
+        return QStringLiteral("S");
+    case MarkKind::Note:
+        break;
+    }
+    return QStringLiteral("i");
+}
+
+int gravity(MarkKind kind)
+{
+    switch (kind) {
+    case MarkKind::Stop:
+        return 5;
+    case MarkKind::Fault:
+        return 4;
+    case MarkKind::LinkError:
+        return 3;
+    case MarkKind::Write:
+        return 2;
+    case MarkKind::FaultOver:
+    case MarkKind::LinkBack:
+    case MarkKind::Move:
+        return 1;
+    case MarkKind::Note:
+        break;
+    }
+    return 0;
+}
+} // namespace
+
+TrendOverlay::TrendOverlay(QGraphicsItem* parent)
+    : QGraphicsItem(parent)
+{
+    setAcceptedMouseButtons(Qt::NoButton);
+    setZValue(20);
+}
+
+void TrendOverlay::setPlot(const QRectF& plot)
+{
+    if (plot == m_plot)
+        return;
+    prepareGeometryChange();
+    m_plot = plot;
+}
+
+void TrendOverlay::setColours(const TrendColours& colours)
+{
+    m_colours = colours;
+    update();
+}
+
+void TrendOverlay::setFont(const QFont& font)
+{
+    m_font = font;
+    update();
+}
+
+void TrendOverlay::setView(const TimeView& view)
+{
+    m_view = view;
+    update();
+}
+
+void TrendOverlay::setMarks(const std::vector<Mark>* marks)
+{
+    m_marks = marks;
+    update();
+}
+
+void TrendOverlay::setCursors(const std::optional<std::pair<base::Duration, base::Duration>>& pair)
+{
+    m_cursors = pair;
+    update();
+}
+
+void TrendOverlay::setActive(std::optional<Cursor> cursor)
+{
+    if (cursor == m_active)
+        return;
+    m_active = cursor;
+    update();
+}
+
+void TrendOverlay::setBox(const QRectF& box)
+{
+    m_box = box;
+    update();
+}
+
+void TrendOverlay::setFocused(bool on)
+{
+    m_focused = on;
+    update();
+}
+
+void TrendOverlay::setNotice(const QString& text)
+{
+    if (text == m_notice)
+        return;
+    m_notice = text;
+    update();
+}
+
+QRectF TrendOverlay::boundingRect() const
+{
+    return m_plot.adjusted(-flagSize, -flagSize - 2, flagSize, 2);
+}
+
+std::optional<Cursor> TrendOverlay::cursorAt(const QPointF& place) const
+{
+    if (!m_cursors || !boundingRect().contains(place))
+        return {};
+    const auto distance = [&](base::Duration at) {
+        return std::abs(m_plot.left() + m_view.place(at) * m_plot.width() - place.x());
+    };
+    const double a = distance(m_cursors->first);
+    const double b = distance(m_cursors->second);
+    if (std::min(a, b) > reach)
+        return {};
+    return a < b ? Cursor::A : Cursor::B;
+}
+
+std::vector<MarkGroup> TrendOverlay::groups() const
+{
+    std::vector<MarkGroup> found;
+    if (m_marks == nullptr || m_plot.width() <= 0)
+        return found;
+    const auto after = [&](base::Duration at) {
+        return std::size_t(
+            std::lower_bound(m_marks->begin(), m_marks->end(), at,
+                             [](const Mark& m, base::Duration t) { return m.at < t; }) -
+            m_marks->begin());
+    };
+    const std::size_t end = after(m_view.span().to + base::Duration(1));
+    for (std::size_t i = after(m_view.span().from); i < end;) {
+        MarkGroup group;
+        group.first = i;
+        group.x = m_view.place((*m_marks)[i].at) * m_plot.width();
+        const std::size_t next =
+            std::clamp(after(m_view.at((group.x + apart) / m_plot.width())), i + 1, end);
+        group.count = next - i;
+        group.gravest = (*m_marks)[i].kind;
+        for (std::size_t k = i; k < std::min(next, i + mostLooked); ++k) {
+            if (gravity((*m_marks)[k].kind) > gravity(group.gravest))
+                group.gravest = (*m_marks)[k].kind;
+        }
+        found.push_back(group);
+        i = next;
+    }
+    return found;
+}
+
+QString TrendOverlay::marksAt(const QPointF& place) const
+{
+    if (!boundingRect().contains(place))
+        return {};
+    const double x = place.x() - m_plot.left();
+    QStringList lines;
+    for (const MarkGroup& group : groups()) {
+        if (x < group.x - reach || x > group.x + (group.count > 1 ? apart : flagSize))
+            continue;
+        for (std::size_t i = 0; i < group.count && lines.size() < mostListed; ++i)
+            lines << (*m_marks)[group.first + i].text;
+        if (group.count > mostListed)
+            lines << QStringLiteral("\u2026 +%1").arg(group.count - mostListed);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+QColor TrendOverlay::colourOf(MarkKind kind) const
+{
+    switch (kind) {
+    case MarkKind::Write:
+        return m_colours.accent;
+    case MarkKind::Fault:
+    case MarkKind::Stop:
+        return m_colours.bad;
+    case MarkKind::LinkError:
+        return m_colours.warn;
+    case MarkKind::FaultOver:
+    case MarkKind::LinkBack:
+        return m_colours.good;
+    case MarkKind::Move:
+    case MarkKind::Note:
+        break;
+    }
+    return m_colours.quiet;
+}
+
+void TrendOverlay::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*)
+{
+    if (m_plot.isEmpty())
+        return;
+    painter->setFont(m_font);
+    paintMarks(painter);
+    if (m_cursors) {
+        paintCursor(painter, Cursor::A, m_cursors->first);
+        paintCursor(painter, Cursor::B, m_cursors->second);
+    }
+    if (!m_box.isEmpty()) {
+        QColor inside = m_colours.accent;
+        inside.setAlphaF(0.15F);
+        painter->setPen(QPen(m_colours.accent, 1));
+        painter->setBrush(inside);
+        painter->drawRect(m_box);
+    }
+    if (!m_notice.isEmpty()) {
+        painter->setPen(m_colours.quiet);
+        painter->drawText(m_plot, Qt::AlignCenter | Qt::TextWordWrap, m_notice);
+    }
+    painter->setBrush(Qt::NoBrush);
+    if (m_focused) {
+        painter->setPen(QPen(m_colours.accent, 2));
+        painter->drawRect(m_plot);
+    }
+}
+
+void TrendOverlay::paintMarks(QPainter* painter) const
+{
+    const std::vector<MarkGroup> all = groups();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const double next = i + 1 < all.size() ? all[i + 1].x - flagSize / 2 : m_plot.width();
+        paintMark(painter, all[i], next - all[i].x - flagSize / 2 - 2 * textSpace);
+    }
+}
+
+void TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double room) const
+{
+    const QColor colour = colourOf(group.gravest);
+    const double x = m_plot.left() + std::round(group.x);
+    painter->setPen(QPen(colour, 1));
+    painter->drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
+    const QRectF flag(x - flagSize / 2, m_plot.top() - flagSize, flagSize, flagSize);
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(colour);
+    painter->drawRoundedRect(flag, 3, 3);
+    painter->setRenderHint(QPainter::Antialiasing, false);
+    painter->setPen(m_colours.ground);
+    painter->drawText(flag, Qt::AlignCenter, signOf(group.gravest));
+    const QFontMetricsF metrics(m_font);
+    QString text = (*m_marks)[group.first].text;
+    if (group.count > 1)
+        text = QStringLiteral("+%1").arg(group.count - 1);
+    const bool fits = metrics.horizontalAdvance(text) <= room;
+    if (!fits && room < leastText)
+        return;
+    painter->setPen(colour);
+    painter->drawText(QPointF(flag.right() + textSpace, m_plot.top() - textSpace),
+                      fits ? text : metrics.elidedText(text, Qt::ElideRight, room));
+}
+
+void TrendOverlay::paintCursor(QPainter* painter, Cursor which, base::Duration at) const
+{
+    const double place = m_view.place(at);
+    if (place < 0 || place > 1)
+        return;
+    const double x = m_plot.left() + std::round(place * m_plot.width());
+    painter->setPen(QPen(m_colours.accent, m_active == which ? 2 : 1, Qt::DashLine));
+    painter->drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
+    const QRectF flag(x - flagSize / 2, m_plot.top() + 1, flagSize, flagSize);
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(m_colours.accent);
+    painter->drawRoundedRect(flag, 3, 3);
+    painter->setRenderHint(QPainter::Antialiasing, false);
+    painter->setPen(m_colours.onAccent);
+    painter->drawText(flag, Qt::AlignCenter,
+                      which == Cursor::A ? QStringLiteral("A") : QStringLiteral("B"));
+}
+} // namespace ui

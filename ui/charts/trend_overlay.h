@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What lies over the curves: marks with a sign and a text, the cursors A and B, the box being
+// drawn, the frame of the focus. Owned by the QChart; main thread.
+#pragma once
+
+#include "record/trigger.h"
+#include "ui/charts/time_view.h"
+#include "ui/charts/trend_colours.h"
+
+#include <QFont>
+#include <QGraphicsItem>
+
+namespace ui {
+enum class Cursor : std::uint8_t { A, B };
+
+/// Marks that lie too close to be told apart.
+struct MarkGroup {
+    double x = 0;          ///< of the first, from the left of the plot
+    std::size_t first = 0; ///< index
+    std::size_t count = 1;
+    record::MarkKind gravest = record::MarkKind::Note;
+};
+
+class TrendOverlay final : public QGraphicsItem {
+public:
+    explicit TrendOverlay(QGraphicsItem* parent);
+
+    void setPlot(const QRectF& plot);
+    void setColours(const TrendColours& colours);
+    void setFont(const QFont& font);
+    void setView(const TimeView& view);
+    void setMarks(const std::vector<record::Mark>* marks); ///< borrowed
+    void setCursors(const std::optional<std::pair<base::Duration, base::Duration>>& cursors);
+    void setActive(std::optional<Cursor> cursor); ///< held by the mouse, or under it
+    void setBox(const QRectF& box);               ///< empty: none
+    void setFocused(bool on);
+    void setNotice(const QString& text); ///< in the middle of an empty plot
+
+    std::optional<Cursor> cursorAt(const QPointF& place) const;
+    /// Empty: no mark there.
+    QString marksAt(const QPointF& place) const;
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+private:
+    std::vector<MarkGroup> groups() const;
+    void paintMarks(QPainter* painter) const;
+    void paintMark(QPainter* painter, const MarkGroup& group, double room) const;
+    void paintCursor(QPainter* painter, Cursor which, base::Duration at) const;
+    QColor colourOf(record::MarkKind kind) const;
+
+    QRectF m_plot;
+    TrendColours m_colours;
+    QFont m_font;
+    TimeView m_view;
+    const std::vector<record::Mark>* m_marks = nullptr;
+    std::optional<std::pair<base::Duration, base::Duration>> m_cursors;
+    std::optional<Cursor> m_active;
+    QRectF m_box;
+    QString m_notice;
+    bool m_focused = false;
+};
+} // namespace ui

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The strip below a chart: the whole history, small, and a handle over the stretch that is shown.
+// Drag the handle to move it, its edges to change it, press beside it to go there. The picture of
+// the history is made anew a little at a time, so that no frame pays for all of it. Main thread.
+#pragma once
+
+#include "ui/charts/trace_raster.h"
+#include "ui/charts/trend_colours.h"
+#include "ui/charts/trend_picture.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+namespace ui {
+class TrendOverview final : public QWidget {
+    Q_OBJECT
+
+public:
+    TrendOverview(const TrendState& state, QWidget* parent);
+
+    void setColours(const TrendColours& colours);
+    void rebuild(); ///< other channels, another store
+    void advance(); ///< once a frame
+    QRectF handle() const;
+    std::optional<record::TimeSpan> history() const;
+
+    QSize sizeHint() const override;
+
+Q_SIGNALS:
+    void grabbed(); ///< a drag begins
+    void wished(const record::TimeSpan& span);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+private:
+    enum class Grip : std::uint8_t { None, Left, Right, Whole };
+
+    void fetchNext();
+    bool begin();
+    void finish();
+    Grip gripAt(double x) const;
+    double xOf(base::Duration at) const;
+    base::Duration timeAt(double x) const;
+
+    const TrendState& m_state;
+    TrendColours m_colours;
+    TraceRaster m_raster;
+    std::optional<record::TimeSpan> m_shownHistory; ///< of m_image
+    record::TimeSpan m_nextHistory;
+    std::vector<Trace> m_traces; ///< being fetched
+    std::size_t m_nextChannel = 0;
+    bool m_fetching = false;
+    bool m_stale = true;
+    QImage m_image;
+    QElapsedTimer m_sinceImage;
+    QRectF m_paintedHandle;
+    Grip m_grip = Grip::None;
+    double m_pressedAt = 0;
+    record::TimeSpan m_pressedSpan;
+};
+} // namespace ui

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A QChart filled with what a TrendState says: legend, axes, curves, marks, cursors. The same for
+// the screen and for paper. Looks at the store only in refresh(). Owned beside its QChart; main
+// thread.
+#pragma once
+
+#include "ui/charts/trace_item.h"
+#include "ui/charts/trend_axes.h"
+#include "ui/charts/trend_channel.h"
+#include "ui/charts/trend_overlay.h"
+
+#include <QObject>
+
+class QChart;
+class QLineSeries;
+
+namespace ui {
+/// What a chart shows, without how. Store and marks are borrowed.
+struct TrendState {
+    const record::SampleStore* store = nullptr;
+    const std::vector<record::Mark>* marks = nullptr;
+    std::vector<TrendChannel> channels{};
+    TimeView view{};
+    base::Duration origin{};
+    std::optional<std::pair<base::Duration, base::Duration>> cursors{};
+};
+
+class TrendPicture final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Calm: axes shrink with patience. AtOnce: the user has asked for another view.
+    enum class Axes : std::uint8_t { Calm, AtOnce };
+
+    TrendPicture(QChart* chart, const TrendState& state, QObject* parent);
+
+    void setColours(const TrendColours& colours);
+    void setFont(const QFont& font);
+    void setPaper(bool on) { m_traces->setPaper(on); }
+    void setNotice(const QString& text) { m_overlay->setNotice(text); }
+
+    void channelsChanged(); ///< other ones, or other names, colours, visibility
+    void layOut();          ///< the chart's size has changed
+    /// Fetches what is in view; `ratio`: columns a logical pixel.
+    void refresh(Axes axes, double ratio);
+    /// Marks and cursors only.
+    void refreshOverlay();
+
+    const QRectF& plot() const { return m_plot; }
+    TrendAxes& axes() { return *m_axes; }
+    TrendOverlay& overlay() { return *m_overlay; }
+
+Q_SIGNALS:
+    void legendClicked(int channel);
+
+private:
+    void rebuildSeries();
+    void styleLegend();
+    double layOutLegend(double width);
+    void fetch(double ratio);
+    void rangeAxes(Axes axes);
+    bool layOutPlot();
+
+    QChart* m_chart;
+    const TrendState& m_state;
+    TrendAxes* m_axes;
+    TraceItem* m_traces;
+    TrendOverlay* m_overlay;
+    std::vector<QLineSeries*> m_series; ///< empty ones; they give legend and axes their entries
+    std::vector<int> m_traceChannel;    ///< channel of each trace
+    TrendColours m_colours;
+    QRectF m_plot;
+    double m_legendHeight = 0;
+};
+} // namespace ui

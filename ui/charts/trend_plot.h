@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The view on the chart, and its mouse, wheel, fingers and keys: turns them into wishes and changes
+// nothing itself. Places are shares of the plot, 0 … 1 from its left and lower edge. Main thread.
+#pragma once
+
+#include "ui/charts/trend_picture.h"
+
+#include <QChartView>
+
+class QGestureEvent;
+
+namespace ui {
+class TrendPlot final : public QChartView {
+    Q_OBJECT
+
+public:
+    TrendPlot(const TrendState& state, QWidget* parent);
+
+    TrendPicture& picture() { return *m_picture; }
+
+Q_SIGNALS:
+    void resized();
+    void boxed(const QRectF& shares); ///< x and y from the lower left; whole height: time only
+    void panned(double x, double y);  ///< by shares, since the last one
+    void panEnded();
+    void zoomed(double factor, double place);
+    /// axis: unit, or null for all
+    void valuesZoomed(const QString* unit, double factor, double place);
+    void backWished();
+    void fitWished();
+    void pauseWished();
+    void endWished(bool newest); ///< the oldest, or the newest there is
+    void cursorMoved(ui::Cursor which, double place);
+    void cursorNudged(ui::Cursor which, double pixels);
+    void cursorsWished();
+    void channelWished(int index);
+    void tipWished(const QPointF& scenePlace, const QPoint& screenPlace);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
+
+private:
+    enum class Hold : std::uint8_t { Nothing, Box, Pan, CursorA, CursorB };
+
+    QPointF share(const QPointF& scene) const;
+    QRectF boxTo(const QPointF& scene) const;
+    bool pinched(QGestureEvent* event);
+    void hover(const QPointF& scene);
+    bool moveKey(int key, Qt::KeyboardModifiers with);
+    bool zoomKey(int key, Qt::KeyboardModifiers with);
+    bool cursorKey(int key, const QString& text, Qt::KeyboardModifiers with);
+    bool plainKey(int key);
+
+    TrendPicture* m_picture;
+    Hold m_hold = Hold::Nothing;
+    QPointF m_pressed; ///< scene
+    QPointF m_last;
+};
+} // namespace ui
