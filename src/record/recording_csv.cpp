@@ -151,7 +151,8 @@ tl::expected<RecordingReader::Head, QString> CsvReader::takeHead(std::string_vie
     if (line.substr(0, 2) == "\"#")
         line = m_cells.split(line).front();
     const bool remark = line.substr(0, 1) == "#";
-    if (m_titled && !remark && !line.empty())
+    const bool blank = line.find_first_not_of(", \t") == line.npos;
+    if (m_titled && !remark && !blank)
         return takeColumns(line);
     while (remark && (line.back() == ',' || line.back() == ' '))
         line.remove_suffix(1);

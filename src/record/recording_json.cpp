@@ -7,6 +7,7 @@
 #include <QJsonArray>
 
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 namespace record {
@@ -41,7 +42,7 @@ public:
         Number number{};
         const auto [end, error] =
             std::from_chars(m_text.data(), m_text.data() + m_text.size(), number);
-        m_ok = m_ok && error == std::errc();
+        m_ok = m_ok && error == std::errc() && std::isfinite(double(number));
         m_text.remove_prefix(std::size_t(end - m_text.data()));
         return number;
     }
