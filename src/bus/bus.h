@@ -41,6 +41,9 @@ struct Transaction {
     /// to its deadline once it is sent, so that its fate is known. Null: nothing stops it (a lock
     /// that must be closed after the user has stopped the job).
     const base::Stop* stop = nullptr;
+    /// What emergencies() said when the work this belongs to was asked for: after another one it
+    /// is refused with Preempted before its first byte. Inside a Hold the hold sees to that.
+    std::optional<std::uint64_t> epoch{};
 };
 
 struct Outcome {
@@ -119,7 +122,7 @@ public:
 
     /// Empty `ids`: all servos. Blocks until other threads have let go of them; the same thread may
     /// hold a servo more than once.
-    virtual Hold hold(const std::vector<int>& ids) = 0;
+    virtual Hold hold(const std::vector<int>& ids, std::optional<std::uint64_t> epoch = {}) = 0;
 
     virtual PollId startPoll(const PollPlan& plan) = 0;
     virtual void stopPoll(PollId id) = 0;
@@ -133,6 +136,9 @@ public:
     /// transaction and those waiting end with Preempted, and so does the next one of every Hold, so
     /// that a job between two steps notices.
     virtual void emergency() = 0;
+    /// How many there have been. A hold or transaction of work that was asked for before the latest
+    /// one (its `epoch`) is preempted at its first word, however late it gets to it.
+    virtual std::uint64_t emergencies() const = 0;
 
     virtual void setRetries(int retries) = 0;
     /// Replaces the starting patience (25 ms) of ordinary transactions.

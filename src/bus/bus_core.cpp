@@ -109,7 +109,7 @@ Interrupt BusCore::interruptBy(const base::Stop* stop) const
 Result<Outcome> BusCore::transact(const Transaction& transaction)
 {
     return execute(transaction, m_holds.access(transaction.request, transaction.hold,
-                                               std::this_thread::get_id()));
+                                               std::this_thread::get_id(), transaction.epoch));
 }
 
 Result<Outcome> BusCore::execute(const Transaction& transaction, HoldTable::Access access)
@@ -222,7 +222,13 @@ Result<void> BusCore::listen(Duration span)
 
 Result<void> BusCore::setBaud(int baud)
 {
-    if (const auto quiet = m_exchange.awaitSilence(); !quiet)
+    const Interrupt interrupt = interruptBy(nullptr);
+    auto quiet = m_exchange.awaitSilence(interrupt);
+    while (!quiet && quiet.error().code == ErrorCode::Preempted) {
+        serveEmergency();
+        quiet = m_exchange.awaitSilence(interrupt);
+    }
+    if (!quiet)
         return quiet;
     return m_line.setBaud(baud);
 }
@@ -247,9 +253,9 @@ bool BusCore::pauseUntil(Duration instant, const base::Stop* stop)
     }
 }
 
-Hold BusCore::hold(const std::vector<int>& ids)
+Hold BusCore::hold(const std::vector<int>& ids, std::optional<std::uint64_t> epoch)
 {
-    return {this, m_holds.take(ids, std::this_thread::get_id())};
+    return {this, m_holds.take(ids, std::this_thread::get_id(), epoch)};
 }
 
 void BusCore::setStopFrames(std::vector<StopFrame> frames)

@@ -38,7 +38,7 @@ public:
     bool echoes() const override { return m_line.echoes(); }
 
     bool pauseUntil(base::Duration instant, const base::Stop* stop) override;
-    Hold hold(const std::vector<int>& ids) override;
+    Hold hold(const std::vector<int>& ids, std::optional<std::uint64_t> epoch = {}) override;
 
     PollId startPoll(const PollPlan& plan) override;
     void stopPoll(PollId id) override;
@@ -46,6 +46,7 @@ public:
 
     void setStopFrames(std::vector<StopFrame> frames) override;
     void emergency() override;
+    std::uint64_t emergencies() const override { return m_holds.emergencies(); }
 
     void setRetries(int retries) override { m_retries.store(retries); }
     void setPatience(base::Duration patience) override { m_guard.setPatience(patience); }

@@ -161,7 +161,8 @@ HoldTable::Access BusThread::accessOf(const Pending& pending)
         m_core->holds().forgetPreemption(transaction.hold);
         return HoldTable::Access::Preempted;
     }
-    return m_core->holds().access(transaction.request, transaction.hold, pending.caller);
+    return m_core->holds().access(transaction.request, transaction.hold, pending.caller,
+                                  transaction.epoch);
 }
 
 void BusThread::finish(Pending& pending, Result<Outcome> result)
@@ -286,14 +287,14 @@ bool BusThread::pauseUntil(Duration instant, const base::Stop* stop)
     return m_clock.sleepUntil(instant, stop);
 }
 
-Hold BusThread::hold(const std::vector<int>& ids)
+Hold BusThread::hold(const std::vector<int>& ids, std::optional<std::uint64_t> epoch)
 {
     std::uint64_t token = 0;
     std::unique_lock lock(m_mutex);
     const Visit visit(*this);
     m_changed.wait(lock, [&] {
         if (!m_shutdown.requested())
-            token = m_core->holds().take(ids, std::this_thread::get_id());
+            token = m_core->holds().take(ids, std::this_thread::get_id(), epoch);
         return token != 0 || m_shutdown.requested();
     });
     return {this, token};

@@ -40,7 +40,7 @@ public:
     bool echoes() const override { return m_core->echoes(); }
 
     bool pauseUntil(base::Duration instant, const base::Stop* stop) override;
-    Hold hold(const std::vector<int>& ids) override;
+    Hold hold(const std::vector<int>& ids, std::optional<std::uint64_t> epoch = {}) override;
 
     PollId startPoll(const PollPlan& plan) override;
     void stopPoll(PollId id) override;
@@ -48,6 +48,7 @@ public:
 
     void setStopFrames(std::vector<StopFrame> frames) override;
     void emergency() override;
+    std::uint64_t emergencies() const override { return m_core->emergencies(); }
 
     void setRetries(int retries) override { m_core->setRetries(retries); }
     void setPatience(base::Duration patience) override { m_core->setPatience(patience); }

@@ -93,7 +93,7 @@ Exchange::Exchange(Line& line, const protocol::Codec& probeCodec, base::Clock& c
 Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView frame,
                               Duration patience, Duration replyDelay, const Interrupt& interrupt)
 {
-    if (const auto quiet = awaitSilence(); !quiet)
+    if (const auto quiet = awaitSilence(interrupt); !quiet)
         return tl::unexpected(quiet.error());
     const bool raw = request.op == protocol::Op::Raw;
     Wait wait;
@@ -105,6 +105,9 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
     m_trace.speak(request.protocol);
     wait.expected = m_codec->expect(request);
     const std::size_t replies = wait.expected.ids.size();
+    // An emergency that came while the line was looked at goes first.
+    if (const auto reason = interrupt.due())
+        return base::fail(*reason);
     m_guard.sending(request);
     const auto sentAt = m_line.send(frame);
     if (!sentAt)

@@ -46,9 +46,10 @@ public:
     base::Result<void> listenUntil(base::Duration instant, const Interrupt& interrupt);
 
     /// Waits for the end of a reply that is still running.
-    base::Result<void> awaitSilence();
+    base::Result<void> awaitSilence(const Interrupt& interrupt);
 
-    /// Sends ready-made frames with room for the replies nobody waits for.
+    /// Sends ready-made frames with room for the replies nobody waits for. Begins at the computed
+    /// end of the reply that is running, at 115200 and above 30 ms after the call at the latest.
     base::Result<void> sendStopFrames(const std::vector<StopFrame>& frames,
                                       base::Duration replyDelay);
 

@@ -20,6 +20,11 @@ constexpr Duration mostUnrest = 20ms;
 constexpr std::size_t shortestReply = 6;
 constexpr Duration stopFrameMargin = 500us;
 constexpr int fastestModbus = 256'000;
+
+/// From this rate on nothing that was asked for keeps stop frames waiting for longer than this. A
+/// slower wire is busy for as long as it is: a frame that falls into a reply is lost.
+constexpr int promptRate = 115'200;
+constexpr Duration mostStopDelay = 30ms;
 } // namespace
 
 Result<void> Exchange::listenUntil(Duration instant, const Interrupt& interrupt)
@@ -38,11 +43,13 @@ Result<void> Exchange::listenUntil(Duration instant, const Interrupt& interrupt)
     return {};
 }
 
-Result<void> Exchange::awaitSilence()
+Result<void> Exchange::awaitSilence(const Interrupt& interrupt)
 {
     const Duration limit = m_clock.now() + mostUnrest + m_line.wireTime(512);
     Duration span{};
     for (;;) {
+        if (const auto reason = interrupt.due())
+            return base::fail(*reason);
         const auto came = m_line.receive(span);
         if (!came)
             return tl::unexpected(came.error());
@@ -72,7 +79,8 @@ Result<void> Exchange::sendStopFrames(const std::vector<StopFrame>& frames, Dura
     if (m_line.baud() <= fastestModbus)
         gap = std::min(silenceOf(modbus), modbus.silence(m_line.baud()));
     // A frame that falls into a running reply is lost, but stopping must not wait for long either.
-    const Duration limit = m_clock.now() + waitSlice;
+    const Duration limit =
+        m_line.baud() >= promptRate ? m_clock.now() + mostStopDelay : Duration::max();
     const Duration spokenUntil = std::max(m_line.lastByteAt(), m_line.freeAt());
     Duration clearAt = std::max(m_repliesUntil, spokenUntil + gap);
     while (m_clock.now() < std::min(clearAt, limit)) {
@@ -125,7 +133,7 @@ Result<void> Exchange::keepSilence(const protocol::Codec& next, const Interrupt&
         if (m_line.lastByteAt() == last)
             break;
         m_unsettled = true;
-        if (const auto quiet = awaitSilence(); !quiet)
+        if (const auto quiet = awaitSilence(interrupt); !quiet)
             return quiet;
         from = std::min(silentFrom(), limit);
     }
@@ -140,7 +148,7 @@ Result<bool> Exchange::probeEcho(const Interrupt& interrupt)
         return tl::unexpected(probe.error());
     int silent = 0;
     for (int tries = 0; tries < probeTries && silent < silentTries; ++tries) {
-        if (const auto quiet = awaitSilence(); !quiet)
+        if (const auto quiet = awaitSilence(interrupt); !quiet)
             return tl::unexpected(quiet.error());
         bool heard = false;
         const auto echoed = echoedOnce(*probe, heard, interrupt);

@@ -19,7 +19,8 @@ bool HoldTable::Entry::covers(int id) const
     return id == anybody || ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-std::uint64_t HoldTable::take(const std::vector<int>& ids, std::thread::id owner)
+std::uint64_t HoldTable::take(const std::vector<int>& ids, std::thread::id owner,
+                              std::optional<std::uint64_t> epoch)
 {
     const std::lock_guard lock(m_mutex);
     for (const Entry& entry : m_entries) {
@@ -28,7 +29,8 @@ std::uint64_t HoldTable::take(const std::vector<int>& ids, std::thread::id owner
         if (meets && entry.owner != owner)
             return 0;
     }
-    m_entries.push_back({++m_lastToken, ids, owner, false});
+    m_entries.push_back(
+        {++m_lastToken, ids, owner, epoch.value_or(m_emergencies) != m_emergencies});
     return m_lastToken;
 }
 
@@ -55,9 +57,11 @@ HoldTable::Access HoldTable::accessTo(int id, std::uint64_t token, std::thread::
 }
 
 HoldTable::Access HoldTable::access(const protocol::Request& request, std::uint64_t token,
-                                    std::thread::id caller)
+                                    std::thread::id caller, std::optional<std::uint64_t> epoch)
 {
     const std::lock_guard lock(m_mutex);
+    if (token == 0 && epoch.value_or(m_emergencies) != m_emergencies)
+        return Access::Preempted;
     if (m_entries.empty())
         return Access::Pass;
     for (Entry& entry : m_entries) {
@@ -84,8 +88,15 @@ bool HoldTable::isHeld(int id) const
 void HoldTable::preemptAll()
 {
     const std::lock_guard lock(m_mutex);
+    ++m_emergencies;
     for (Entry& entry : m_entries)
         entry.preempted = true;
+}
+
+std::uint64_t HoldTable::emergencies() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_emergencies;
 }
 
 void HoldTable::forgetPreemption(std::uint64_t token)

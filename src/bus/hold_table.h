@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -20,13 +21,17 @@ public:
     };
 
     /// 0 when another thread holds one of them. Empty `ids`: all servos.
-    std::uint64_t take(const std::vector<int>& ids, std::thread::id owner);
+    /// `epoch`: see emergencies(); a hold of older work is born preempted.
+    std::uint64_t take(const std::vector<int>& ids, std::thread::id owner,
+                       std::optional<std::uint64_t> epoch = {});
     void release(std::uint64_t token);
 
-    Access access(const protocol::Request& request, std::uint64_t token, std::thread::id caller);
+    Access access(const protocol::Request& request, std::uint64_t token, std::thread::id caller,
+                  std::optional<std::uint64_t> epoch = {});
     bool isHeld(int id) const;
 
-    void preemptAll();
+    void preemptAll(); ///< an emergency
+    std::uint64_t emergencies() const;
     void forgetPreemption(std::uint64_t token); ///< its running transaction has said so already
 
 private:
@@ -42,5 +47,6 @@ private:
     mutable std::mutex m_mutex;
     std::vector<Entry> m_entries;
     std::uint64_t m_lastToken = 0;
+    std::uint64_t m_emergencies = 0;
 };
 } // namespace bus

@@ -20,11 +20,13 @@ struct Context {
     Notices& notices;
     bus::Priority priority = bus::Priority::Job;
     std::uint64_t hold = 0; ///< token of the bus::Hold this work owns its servos by
+    /// bus::Bus::emergencies() when the work was asked for: after a later one nothing is begun.
+    std::optional<std::uint64_t> epoch{};
 
     /// The same work, inside a hold.
     Context within(const bus::Hold& owned) const
     {
-        return {bus, catalog, journal, stop, notices, priority, owned.token()};
+        return {bus, catalog, journal, stop, notices, priority, owned.token(), epoch};
     }
 
     void note(NoticeCode code, int id, QString key = {}, std::int64_t a = 0,
@@ -46,7 +48,7 @@ inline Owned own(const Context& outer, const std::vector<int>& ids)
 {
     if (outer.hold != 0)
         return {bus::Hold(), outer};
-    bus::Hold hold = outer.bus.hold(ids);
+    bus::Hold hold = outer.bus.hold(ids, outer.epoch);
     Context inner = outer.within(hold);
     return {std::move(hold), inner};
 }

@@ -20,6 +20,7 @@ base::Result<bus::Outcome> say(const Context& context, Servo& servo, protocol::R
     transaction.priority = context.priority;
     transaction.retries = retries;
     transaction.hold = context.hold;
+    transaction.epoch = context.epoch;
     auto outcome = context.bus.transact(transaction);
     if (outcome && !outcome->parts.empty() && servo.repliesCarryStatus())
         servo.status = outcome->status();

@@ -77,7 +77,11 @@ public:
     {
         return time.sleepUntil(instant, stop);
     }
-    bus::Hold hold(const std::vector<int>&) override { return {this, ++m_token}; }
+    bus::Hold hold(const std::vector<int>&, std::optional<std::uint64_t>) override
+    {
+        return {this, ++m_token};
+    }
+    std::uint64_t emergencies() const override { return 0; }
     bus::PollId startPoll(const bus::PollPlan&) override { return 0; }
     void stopPoll(bus::PollId) override {}
     std::vector<bus::Sample> takeSamples(bus::PollId) override { return {}; }
