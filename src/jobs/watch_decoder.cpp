@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/watch_decoder.h"
 
-#include "bus/poll_planner.h"
 #include "device/alarms.h"
-#include "device/reader.h"
 
 #include <algorithm>
 
@@ -13,17 +11,6 @@ using base::ErrorCode;
 
 /// A row whose other blocks stay out for so long (the servo is held by a job) is given up.
 constexpr base::Duration longestRound = std::chrono::seconds(1);
-
-// What changes slowly and costs a read of its own is read about so often.
-constexpr base::Duration slowPeriod = std::chrono::seconds(1);
-constexpr int slowRounds = 100; ///< where rounds follow each other without a pause
-
-/// Where each register is read by itself, slow ones would take time from fast ones.
-bool isSlow(const catalog::Profile& profile, const catalog::Register* reg)
-{
-    return profile.readGap < 0 && (reg->role == catalog::Role::PresentTemperature ||
-                                   reg->role == catalog::Role::PresentVoltage);
-}
 
 QStringList feedbackKeys(const std::vector<device::Servo>& servos)
 {
@@ -71,16 +58,6 @@ const catalog::Register* registerFor(const device::Servo& servo, const WatchKey&
     const catalog::Register* reg = servo.profile->find(wanted.key);
     const bool elsewhere = reg == nullptr && wanted.role != catalog::Role::None;
     return elsewhere ? servo.profile->byRole(wanted.role) : reg;
-}
-
-/// Servos of one number may share a sync read.
-std::map<std::pair<QString, base::ByteOrder>, int>
-families(const std::vector<device::Servo>& servos)
-{
-    std::map<std::pair<QString, base::ByteOrder>, int> numbers;
-    for (const device::Servo& servo : servos)
-        numbers.try_emplace({servo.profile->mapKey, servo.profile->byteOrder}, int(numbers.size()));
-    return numbers;
 }
 
 base::Result<void> check(const WatchSpec& spec)
@@ -132,10 +109,9 @@ base::Result<WatchDecoder> WatchDecoder::make(const WatchSpec& spec)
     decoder.m_period = spec.period;
     decoder.m_columns = watchColumns(spec);
     const std::vector<WatchKey> keys = keysOf(spec);
-    const auto groups = families(spec.servos);
+    PollFamilies families;
     for (const device::Servo& servo : spec.servos) {
-        const int group = groups.at({servo.profile->mapKey, servo.profile->byteOrder});
-        if (const auto added = decoder.addServo(servo, keys, group); !added)
+        if (const auto added = decoder.addServo(servo, keys, families.of(*servo.profile)); !added)
             return tl::unexpected(added.error());
     }
     return decoder;
@@ -169,31 +145,10 @@ base::Result<void> WatchDecoder::addServo(const device::Servo& servo,
     const catalog::Register* status = servo.profile->byRole(catalog::Role::Status);
     if (status != nullptr && !servo.repliesCarryStatus())
         registers.push_back(status);
-    source.spans = spansFor(servo, registers);
+    source.spans = pollSpans(*servo.profile, registers, m_period);
     source.row = emptyRow(servo);
     m_sources[{servo.protocol, servo.id}] = std::move(source);
     return {};
-}
-
-std::vector<bus::PollSpan>
-WatchDecoder::spansFor(const device::Servo& servo,
-                       const std::vector<const catalog::Register*>& registers)
-{
-    const catalog::Profile& profile = *servo.profile;
-    auto fast = registers;
-    auto slow = registers;
-    std::erase_if(fast, [&](const auto* reg) { return isSlow(profile, reg); });
-    std::erase_if(slow, [&](const auto* reg) { return !isSlow(profile, reg); });
-    if (fast.empty())
-        fast.swap(slow);
-    std::vector<bus::PollSpan> spans = device::planSpans(profile, fast);
-    for (bus::PollSpan span : device::planSpans(profile, slow)) {
-        const bool paced = m_period > base::Duration{};
-        span.every = paced ? int(std::clamp<base::Duration::rep>(slowPeriod / m_period, 1, 1000))
-                           : slowRounds;
-        spans.push_back(span);
-    }
-    return bus::mergeSpans(std::move(spans), profile.readGap, profile.maxRead);
 }
 
 bus::PollPlan WatchDecoder::plan() const
@@ -208,25 +163,19 @@ bus::PollPlan WatchDecoder::plan() const
     return plan;
 }
 
-// The blocks of a round come in the order of the spans. One that is not answered ends the round for
-// its servo: the bus then leaves it alone for a while, so what comes next belongs to another round.
 std::vector<WatchRow> WatchDecoder::add(const bus::Sample& sample)
 {
     const auto found = m_sources.find({sample.protocol, sample.id});
     if (found == m_sources.end())
         return {};
     Source& source = found->second;
-    const auto span =
-        std::find_if(source.spans.begin(), source.spans.end(),
-                     [&](const bus::PollSpan& s) { return s.address == sample.address; });
-    const auto block = std::size_t(span - source.spans.begin());
-    if (source.pendingBlock && block <= *source.pendingBlock)
+    const std::size_t block = blockOf(sample, source.spans);
+    if (source.round.startsAnew(block))
         close(source);
-    source.pendingBlock = block;
     source.row.at = sample.at;
     if (sample.answered)
         decode(source, sample);
-    if (!sample.answered || sample.endsRound)
+    if (source.round.take(block, sample))
         close(source);
     return release(sample.at - longestRound);
 }
@@ -239,7 +188,7 @@ std::vector<WatchRow> WatchDecoder::flush()
 void WatchDecoder::close(Source& source)
 {
     WatchRow row = std::exchange(source.row, emptyRow(source.servo));
-    source.pendingBlock.reset();
+    source.round.close();
     const auto place =
         std::upper_bound(m_ready.begin(), m_ready.end(), row,
                          [](const WatchRow& a, const WatchRow& b) { return a.at < b.at; });
@@ -251,9 +200,9 @@ std::vector<WatchRow> WatchDecoder::release(base::Duration staleBefore)
 {
     base::Duration until = base::Duration::max();
     for (auto& [who, source] : m_sources) {
-        if (source.pendingBlock && source.row.at < staleBefore)
+        if (source.round.open() && source.row.at < staleBefore)
             close(source);
-        if (source.pendingBlock)
+        if (source.round.open())
             until = std::min(until, source.row.at);
     }
     const auto end = std::find_if(m_ready.begin(), m_ready.end(),

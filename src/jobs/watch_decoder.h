@@ -4,6 +4,7 @@
 #pragma once
 
 #include "device/notice.h"
+#include "jobs/poll_spans.h"
 #include "jobs/watch.h"
 
 #include <map>
@@ -42,15 +43,13 @@ private:
         std::vector<Field> fields;
         std::vector<bus::PollSpan> spans; ///< as the bus will read them
         int group = 0;
-        std::optional<std::size_t> pendingBlock; ///< the latest block of the pending row
+        RoundCut round; ///< of the pending row
         WatchRow row;
         std::set<device::NoticeCode> told;
     };
 
     base::Result<void> addServo(const device::Servo& servo, const std::vector<WatchKey>& keys,
                                 int group);
-    std::vector<bus::PollSpan> spansFor(const device::Servo& servo,
-                                        const std::vector<const catalog::Register*>& registers);
     WatchRow emptyRow(const device::Servo& servo) const;
     void close(Source& source);
     std::vector<WatchRow> release(base::Duration staleBefore);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tells a servo that has gone silent from a reading that was lost: four lost in a row, or lost ones
+// over more than a quarter of a second. Part of a ServoEntry; main thread; bus-clock instants.
+#pragma once
+
+#include "base/clock.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace session {
+class LinkWatch {
+public:
+    enum class News : std::uint8_t { None, Lost, Back };
+
+    News reading(bool answered, base::Duration at)
+    {
+        if (answered) {
+            const bool back = m_lost;
+            *this = {};
+            return back ? News::Back : News::None;
+        }
+        if (m_missed++ == 0)
+            m_since = at;
+        const bool silent = m_missed >= fewest || (m_missed > 1 && at - m_since > longest);
+        if (m_lost || !silent)
+            return News::None;
+        m_lost = true;
+        return News::Lost;
+    }
+    bool lost() const { return m_lost; }
+    /// Of the first lost reading; nullopt while it answers.
+    std::optional<base::Duration> silentSince() const
+    {
+        return m_lost ? std::optional(m_since) : std::nullopt;
+    }
+
+private:
+    static constexpr int fewest = 4;
+    static constexpr base::Duration longest = std::chrono::milliseconds(250);
+    int m_missed = 0;
+    bool m_lost = false;
+    base::Duration m_since{};
+};
+} // namespace session
