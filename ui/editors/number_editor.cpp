@@ -83,6 +83,12 @@ void NumberEditor::show(std::int64_t raw)
                                       : QString::number(raw));
 }
 
+void NumberEditor::type(std::int64_t raw)
+{
+    show(raw);
+    userEdited();
+}
+
 void NumberEditor::setRaw(std::optional<std::int64_t> raw)
 {
     m_start = raw;

@@ -22,6 +22,9 @@ public:
     QList<QWidget*> keyTakers() const override;
     void selectAll() override;
 
+    /// As if the user had typed it.
+    void type(std::int64_t raw);
+
     /// The raw number that many steps away, inside the range.
     std::int64_t stepped(int steps) const;
 

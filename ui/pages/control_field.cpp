@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/control_field.h"
+
+#include "ui/app/theme.h"
+#include "ui/editors/number_editor.h"
+#include "ui/pages/control_words.h"
+
+#include <QEvent>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace ui {
+ControlField::ControlField(const QString& name, QWidget* parent)
+    : QWidget(parent)
+    , m_name(name)
+    , m_title(new QLabel(this))
+    , m_place(new QVBoxLayout)
+    , m_physical(new QLabel(this))
+{
+    setObjectName(name + QStringLiteral("Field"));
+    m_title->setObjectName(name + QStringLiteral("Title"));
+    m_physical->setObjectName(name + QStringLiteral("Physical"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(2);
+    column->addWidget(m_title);
+    column->addLayout(m_place);
+    column->addWidget(m_physical);
+    hide();
+}
+
+void ControlField::setTitle(const QString& title)
+{
+    m_titleText = title;
+    m_title->setText(title);
+    if (m_editor != nullptr) {
+        for (QWidget* taker : m_editor->keyTakers())
+            taker->setAccessibleName(title);
+    }
+}
+
+void ControlField::setRegister(const catalog::ProfilePtr& profile, const catalog::Register* reg)
+{
+    if (profile == m_profile && reg == m_reg)
+        return;
+    delete m_editor.data(); // before the profile its register lives in
+    m_profile = profile;
+    m_reg = reg;
+    m_sent.reset();
+    m_free = false;
+    setVisible(reg != nullptr);
+}
+
+void ControlField::makeEditor(const device::Servo& servo)
+{
+    const EditContext context{m_reg, servo.meaning(*m_reg), servo.raw(*m_reg), false, false};
+    m_editor = new NumberEditor(context, this);
+    m_editor->setObjectName(m_name + QStringLiteral("Editor"));
+    m_place->addWidget(m_editor);
+    for (QWidget* taker : m_editor->keyTakers()) {
+        taker->setObjectName(m_name);
+        taker->installEventFilter(this);
+        taker->setFocusPolicy(Qt::StrongFocus); // the wheel only where somebody has clicked
+        taker->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("−30719")) + 40);
+    }
+    m_title->setBuddy(m_editor);
+    setTitle(m_titleText);
+    connect(m_editor, &NumberEditor::edited, this, [this] {
+        showPhysical();
+        Q_EMIT changed();
+    });
+    m_editor->setVisible(true);
+}
+
+std::optional<std::int64_t> ControlField::standing(const device::Servo& servo) const
+{
+    if (m_reg == nullptr)
+        return std::nullopt;
+    const auto readAt = servo.image.readAt(m_reg->offset);
+    const bool newer = readAt && *readAt > m_sentAt;
+    return m_sent && !newer ? m_sent : servo.raw(*m_reg);
+}
+
+void ControlField::follow(const device::Servo& servo, std::optional<std::int64_t> raw)
+{
+    if (m_reg == nullptr)
+        return;
+    const catalog::Meaning meaning = servo.meaning(*m_reg);
+    // The same register may hold another kind of number in another mode.
+    if (m_editor != nullptr && m_editor->context().meaning.encoding != meaning.encoding) {
+        delete m_editor.data();
+        m_sent.reset();
+    }
+    if (m_editor == nullptr)
+        makeEditor(servo);
+    EditContext context = m_editor->context();
+    context.meaning = meaning;
+    context.present = servo.raw(*m_reg);
+    m_editor->setContext(context);
+    setTitle(m_titleText);
+    if (!m_free && !m_editor->touched()) {
+        const auto now = m_editor->value();
+        if (!(raw && now && *raw == *now))
+            m_editor->setRaw(raw);
+    }
+    showPhysical();
+}
+
+void ControlField::setRaw(std::int64_t raw)
+{
+    m_free = true;
+    if (m_editor != nullptr && value() != raw)
+        m_editor->setRaw(raw);
+    showPhysical();
+}
+
+std::optional<std::int64_t> ControlField::value() const
+{
+    if (m_editor == nullptr)
+        return std::nullopt;
+    const auto raw = m_editor->value();
+    return raw ? std::optional(*raw) : std::nullopt;
+}
+
+bool ControlField::edited() const
+{
+    return m_editor != nullptr && m_editor->touched();
+}
+
+void ControlField::forgetEdit()
+{
+    if (m_editor != nullptr && m_editor->touched())
+        m_editor->setRaw(m_sent ? m_sent : m_editor->context().present);
+    showPhysical();
+}
+
+QString ControlField::complaint() const
+{
+    return m_editor != nullptr ? m_editor->complaint() : QString();
+}
+
+void ControlField::wasSent(std::int64_t raw, base::Duration at)
+{
+    m_sent = raw;
+    m_sentAt = at;
+    // Somebody may have typed on while it was on its way.
+    if (m_editor != nullptr && value() == raw && !m_free)
+        m_editor->setRaw(raw);
+}
+
+bool ControlField::sentAfter(const device::Servo& servo, const catalog::Register* read) const
+{
+    const auto readAt = read != nullptr ? servo.image.readAt(read->offset) : std::nullopt;
+    return m_sent && (!readAt || *readAt <= m_sentAt);
+}
+
+void ControlField::type(std::int64_t raw)
+{
+    if (m_editor != nullptr)
+        m_editor->type(raw);
+}
+
+/// Another servo or another mode: nothing that was shown still counts.
+void ControlField::forgetSent()
+{
+    m_sent.reset();
+    m_free = false;
+    if (m_editor != nullptr)
+        m_editor->setRaw(std::nullopt);
+}
+
+void ControlField::showPhysical()
+{
+    const auto raw = value();
+    const bool wrong = edited() && !raw;
+    const QString words = wrong ? QStringLiteral("✗ ") + complaint()
+                          : raw && m_editor != nullptr
+                              ? physicalWords(*raw, *m_reg, m_editor->context().meaning)
+                              : QString();
+    if (m_physical->text() != words)
+        m_physical->setText(words);
+    m_physical->setWordWrap(wrong);
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, tone(wrong ? Tone::Bad : Tone::Quiet, palette()));
+    if (m_physical->palette() != colours)
+        m_physical->setPalette(colours);
+}
+
+bool ControlField::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            Q_EMIT entered();
+            return true;
+        }
+    }
+    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ControlField::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        showPhysical();
+}
+} // namespace ui

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One number of a move: its name, a box for the raw number (a value with its unit may be typed as
+// well), and what that is physically. It shows what the servo has, or what was sent to it since;
+// what somebody is typing is never taken away by a newer reading. Sends nothing by itself. Owned by
+// its parent; main thread.
+#pragma once
+
+#include "device/servo.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace ui {
+class NumberEditor;
+
+class ControlField final : public QWidget {
+    Q_OBJECT
+
+public:
+    /// `name`: object name of the box; the labels are called after it.
+    ControlField(const QString& name, QWidget* parent);
+
+    void setTitle(const QString& title);
+    /// Null: the field is hidden. The profile keeps the register alive.
+    void setRegister(const catalog::ProfilePtr& profile, const catalog::Register* reg);
+    const catalog::Register* reg() const { return m_reg; }
+    /// The latest reading, or what was sent since, as long as nobody is typing.
+    void follow(const device::Servo& servo) { follow(servo, standing(servo)); }
+    /// The same with another number than the register's own.
+    void follow(const device::Servo& servo, std::optional<std::int64_t> raw);
+    /// A start that is not the register's (the size of a step).
+    void setRaw(std::int64_t raw);
+
+    /// As shown and understood; nullopt while it is empty or makes no sense.
+    std::optional<std::int64_t> value() const;
+    bool edited() const;
+    void forgetEdit();
+    QString complaint() const;
+    /// This is in the servo now: newer than what was read before `at`.
+    void wasSent(std::int64_t raw, base::Duration at);
+    /// Something was sent later than this register was read.
+    bool sentAfter(const device::Servo& servo, const catalog::Register* read) const;
+    void forgetSent();
+    void type(std::int64_t raw); ///< as if somebody had typed it
+    /// What the servo is to have, whatever is being typed.
+    std::optional<std::int64_t> standing(const device::Servo& servo) const;
+
+Q_SIGNALS:
+    void changed(); ///< typed or stepped by the user
+    void entered(); ///< Enter
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void makeEditor(const device::Servo& servo);
+    void showPhysical();
+
+    QString m_name;
+    QString m_titleText;
+    QLabel* m_title;
+    QVBoxLayout* m_place;
+    QLabel* m_physical;
+    QPointer<NumberEditor> m_editor;
+    catalog::ProfilePtr m_profile;
+    const catalog::Register* m_reg = nullptr;
+    std::optional<std::int64_t> m_sent;
+    base::Duration m_sentAt{};
+    bool m_free = false; ///< follows no reading
+};
+} // namespace ui

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/control_fields.h"
+
+#include "ui/app/theme.h"
+#include "ui/pages/control_field.h"
+#include "ui/pages/control_words.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace ui {
+using catalog::Role;
+
+namespace {
+constexpr std::array roles{Role::GoalSpeed, Role::Acceleration, Role::GoalTime, Role::GoalCurrent};
+constexpr int columns = 2;
+} // namespace
+
+ControlFields::ControlFields(QWidget* parent)
+    : QWidget(parent)
+    , m_grid(new QGridLayout)
+    , m_hint(new QLabel(this))
+{
+    setObjectName(QStringLiteral("controlFields"));
+    static const char* const names[] = {"speed", "acceleration", "time", "current"};
+    for (std::size_t i = 0; i < Count; ++i) {
+        auto* field = new ControlField(QString::fromLatin1(names[i]), this);
+        m_fields[i] = field;
+        connect(field, &ControlField::entered, this, &ControlFields::entered);
+        connect(field, &ControlField::changed, this, [this, i] { typed(static_cast<Which>(i)); });
+    }
+    m_hint->setObjectName(QStringLiteral("speedHint"));
+    m_hint->setWordWrap(true);
+    m_grid->setHorizontalSpacing(10);
+    m_grid->setVerticalSpacing(4);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(4);
+    column->addLayout(m_grid);
+    column->addWidget(m_hint);
+    retranslate();
+}
+
+void ControlFields::showServo(const session::ServoEntry& entry)
+{
+    const device::MoveFieldSet set = device::moveFields(entry.servo);
+    const catalog::Mode* mode = entry.servo.mode();
+    const QString key = mode != nullptr ? mode->key : QString();
+    const bool other = entry.ref != m_ref || key != m_mode;
+    m_ref = entry.ref;
+    m_mode = key;
+    const std::array has{set.speed, set.acceleration, set.time, set.current};
+    for (std::size_t i = 0; i < Count; ++i) {
+        const auto& profile = entry.servo.profile;
+        m_fields[i]->setRegister(profile, has[i] ? profile->byRole(roles[i]) : nullptr);
+        if (other)
+            m_fields[i]->forgetSent();
+        m_fields[i]->follow(entry.servo);
+    }
+    m_servo = entry.servo;
+    arrange();
+    showHint();
+}
+
+void ControlFields::arrange()
+{
+    int shown = 0;
+    for (ControlField* field : m_fields) {
+        m_grid->removeWidget(field);
+        if (field->reg() == nullptr)
+            continue;
+        m_grid->addWidget(field, shown / columns, shown % columns, Qt::AlignTop);
+        ++shown;
+    }
+    for (int column = 0; column < columns; ++column)
+        m_grid->setColumnStretch(column, 1);
+    setVisible(shown > 0);
+}
+
+/// Speed and time exclude each other: the one typed last counts.
+void ControlFields::typed(Which which)
+{
+    if (which == Speed && m_fields[Time]->reg() != nullptr)
+        m_fields[Time]->forgetEdit();
+    if (which == Time && m_fields[Speed]->reg() != nullptr)
+        m_fields[Speed]->forgetEdit();
+    showHint();
+}
+
+std::optional<QString> ControlFields::wished(Which which) const
+{
+    const ControlField& field = *m_fields[which];
+    const catalog::Register* reg = field.reg();
+    const auto raw = field.value();
+    if (reg == nullptr || !raw)
+        return std::nullopt;
+    // A travel time that shares the goal's frame goes out with it, as shown or as 0.
+    const catalog::Register* goal = device::goalRegister(m_servo);
+    const bool travels =
+        which == Time && goal != nullptr && reg->block && reg->block == goal->block;
+    if (!field.edited() && !travels)
+        return std::nullopt;
+    return device::exactText(*raw, m_servo.meaning(*reg));
+}
+
+void ControlFields::fill(session::MoveWish& wish) const
+{
+    wish.speed = wished(Speed);
+    wish.acceleration = wished(Acceleration);
+    wish.time = wished(Time);
+    wish.current = wished(Current);
+}
+
+QString ControlFields::complaint() const
+{
+    for (const ControlField* field : m_fields) {
+        if (field->reg() != nullptr && field->edited() && !field->value())
+            return field->complaint();
+    }
+    return {};
+}
+
+void ControlFields::wasSent(const session::MoveWish& wish, base::Duration at)
+{
+    const std::array sent{wish.speed, wish.acceleration, wish.time, wish.current};
+    for (std::size_t i = 0; i < Count; ++i) {
+        ControlField& field = *m_fields[i];
+        if (!sent[i] || field.reg() == nullptr)
+            continue;
+        const auto raw = catalog::parseValue(*sent[i], *field.reg(), m_servo.meaning(*field.reg()));
+        if (raw)
+            field.wasSent(*raw, at);
+    }
+    // A time acts only while the speed is 0, so that is what the servo has now.
+    if (wish.time && m_fields[Speed]->reg() != nullptr)
+        m_fields[Speed]->wasSent(0, at);
+    showHint();
+}
+
+void ControlFields::showHint()
+{
+    const bool speed = m_fields[Speed]->reg() != nullptr;
+    const auto raw = m_fields[Speed]->value();
+    const bool limit = m_fields[Current]->reg() != nullptr && m_fields[Current]->value() == 0;
+    QString words = speed ? speedHint(m_servo, raw) : QString();
+    if (limit)
+        words = tr("Current 0 = no torque at all");
+    m_hint->setText(words);
+    m_hint->setVisible(!words.isEmpty());
+    QPalette colours = palette();
+    const bool warns = limit || (speed && noFaster(m_servo, raw));
+    colours.setColor(QPalette::WindowText, tone(warns ? Tone::Warn : Tone::Quiet, palette()));
+    m_hint->setPalette(colours);
+}
+
+void ControlFields::retranslate()
+{
+    m_fields[Speed]->setTitle(tr("Speed"));
+    m_fields[Acceleration]->setTitle(tr("Acceleration"));
+    m_fields[Time]->setTitle(tr("Time (ms)"));
+    m_fields[Current]->setTitle(tr("Current limit"));
+    if (m_servo.profile)
+        showHint();
+}
+
+void ControlFields::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_servo.profile)
+        showHint();
+}
+} // namespace ui

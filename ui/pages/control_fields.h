@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers of a move beside its goal: speed, acceleration, time and current, as far as this
+// family and mode have them; others are absent. Owned by the control panel; main thread.
+#pragma once
+
+#include "session/drive.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QGridLayout;
+class QLabel;
+
+namespace ui {
+class ControlField;
+
+class ControlFields final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ControlFields(QWidget* parent);
+
+    void showServo(const session::ServoEntry& entry);
+    void retranslate();
+
+    /// Adds to the wish what the user has changed, and what goes out with every goal.
+    void fill(session::MoveWish& wish) const;
+    /// Why a changed field makes no sense; empty: all is well.
+    QString complaint() const;
+    void wasSent(const session::MoveWish& wish, base::Duration at);
+
+Q_SIGNALS:
+    void entered();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    enum Which : std::uint8_t { Speed, Acceleration, Time, Current, Count };
+    void arrange();
+    void typed(Which which);
+    void showHint();
+    std::optional<QString> wished(Which which) const;
+
+    std::array<ControlField*, Count> m_fields{};
+    QGridLayout* m_grid;
+    QLabel* m_hint;
+    device::Servo m_servo; ///< as shown
+    session::ServoRef m_ref = 0;
+    QString m_mode;
+};
+} // namespace ui

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/control_goal.h"
+
+#include "ui/app/theme.h"
+#include "ui/models/memory_words.h"
+#include "ui/pages/control_field.h"
+#include "ui/pages/control_slider.h"
+#include "ui/pages/control_words.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace ui {
+using catalog::Role;
+using device::GoalKind;
+
+namespace {
+bool turnsOn(std::optional<GoalKind> kind)
+{
+    return kind == GoalKind::Speed || kind == GoalKind::Pwm || kind == GoalKind::Current;
+}
+
+/// Where it stands, counted as goals are. What torque-on would hold.
+std::optional<std::int64_t> place(const device::Servo& servo)
+{
+    const auto present = servo.raw(Role::PresentPosition);
+    const std::int64_t factor =
+        std::max<std::int64_t>(1, servo.raw(Role::AngleResolution).value_or(1));
+    if (!present)
+        return std::nullopt;
+    return std::llround(static_cast<double>(*present) / static_cast<double>(factor));
+}
+} // namespace
+
+ControlGoal::ControlGoal(QWidget* parent)
+    : QWidget(parent)
+    , m_slider(new ControlSlider(this))
+    , m_field(new ControlField(QStringLiteral("goal"), this))
+    , m_steps(new QWidget(this))
+    , m_stop(new QPushButton(this))
+    , m_way(new QLabel(this))
+{
+    setObjectName(QStringLiteral("controlGoal"));
+    m_slider->setObjectName(QStringLiteral("goalSlider"));
+    m_stop->setObjectName(QStringLiteral("goalStop"));
+    m_way->setObjectName(QStringLiteral("goalWay"));
+    buildSteps();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(6);
+    column->addWidget(m_way);
+    column->addWidget(m_slider);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(m_field, 1);
+    row->addWidget(m_stop, 0, Qt::AlignVCenter);
+    column->addLayout(row);
+    column->addWidget(m_steps);
+    connect(m_slider, &ControlSlider::moved, this, [this](std::int64_t raw, bool dragged) {
+        m_field->forgetEdit();
+        show(raw);
+        Q_EMIT moved(raw, dragged);
+    });
+    connect(m_slider, &ControlSlider::released, this, &ControlGoal::dragEnded);
+    connect(m_field, &ControlField::entered, this, &ControlGoal::entered);
+    connect(m_stop, &QPushButton::clicked, this, &ControlGoal::stopWanted);
+    retranslate();
+}
+
+void ControlGoal::buildSteps()
+{
+    m_minus = new QPushButton(m_steps);
+    m_plus = new QPushButton(m_steps);
+    m_again = new QPushButton(m_steps);
+    m_left = new QLabel(m_steps);
+    m_minus->setObjectName(QStringLiteral("stepMinus"));
+    m_plus->setObjectName(QStringLiteral("stepPlus"));
+    m_again->setObjectName(QStringLiteral("stepAgain"));
+    m_left->setObjectName(QStringLiteral("stepsLeft"));
+    m_left->setWordWrap(true);
+    auto* column = new QVBoxLayout(m_steps);
+    column->setContentsMargins({});
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_minus, 1);
+    row->addWidget(m_plus, 1);
+    row->addWidget(m_again, 1);
+    column->addLayout(row);
+    column->addWidget(m_left);
+    const auto step = [this](int sign) {
+        if (const auto size = m_field->value())
+            Q_EMIT stepWanted(sign * std::abs(*size));
+    };
+    connect(m_minus, &QPushButton::clicked, this, [step] { step(-1); });
+    connect(m_plus, &QPushButton::clicked, this, [step] { step(1); });
+    connect(m_again, &QPushButton::clicked, this, &ControlGoal::againWanted);
+}
+
+std::optional<std::int64_t> ControlGoal::standing(const session::ServoEntry& entry) const
+{
+    const bool position = m_kind == GoalKind::Position || m_kind == GoalKind::Turns;
+    // Without torque an old goal means nothing: what counts is where the shaft is now.
+    const catalog::Register* torque = entry.servo.profile->byRole(Role::TorqueSwitch);
+    if (position && entry.servo.raw(Role::TorqueSwitch) != 1 &&
+        !m_field->sentAfter(entry.servo, torque))
+        return place(entry.servo);
+    return m_field->standing(entry.servo);
+}
+
+void ControlGoal::showServo(const session::ServoEntry& entry, const Steps& steps)
+{
+    const device::Servo& servo = entry.servo;
+    const auto kind = device::goalKind(servo);
+    const bool fresh = kind != m_kind || entry.ref != m_servo;
+    m_kind = kind;
+    m_servo = entry.ref;
+    m_positive = device::positiveGoal(servo);
+    m_field->setRegister(servo.profile, device::goalRegister(servo));
+    if (fresh)
+        m_field->forgetSent();
+    const bool step = kind == GoalKind::Step;
+    m_slider->setVisible(kind && !step);
+    m_steps->setVisible(step);
+    m_stop->setVisible(turnsOn(kind));
+    m_way->setVisible(turnsOn(kind));
+    if (!kind)
+        return;
+    if (step) {
+        m_field->follow(servo, std::nullopt);
+        if (fresh)
+            m_field->setRaw(servo.profile->stepsPerTurn / 4);
+        fillSteps(steps);
+    } else {
+        const auto raw = standing(entry);
+        m_field->follow(servo, m_slider->dragging() || m_dialDrag ? m_shown : raw);
+        fillSlider(entry);
+        if (!m_slider->dragging() && !m_dialDrag) {
+            m_slider->setValue(raw);
+            show(raw);
+        }
+    }
+    retranslate();
+}
+
+void ControlGoal::fillSlider(const session::ServoEntry& entry)
+{
+    const auto span = device::goalSpan(entry.servo);
+    const auto scale = device::goalScale(entry.servo);
+    if (!span || !scale)
+        return;
+    const bool centred = *m_kind != GoalKind::Position;
+    const auto end = [&](std::int64_t raw, bool plus) {
+        const QString number = QString::number(raw);
+        return turnsOn(m_kind) ? turnSign(m_positive, plus) + QLatin1Char(' ') + number : number;
+    };
+    m_slider->setScale({scale->min, scale->max, span->min, span->max, centred,
+                        end(span->min, false), end(span->max, true)});
+}
+
+void ControlGoal::fillSteps(const Steps& steps)
+{
+    m_again->setEnabled(steps.canRepeat);
+    const QString left = tr("Since connecting: %1 steps. Left: %2 %3, %4 %5 (±7.5 turns in all)")
+                             .arg(steps.sum)
+                             .arg(turnSign(m_positive, true))
+                             .arg(device::stepsLeft(steps.sum, true))
+                             .arg(turnSign(m_positive, false))
+                             .arg(device::stepsLeft(steps.sum, false));
+    m_left->setText(left);
+}
+
+void ControlGoal::show(std::optional<std::int64_t> raw)
+{
+    if (raw == m_shown)
+        return;
+    m_shown = raw;
+    if (raw)
+        Q_EMIT goalShown(*raw);
+}
+
+std::optional<std::int64_t> ControlGoal::goal() const
+{
+    return m_field->value();
+}
+
+QString ControlGoal::complaint() const
+{
+    return m_field->complaint();
+}
+
+void ControlGoal::wasSent(std::int64_t raw, base::Duration at)
+{
+    if (m_kind != GoalKind::Step)
+        m_field->wasSent(raw, at);
+}
+
+void ControlGoal::forgetSent()
+{
+    if (m_kind != GoalKind::Step)
+        m_field->forgetSent();
+}
+
+void ControlGoal::type(std::int64_t raw)
+{
+    m_field->type(raw);
+}
+
+void ControlGoal::giveUp()
+{
+    m_dialDrag = false;
+    m_field->forgetEdit();
+}
+
+void ControlGoal::put(std::int64_t raw)
+{
+    if (!m_kind || m_kind == GoalKind::Step)
+        return;
+    m_dialDrag = true;
+    m_slider->setValue(raw);
+    m_field->forgetEdit();
+    show(raw);
+    Q_EMIT moved(raw, true);
+}
+
+void ControlGoal::endPut()
+{
+    m_dialDrag = false;
+    Q_EMIT dragEnded();
+}
+
+void ControlGoal::retranslate()
+{
+    const QString plus = turnSign(m_positive, true) + QLatin1Char(' ') + turnWord(m_positive, true);
+    const QString minus =
+        turnSign(m_positive, false) + QLatin1Char(' ') + turnWord(m_positive, false);
+    QString title = tr("Goal");
+    if (m_kind == GoalKind::Step)
+        title = tr("Step");
+    else if (m_kind == GoalKind::Speed)
+        title = tr("Speed");
+    else if (m_kind == GoalKind::Pwm)
+        title = tr("PWM");
+    else if (m_kind == GoalKind::Current)
+        title = tr("Current");
+    m_field->setTitle(title);
+    m_way->setText(tr("− %1    ·    + %2").arg(minus, plus));
+    m_slider->setAccessibleName(title);
+    m_slider->setToolTip(tr("Drag, or arrows, Page Up/Down, Home and End. The wheel turns it once "
+                            "it has been clicked (Ctrl: fine, Shift: wide)."));
+    m_minus->setText(minus);
+    m_plus->setText(plus);
+    for (QPushButton* button : {m_minus, m_plus}) {
+        button->setAccessibleName(button->text());
+        button->setToolTip(tr("One step this way from where the last one ends"));
+    }
+    m_again->setText(tr("Again"));
+    m_again->setAccessibleName(m_again->text());
+    m_again->setToolTip(tr("The last step once more"));
+    m_stop->setText(tr("■ Stop"));
+    m_stop->setAccessibleName(tr("Stop turning"));
+    m_stop->setToolTip(tr("Ends the motion of this servo; torque stays on"));
+}
+} // namespace ui

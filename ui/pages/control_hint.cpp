@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/control_hint.h"
+
+#include "ui/app/theme.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace ui {
+namespace {
+const QString neverChoice = QStringLiteral("operate/no_torque_hint");
+}
+
+ControlHint::ControlHint(session::Settings& settings, QWidget* parent)
+    : QFrame(parent)
+    , m_settings(settings)
+    , m_title(new QLabel(this))
+    , m_text(new QLabel(this))
+    , m_never(new QCheckBox(this))
+    , m_cancel(new QPushButton(this))
+    , m_yes(new QPushButton(this))
+{
+    setObjectName(QStringLiteral("torqueHint"));
+    m_title->setObjectName(QStringLiteral("torqueHintTitle"));
+    m_text->setObjectName(QStringLiteral("torqueHintText"));
+    m_never->setObjectName(QStringLiteral("torqueHintNever"));
+    m_cancel->setObjectName(QStringLiteral("torqueHintCancel"));
+    m_yes->setObjectName(QStringLiteral("torqueHintGo"));
+    m_text->setWordWrap(true);
+    m_title->setWordWrap(true);
+    QFont bold = font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(m_title);
+    column->addWidget(m_text);
+    column->addWidget(m_never);
+    auto* row = new QHBoxLayout;
+    row->addStretch();
+    row->addWidget(m_cancel);
+    row->addWidget(m_yes);
+    column->addLayout(row);
+    connect(m_cancel, &QPushButton::clicked, this, &ControlHint::dismiss);
+    connect(m_yes, &QPushButton::clicked, this, &ControlHint::goOn);
+    retranslate();
+    hide();
+}
+
+bool ControlHint::passed(std::function<void()> deed)
+{
+    if (m_answered || m_settings.choice(neverChoice, false).toBool())
+        return true;
+    m_deed = std::move(deed);
+    show();
+    m_yes->setFocus();
+    return false;
+}
+
+void ControlHint::dismiss()
+{
+    m_deed = nullptr;
+    hide();
+}
+
+void ControlHint::goOn()
+{
+    m_answered = true;
+    if (m_never->isChecked())
+        m_settings.setChoice(neverChoice, true);
+    const auto deed = std::exchange(m_deed, nullptr);
+    hide();
+    if (deed)
+        deed();
+}
+
+void ControlHint::retranslate()
+{
+    m_title->setText(QStringLiteral("⚠ ") + tr("Before the first torque of this session"));
+    m_text->setText(tr("• No bracket or horn that could catch or jam\n"
+                       "• Fingers and cables away from the shaft\n"
+                       "• Polarity and voltage of the supply checked\n"
+                       "• Thick leads above 12 V"));
+    m_never->setText(tr("Do not show this again"));
+    m_never->setAccessibleName(m_never->text());
+    m_never->setToolTip(tr("Also not in later sessions"));
+    m_cancel->setText(tr("Cancel"));
+    m_cancel->setAccessibleName(m_cancel->text());
+    m_cancel->setToolTip(tr("Leave the servo as it is"));
+    m_yes->setText(tr("Checked, go on"));
+    m_yes->setAccessibleName(m_yes->text());
+    m_yes->setToolTip(tr("Do what was asked for; the hint stays away until the program is started "
+                         "again"));
+}
+
+void ControlHint::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor line = tone(Tone::Warn, palette());
+    QColor ground = line;
+    ground.setAlphaF(0.12F);
+    painter.setPen(QPen(line, 1));
+    painter.setBrush(ground);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+}
+} // namespace ui

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What to look at before a servo is given torque for the first time in a session. Keeps the deed
+// that waits for the answer. Owned by the control panel; main thread.
+#pragma once
+
+#include "session/settings.h"
+
+#include <QFrame>
+
+#include <functional>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+
+namespace ui {
+class ControlHint final : public QFrame {
+    Q_OBJECT
+
+public:
+    ControlHint(session::Settings& settings, QWidget* parent);
+
+    /// True: it has been answered, or is never to be shown. False: it is shown now, and `deed`
+    /// (which may be empty) is done when the user goes on.
+    bool passed(std::function<void()> deed);
+    /// The question has lost its point: another servo, the port closed.
+    void dismiss();
+    void retranslate();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void goOn();
+
+    session::Settings& m_settings;
+    QLabel* m_title;
+    QLabel* m_text;
+    QCheckBox* m_never;
+    QPushButton* m_cancel;
+    QPushButton* m_yes;
+    std::function<void()> m_deed;
+    bool m_answered = false;
+};
+} // namespace ui

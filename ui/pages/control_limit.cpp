@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/control_limit.h"
+
+#include "device/move_limits.h"
+#include "ui/app/theme.h"
+#include "ui/pages/control_slider.h"
+
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace ui {
+namespace {
+constexpr std::int64_t full = 1000; ///< raw: 100 %
+constexpr double rawPerPercent = 10;
+constexpr double mostStall = 500; ///< kg·cm
+
+QString stallChoice(const QString& model)
+{
+    return QStringLiteral("stall_torque/") + model;
+}
+} // namespace
+
+ControlLimit::ControlLimit(session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_settings(settings)
+    , m_title(new QLabel(this))
+    , m_percent(new QDoubleSpinBox(this))
+    , m_slider(new ControlSlider(this))
+    , m_force(new QLabel(this))
+    , m_stallTitle(new QLabel(this))
+    , m_stall(new QDoubleSpinBox(this))
+    , m_advice(new QLabel(this))
+{
+    setObjectName(QStringLiteral("controlLimit"));
+    build();
+    connect(m_slider, &ControlSlider::moved, this, [this](std::int64_t raw, bool dragged) {
+        m_editing = dragged;
+        m_percent->setValue(static_cast<double>(raw) / rawPerPercent);
+        if (!dragged)
+            order(raw);
+    });
+    connect(m_slider, &ControlSlider::released, this, [this] {
+        if (const auto raw = m_slider->value())
+            order(*raw);
+    });
+    connect(m_percent->findChild<QLineEdit*>(), &QLineEdit::textEdited, this,
+            [this] { m_editing = true; });
+    connect(m_percent, &QDoubleSpinBox::editingFinished, this, [this] {
+        const std::int64_t raw = std::llround(m_percent->value() * rawPerPercent);
+        if (m_read && raw != *m_read)
+            order(raw);
+        m_editing = false;
+    });
+    connect(m_stall, &QDoubleSpinBox::editingFinished, this, [this] {
+        if (m_model.isEmpty() || m_stall->value() == stallTorque())
+            return;
+        m_settings.setChoice(stallChoice(m_model), m_stall->value());
+        fill();
+    });
+    retranslate();
+    hide();
+}
+
+void ControlLimit::build()
+{
+    m_title->setObjectName(QStringLiteral("torqueLimitTitle"));
+    m_percent->setObjectName(QStringLiteral("torqueLimitPercent"));
+    m_percent->setRange(0, full / rawPerPercent);
+    m_percent->setDecimals(1);
+    m_percent->setSuffix(QStringLiteral(" %"));
+    m_percent->setKeyboardTracking(false);
+    m_slider->setObjectName(QStringLiteral("torqueLimitSlider"));
+    m_slider->setScale({0, full, 0, full, false, QStringLiteral("0"), QStringLiteral("100 %")});
+    m_force->setObjectName(QStringLiteral("torqueLimitForce"));
+    m_stall->setObjectName(QStringLiteral("stallTorque"));
+    m_stall->setRange(0, mostStall);
+    m_stall->setDecimals(1);
+    m_stall->setSuffix(QStringLiteral(" kg·cm"));
+    m_stall->setKeyboardTracking(false);
+    m_advice->setObjectName(QStringLiteral("grippingAdvice"));
+    m_advice->setWordWrap(true);
+    // The wheel only where somebody has clicked.
+    for (QWidget* box : {static_cast<QWidget*>(m_percent), static_cast<QWidget*>(m_stall)})
+        box->setFocusPolicy(Qt::StrongFocus);
+    m_title->setBuddy(m_percent);
+    m_stallTitle->setBuddy(m_stall);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(4);
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_title, 1);
+    head->addWidget(m_force);
+    head->addWidget(m_percent);
+    column->addLayout(head);
+    column->addWidget(m_slider);
+    auto* stall = new QHBoxLayout;
+    stall->addWidget(m_stallTitle, 1);
+    stall->addWidget(m_stall);
+    column->addLayout(stall);
+    column->addWidget(m_advice);
+}
+
+double ControlLimit::stallTorque() const
+{
+    return m_model.isEmpty() ? 0 : m_settings.choice(stallChoice(m_model), 0.0).toDouble();
+}
+
+void ControlLimit::order(std::int64_t raw)
+{
+    m_editing = false;
+    Q_EMIT wanted(raw);
+}
+
+void ControlLimit::showServo(const session::ServoEntry* entry, bool usable)
+{
+    const bool known = entry != nullptr && entry->servo.profile && entry->servo.profile->writable;
+    const device::TorqueLimit limit =
+        known ? device::torqueLimit(*entry->servo.profile) : device::TorqueLimit{};
+    setVisible(limit.reg != nullptr);
+    setEnabled(usable);
+    if (limit.reg == nullptr)
+        return;
+    const bool other = m_model != entry->servo.profile->modelName;
+    m_model = entry->servo.profile->modelName;
+    m_temporary = limit.temporary;
+    m_read = entry->servo.raw(*limit.reg);
+    if (other) {
+        m_editing = false;
+        m_stall->setValue(stallTorque());
+    }
+    fill();
+}
+
+void ControlLimit::fill()
+{
+    m_title->setText(m_temporary ? tr("Torque limit (until power-off)") : tr("Torque limit"));
+    if (!m_editing && m_read) {
+        m_slider->setValue(m_read);
+        m_percent->setValue(static_cast<double>(*m_read) / rawPerPercent);
+    }
+    const double stall = stallTorque();
+    const double share = m_percent->value() / 100;
+    m_force->setText(stall > 0 ? tr("≈ %1 kg·cm").arg(stall * share, 0, 'f', 1) : QString());
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, tone(Tone::Quiet, palette()));
+    m_advice->setPalette(colours);
+    m_force->setPalette(colours);
+}
+
+void ControlLimit::retranslate()
+{
+    m_percent->setAccessibleName(tr("Torque limit"));
+    m_percent->setToolTip(tr("Share of the stall torque; Enter sends it"));
+    m_slider->setAccessibleName(tr("Torque limit"));
+    m_slider->setToolTip(tr("Largest output; sent when the knob is let go"));
+    m_stallTitle->setText(tr("Stall torque of this model"));
+    m_stall->setSpecialValueText(tr("not entered"));
+    m_stall->setAccessibleName(m_stallTitle->text());
+    m_stall->setToolTip(tr("From the data sheet at your supply voltage; remembered for this model, "
+                           "written nowhere"));
+    m_advice->setText(tr("Gripping: set the share of the stall torque the part can take (10 % of "
+                         "10 kg·cm is about 1 kg·cm). The servo also gets slower. Only for parts "
+                         "of equal mass."));
+    fill();
+}
+
+void ControlLimit::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        fill();
+}
+} // namespace ui

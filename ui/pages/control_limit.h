@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The torque limit in percent (register 48; SCS: 16 until power-off), with kg·cm once the stall
+// torque of this model has been entered, and the advice for gripping beside it. What is set is sent
+// when the slider is let go, or on Enter. Owned by the control panel; main thread.
+#pragma once
+
+#include "session/servo_entry.h"
+#include "session/settings.h"
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace ui {
+class ControlSlider;
+
+class ControlLimit final : public QWidget {
+    Q_OBJECT
+
+public:
+    ControlLimit(session::Settings& settings, QWidget* parent);
+
+    void showServo(const session::ServoEntry* entry, bool usable);
+    void retranslate();
+
+Q_SIGNALS:
+    void wanted(std::int64_t raw);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void fill();
+    void order(std::int64_t raw);
+    double stallTorque() const; ///< kg·cm; 0: not entered
+
+    session::Settings& m_settings;
+    QLabel* m_title;
+    QDoubleSpinBox* m_percent;
+    ControlSlider* m_slider;
+    QLabel* m_force;
+    QLabel* m_stallTitle;
+    QDoubleSpinBox* m_stall;
+    QLabel* m_advice;
+
+    QString m_model;
+    bool m_temporary = false;
+    std::optional<std::int64_t> m_read;
+    bool m_editing = false; ///< a number is being typed
+};
+} // namespace ui

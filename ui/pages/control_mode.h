@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The operating modes of this family side by side, the present one standing out. A click asks for
+// another one; nothing is switched here. Owned by the control panel; main thread.
+#pragma once
+
+#include "session/servo_entry.h"
+
+#include <QWidget>
+
+class QButtonGroup;
+
+namespace ui {
+class FlowLayout;
+
+class ControlMode final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ControlMode(QWidget* parent);
+
+    void showServo(const session::ServoEntry* entry, bool usable);
+    void retranslate();
+
+Q_SIGNALS:
+    void wanted(const QString& mode);
+
+private:
+    void build();
+    void check();
+
+    FlowLayout* m_row;
+    QButtonGroup* m_group = nullptr;
+    catalog::ProfilePtr m_profile;
+    QString m_mode; ///< as read; empty: not known
+};
+} // namespace ui

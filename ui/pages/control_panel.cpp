@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/control_panel.h"
+
+#include "text/error_words.h"
+#include "text/notice_words.h"
+#include "ui/app/theme.h"
+#include "ui/dialogs/ask.h"
+#include "ui/models/memory_words.h"
+#include "ui/pages/control_fields.h"
+#include "ui/pages/control_goal.h"
+#include "ui/pages/control_hint.h"
+#include "ui/pages/control_limit.h"
+#include "ui/pages/control_mode.h"
+#include "ui/pages/control_torque.h"
+#include "ui/pages/control_words.h"
+#include "ui/widgets/banner.h"
+
+#include <QButtonGroup>
+#include <QLabel>
+#include <QPushButton>
+
+namespace ui {
+using catalog::Role;
+using device::GoalKind;
+using device::MoveHow;
+using device::NoticeCode;
+
+namespace {
+/// What somebody at the bench must see, beside what only tells how it was done.
+bool warns(const device::Notice& notice)
+{
+    switch (notice.code) {
+    case NoticeCode::OverloadHolds:
+    case NoticeCode::OvercurrentHolds:
+    case NoticeCode::VoltageHolds:
+    case NoticeCode::TemperatureHolds:
+    case NoticeCode::SensorHolds:
+    case NoticeCode::DerivedTemperature:
+    case NoticeCode::DerivedVoltage:
+    case NoticeCode::NoCurrentAllowed:
+    case NoticeCode::LockLeftOpen:
+        return true;
+    default:
+        return false;
+    }
+}
+
+QString linesOf(const device::Notices& notices, bool warning)
+{
+    QStringList lines;
+    for (const device::Notice& notice : notices) {
+        if (warns(notice) == warning)
+            lines << text::describe(notice);
+    }
+    lines.removeDuplicates();
+    return lines.join(QLatin1Char('\n'));
+}
+} // namespace
+
+const session::ServoEntry* ControlPanel::entry() const
+{
+    return m_desk.servo(m_selection.current());
+}
+
+std::size_t ControlPanel::others() const
+{
+    return m_drive.servos().empty() ? 0 : m_drive.servos().size() - 1;
+}
+
+void ControlPanel::choose()
+{
+    m_drive.setServos(m_selection.chosen());
+    m_banner->clear();
+    m_said->hide();
+    m_hint->dismiss();
+    for (const session::ServoRef ref : m_drive.servos()) {
+        const session::ServoEntry* known = m_desk.servo(ref);
+        const bool unread = known != nullptr && known->servo.profile && !known->tableRead;
+        if (unread && m_desk.state() == session::LinkState::Open)
+            m_desk.readTable(ref);
+    }
+    if (others() > 0 && entry() != nullptr && entry()->servo.profile &&
+        device::offers(entry()->servo, MoveHow::Sync))
+        m_how->button(static_cast<int>(MoveHow::Sync))->setChecked(true);
+    refresh();
+}
+
+void ControlPanel::refreshSoon()
+{
+    if (!m_refresh.isActive())
+        m_refresh.start();
+}
+
+/// Why there is nothing to control; empty: there is.
+QString ControlPanel::whyEmpty() const
+{
+    const session::ServoEntry* known = entry();
+    if (known == nullptr)
+        return tr("Choose a servo at the left. Choosing it moves nothing.");
+    if (!known->servo.profile)
+        return tr("This servo answers, but does not say what it is, so nobody knows how to move "
+                  "it. Search again, or check whether two servos share the ID.");
+    if (!known->servo.profile->writable)
+        return tr("The firmware of this servo is not known. Its measurements are shown; moving it "
+                  "could do damage. A model file makes it possible.");
+    if (known->servo.mode() == nullptr)
+        return known->readError ? tr("The settings of this servo could not be read.")
+                                : tr("Reading the settings of this servo…");
+    return {};
+}
+
+bool ControlPanel::usable() const
+{
+    return m_desk.state() == session::LinkState::Open;
+}
+
+void ControlPanel::refresh()
+{
+    const QString why = whyEmpty();
+    if (m_empty->text() != why)
+        m_empty->setText(why);
+    m_empty->setVisible(!why.isEmpty());
+    m_content->setVisible(why.isEmpty());
+    showTitle();
+    const session::ServoEntry* known = entry();
+    m_torque->showServo(why.isEmpty() ? known : nullptr, usable());
+    showStopped();
+    if (!why.isEmpty()) {
+        Q_EMIT shownAnew();
+        return;
+    }
+    const bool drives = usable() && !m_drive.stopped();
+    m_mode->showServo(known, usable());
+    m_goal->showServo(*known, {m_drive.stepSum(known->ref), m_drive.canRepeat()});
+    m_fields->showServo(*known);
+    m_limit->showServo(known, usable());
+    m_goal->setEnabled(drives);
+    m_fields->setEnabled(drives);
+    if (m_dial != nullptr)
+        m_dial->setVisible(device::goalRegister(known->servo) != nullptr);
+    showWrite();
+    Q_EMIT shownAnew();
+}
+
+void ControlPanel::showTitle()
+{
+    const session::ServoEntry* known = entry();
+    QString words = tr("Motion");
+    if (known != nullptr) {
+        words = tr("Motion — ID %1").arg(known->servo.id);
+        if (known->servo.profile)
+            words += QStringLiteral(" · ") + known->servo.profile->modelName;
+        if (others() > 0)
+            words += QLatin1Char(' ') + tr("+ %1 more").arg(others());
+    }
+    if (m_title->text() != words)
+        m_title->setText(words);
+}
+
+void ControlPanel::showStopped()
+{
+    const bool stopped = m_drive.stopped() && entry() != nullptr;
+    m_stopped->setVisible(stopped);
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, tone(Tone::Warn, palette()));
+    m_stopped->setPalette(colours);
+}
+
+void ControlPanel::showWrite()
+{
+    const session::ServoEntry* known = entry();
+    if (known == nullptr || !known->servo.profile)
+        return;
+    const bool step = device::goalKind(known->servo) == GoalKind::Step;
+    const bool drives = usable() && !m_drive.stopped();
+    for (const MoveHow one : {MoveHow::Write, MoveHow::Sync, MoveHow::Async}) {
+        const bool offered = device::offers(known->servo, one);
+        m_how->button(static_cast<int>(one))->setVisible(offered);
+        if (!offered && how() == one)
+            m_how->button(0)->setChecked(true);
+    }
+    const bool async = device::offers(known->servo, MoveHow::Async);
+    m_execute->setVisible(async || m_drive.held() > 0);
+    m_execute->setEnabled(drives && m_drive.held() > 0);
+    m_execute->setText(m_drive.held() > 0 ? tr("Execute (%1)").arg(m_drive.held()) : tr("Execute"));
+    m_execute->setAccessibleName(m_execute->text());
+    m_set->setVisible(!step);
+    m_set->setEnabled(drives);
+}
+
+MoveHow ControlPanel::how() const
+{
+    return static_cast<MoveHow>(std::max(0, m_how->checkedId()));
+}
+
+std::optional<std::int64_t> ControlPanel::placeGoal() const
+{
+    const session::ServoEntry* known = entry();
+    const auto kind =
+        known != nullptr && known->servo.profile ? device::goalKind(known->servo) : std::nullopt;
+    const bool place = kind == GoalKind::Position || kind == GoalKind::Turns;
+    return place ? m_goal->shown() : std::nullopt;
+}
+
+bool ControlPanel::goalMovable() const
+{
+    return placeGoal() && m_goal->isEnabled() && whyEmpty().isEmpty();
+}
+
+/// False: the hint is shown first. A servo that has torque already has been energised knowingly.
+bool ControlPanel::mayEnergise(std::function<void()> deed)
+{
+    for (const session::ServoRef ref : m_drive.servos()) {
+        const session::ServoEntry* known = m_desk.servo(ref);
+        if (known != nullptr && known->servo.profile && known->servo.raw(Role::TorqueSwitch) == 1)
+            continue;
+        return m_hint->passed(std::move(deed));
+    }
+    return true;
+}
+
+void ControlPanel::setGoalFromDial(std::int64_t raw)
+{
+    if (!goalMovable())
+        return;
+    m_dialRest.start();
+    m_goal->put(raw);
+}
+
+/// Held writes are not sent while dragging: Set leaves one goal, not a hundred.
+void ControlPanel::dragTo(std::int64_t raw, bool dragged)
+{
+    if (how() == MoveHow::Async) {
+        m_goal->type(raw);
+        return;
+    }
+    // Nobody asked for the way to the place where the hint was answered.
+    if (!mayEnergise({})) {
+        m_goal->giveUp();
+        refreshSoon();
+        return;
+    }
+    order(raw, dragged);
+}
+
+void ControlPanel::set()
+{
+    const session::ServoEntry* known = entry();
+    if (known == nullptr || !m_set->isEnabled())
+        return;
+    const auto raw = m_goal->goal();
+    if (!raw) {
+        complain(m_goal->complaint());
+        return;
+    }
+    if (device::goalKind(known->servo) == GoalKind::Step) {
+        step(*raw);
+        return;
+    }
+    if (mayEnergise([this, goal = *raw] { order(goal, false); }))
+        order(*raw, false);
+}
+
+void ControlPanel::step(std::int64_t raw)
+{
+    if (mayEnergise([this, raw] { order(raw, false); }))
+        order(raw, false);
+}
+
+void ControlPanel::order(std::int64_t raw, bool dragged)
+{
+    const session::ServoEntry* known = entry();
+    const catalog::Register* reg =
+        known != nullptr && known->servo.profile ? device::goalRegister(known->servo) : nullptr;
+    if (reg == nullptr)
+        return;
+    if (const QString wrong = m_fields->complaint(); !wrong.isEmpty()) {
+        complain(wrong);
+        return;
+    }
+    session::MoveWish wish{device::exactText(raw, known->servo.meaning(*reg))};
+    m_fields->fill(wish);
+    wish.how = how();
+    wish.dragged = dragged;
+    if (wish.how != MoveHow::Async)
+        m_goal->wasSent(raw, m_desk.now());
+    m_drive.move(wish);
+}
+
+void ControlPanel::orderTorque(device::Torque torque)
+{
+    const auto deed = [this, torque] { m_drive.setTorque(torque); };
+    m_banner->clear();
+    if (torque != device::Torque::On || m_hint->passed(deed))
+        deed();
+}
+
+void ControlPanel::askForMode(const device::ModePlan& plan)
+{
+    const session::ServoEntry* known = entry();
+    if (known == nullptr || !known->servo.profile || plan.writes.empty())
+        return;
+    const catalog::Mode* mode = known->servo.profile->mode(plan.to);
+    if (mode == nullptr)
+        return;
+    Question question;
+    question.title = tr("Switch ID %1 to \"%2\"?").arg(known->servo.id).arg(modeTitle(*mode));
+    question.text = modePlanWords(plan, *known->servo.profile, static_cast<int>(others()));
+    question.yes = tr("Switch");
+    question.guard = this;
+    ask(this, question, [this, ref = known->ref, to = plan.to] {
+        if (m_selection.current() == ref)
+            m_drive.switchMode(to);
+    });
+}
+
+void ControlPanel::showError(const base::Error& error)
+{
+    m_goal->giveUp();
+    const session::ServoEntry* known = entry();
+    const catalog::Register* reg = known != nullptr && known->servo.profile
+                                       ? known->servo.profile->find(error.registerKey)
+                                       : nullptr;
+    m_goal->forgetSent();
+    m_banner->present(withName(error, reg));
+    refreshSoon();
+}
+
+void ControlPanel::showNotices(const device::Notices& notices)
+{
+    if (!linesOf(notices, true).isEmpty()) {
+        m_banner->present([notices] { return BannerWords{Tone::Warn, linesOf(notices, true)}; });
+    }
+    const QString said = linesOf(notices, false);
+    m_said->setText(said);
+    m_said->setVisible(!said.isEmpty());
+}
+
+void ControlPanel::complain(const QString& words)
+{
+    m_banner->present([words] { return BannerWords{Tone::Warn, words}; });
+}
+
+void ControlPanel::retranslate()
+{
+    setAccessibleName(tr("Control"));
+    m_stopped->setText(QStringLiteral("■ ") + tr("Stopped. Switch torque on to go on."));
+    static const std::array words{
+        std::pair{QT_TR_NOOP("Write"), QT_TR_NOOP("One servo after the other, each acknowledged")},
+        std::pair{QT_TR_NOOP("Sync write"),
+                  QT_TR_NOOP("One packet for all chosen servos: they start together")},
+        std::pair{QT_TR_NOOP("Async write"),
+                  QT_TR_NOOP("The goal waits in the servo until Execute")}};
+    for (int i = 0; i < 3; ++i) {
+        auto* button = m_how->button(i);
+        button->setText(tr(words[static_cast<std::size_t>(i)].first));
+        button->setAccessibleName(button->text());
+        button->setToolTip(tr(words[static_cast<std::size_t>(i)].second));
+    }
+    m_execute->setToolTip(tr("Starts all goals that wait in servos"));
+    m_set->setText(tr("Set"));
+    m_set->setAccessibleName(m_set->text());
+    m_set->setToolTip(tr("Sends goal and changed fields"));
+    m_torque->retranslate();
+    m_mode->retranslate();
+    m_goal->retranslate();
+    m_fields->retranslate();
+    m_limit->retranslate();
+    m_hint->retranslate();
+    refresh();
+}
+} // namespace ui

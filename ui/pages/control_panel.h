@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The left card of the operate page: torque, mode, goal and what belongs to a move of the chosen
+// servos. Dragging a slider or the dial sends goals as it goes, the latest one wins; what is typed
+// is sent by Enter or Set. Selecting a servo or opening the page reads and writes nothing that
+// moves. Everything goes through session::Drive. Owned by the page; main thread, never waits.
+#pragma once
+
+#include "session/drive.h"
+#include "session/settings.h"
+#include "ui/app/commands.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QButtonGroup;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace ui {
+class Banner;
+class ControlFields;
+class ControlGoal;
+class ControlHint;
+class ControlLimit;
+class ControlMode;
+class ControlTorque;
+
+class ControlPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    ControlPanel(session::Desk& desk, Commands& commands, Selection& selection,
+                 session::Settings& settings, session::Drive& drive, QWidget* parent = nullptr);
+    ~ControlPanel() override;
+
+    /// Between the mode and the slider; the panel becomes its parent. Hidden where the mode drives
+    /// no position.
+    void setDial(QWidget* dial);
+    /// The goal as the servo has it, or as it is being dragged; nullopt: none that means a place.
+    std::optional<std::int64_t> placeGoal() const;
+    /// The dial's goal may be dragged now.
+    bool goalMovable() const;
+
+public Q_SLOTS:
+    /// As dragging the slider there; a short rest ends the drag.
+    void setGoalFromDial(std::int64_t raw);
+
+Q_SIGNALS:
+    void goalShown(std::int64_t raw);
+    void shownAnew(); ///< placeGoal() or goalMovable() may have changed
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build(session::Settings& settings);
+    QWidget* buildHead(QWidget* body);
+    QWidget* buildWrite(QWidget* body);
+    void connectParts();
+    void connectDesk();
+    void retranslate();
+
+    const session::ServoEntry* entry() const;
+    std::size_t others() const;
+    void choose();
+    void refresh();
+    void refreshSoon();
+    void showTitle();
+    void showWrite();
+    void showStopped();
+    QString whyEmpty() const;
+    bool usable() const;
+
+    bool mayEnergise(std::function<void()> deed);
+    void dragTo(std::int64_t raw, bool dragged);
+    void set();
+    void order(std::int64_t raw, bool dragged);
+    void step(std::int64_t raw);
+    void orderTorque(device::Torque torque);
+    void askForMode(const device::ModePlan& plan);
+    void showError(const base::Error& error);
+    void showNotices(const device::Notices& notices);
+    void complain(const QString& words);
+    device::MoveHow how() const;
+
+    session::Desk& m_desk;
+    Commands& m_commands;
+    Selection& m_selection;
+    session::Drive& m_drive;
+
+    QLabel* m_title = nullptr;
+    ControlTorque* m_torque = nullptr;
+    QLabel* m_stopped = nullptr;
+    Banner* m_banner = nullptr;
+    ControlHint* m_hint = nullptr;
+    QLabel* m_empty = nullptr;
+    QWidget* m_content = nullptr;
+    ControlMode* m_mode = nullptr;
+    QVBoxLayout* m_dialPlace = nullptr;
+    QWidget* m_dial = nullptr;
+    ControlGoal* m_goal = nullptr;
+    ControlFields* m_fields = nullptr;
+    QWidget* m_write = nullptr;
+    QButtonGroup* m_how = nullptr;
+    QPushButton* m_execute = nullptr;
+    QPushButton* m_set = nullptr;
+    ControlLimit* m_limit = nullptr;
+    QLabel* m_said = nullptr;
+
+    QTimer m_refresh;
+    QTimer m_dialRest;
+};
+} // namespace ui

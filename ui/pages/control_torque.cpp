@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/control_torque.h"
+
+#include "ui/app/theme.h"
+
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QToolButton>
+
+namespace ui {
+namespace {
+constexpr std::int64_t isOn = 1;
+constexpr std::int64_t damps = 2;
+} // namespace
+
+ControlTorque::ControlTorque(Commands& commands, QWidget* parent)
+    : QWidget(parent)
+    , m_commands(commands)
+    , m_switch(new QToolButton(this))
+    , m_more(new QToolButton(this))
+    , m_menu(new QMenu(this))
+{
+    setObjectName(QStringLiteral("controlTorque"));
+    m_switch->setObjectName(QStringLiteral("torqueSwitch"));
+    m_switch->setCheckable(true);
+    m_switch->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_switch->setFocusPolicy(Qt::StrongFocus);
+    m_more->setObjectName(QStringLiteral("torqueMore"));
+    m_more->setText(QStringLiteral("⋯"));
+    m_more->setFocusPolicy(Qt::StrongFocus);
+    m_menu->setObjectName(QStringLiteral("torqueMenu"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins({});
+    row->setSpacing(4);
+    row->addWidget(m_switch);
+    row->addWidget(m_more);
+    // What it shows is what the servo says, not what was clicked.
+    connect(m_switch, &QToolButton::clicked, this, [this] {
+        const bool on = m_state == isOn || m_state == damps;
+        showState();
+        Q_EMIT wanted(on ? device::Torque::Off : device::Torque::On);
+    });
+    connect(m_more, &QToolButton::clicked, this,
+            [this] { m_menu->popup(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
+    retranslate();
+}
+
+void ControlTorque::fillMenu()
+{
+    m_menu->clear();
+    if (m_damping) {
+        QAction* damp = m_menu->addAction(tr("Damping"));
+        damp->setObjectName(QStringLiteral("torqueDamp"));
+        damp->setToolTip(tr("Holds nothing, but brakes the shaft when it is turned"));
+        connect(damp, &QAction::triggered, this, [this] { Q_EMIT wanted(device::Torque::Damp); });
+    }
+    if (m_centring)
+        m_menu->addAction(m_commands.action(Command::Center));
+}
+
+void ControlTorque::showServo(const session::ServoEntry* entry, bool usable)
+{
+    const bool known = entry != nullptr && entry->servo.profile;
+    const catalog::Register* reg =
+        known ? entry->servo.profile->byRole(catalog::Role::TorqueSwitch) : nullptr;
+    const bool damping = known && entry->servo.profile->damping;
+    const bool centring = known && entry->servo.profile->centering != catalog::Centering::None;
+    m_state = reg != nullptr ? entry->servo.raw(*reg) : std::nullopt;
+    if (damping != m_damping || centring != m_centring) {
+        m_damping = damping;
+        m_centring = centring;
+        fillMenu();
+    }
+    setVisible(reg != nullptr && entry->servo.profile->writable);
+    m_more->setVisible(damping || centring);
+    setEnabled(usable);
+    showState();
+}
+
+void ControlTorque::showState()
+{
+    QString words = tr("Torque: not read");
+    if (m_state)
+        words = m_state == isOn    ? tr("● Torque on")
+                : m_state == damps ? tr("◐ Damping")
+                                   : tr("○ Torque off");
+    m_switch->setText(words);
+    m_switch->setAccessibleName(words);
+    m_switch->setChecked(m_state == isOn || m_state == damps);
+    QPalette colours = palette();
+    if (m_state == isOn && isEnabled())
+        colours.setColor(QPalette::ButtonText, tone(Tone::Good, palette()));
+    if (m_switch->palette() != colours)
+        m_switch->setPalette(colours);
+}
+
+void ControlTorque::retranslate()
+{
+    m_switch->setToolTip(tr("On: the servo holds where it stands now, whatever its mode. Off: the "
+                            "shaft is free."));
+    m_more->setAccessibleName(tr("More of torque"));
+    m_more->setToolTip(tr("Damping and centring"));
+    fillMenu();
+    showState();
+}
+} // namespace ui

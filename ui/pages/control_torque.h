@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The torque switch of the chosen servo: shows what the servo says, asks for on, off, damping and
+// centring; the latter two only where the family has them. Owned by the control panel; main thread.
+#pragma once
+
+#include "device/motion.h"
+#include "ui/app/commands.h"
+
+#include <QWidget>
+
+class QMenu;
+class QToolButton;
+
+namespace ui {
+class ControlTorque final : public QWidget {
+    Q_OBJECT
+
+public:
+    ControlTorque(Commands& commands, QWidget* parent);
+
+    void showServo(const session::ServoEntry* entry, bool usable);
+    void retranslate();
+
+Q_SIGNALS:
+    void wanted(device::Torque torque);
+
+private:
+    void fillMenu();
+    void showState();
+
+    Commands& m_commands;
+    QToolButton* m_switch;
+    QToolButton* m_more;
+    QMenu* m_menu;
+    std::optional<std::int64_t> m_state; ///< as read
+    bool m_damping = false;
+    bool m_centring = false;
+};
+} // namespace ui
