@@ -84,6 +84,11 @@ const std::vector<std::string_view>& Cells::split(std::string_view line)
     m_unquoted.clear();
     std::size_t begin = 0;
     while (true) {
+        // Most cells of most rows are empty: those of the other servos.
+        while (begin < line.size() && line[begin] == ',') {
+            m_cells.emplace_back();
+            ++begin;
+        }
         std::size_t end = 0;
         if (begin < line.size() && line[begin] == '"') {
             end = takeQuoted(line, begin);

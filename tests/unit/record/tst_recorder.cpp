@@ -211,7 +211,7 @@ private Q_SLOTS:
         RecorderSpec spec = specFor(m_path);
         spec.length = std::chrono::seconds(1);
         const auto recorder = Recorder::start(spec).value();
-        recorder->reach(std::chrono::hours(9)); // has not begun
+        recorder->reach(rowAt(0).at - period); // has not begun
         feed(*recorder, rows(0, 10));
         recorder->reach(rowAt(199).at);
         QTRY_COMPARE(recorder->status().rows, 10U);
