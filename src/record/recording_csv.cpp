@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reading a recording's CSV, also after a spreadsheet program or a person has been at it: columns
 // may have been moved, left out or added, cells quoted, '#' lines padded with commas.
+#include "record/csv_cells.h"
 #include "record/recording_text.h"
 
+#include <algorithm>
 #include <charconv>
-#include <deque>
+#include <limits>
 
 namespace record {
 namespace {
 constexpr std::string_view title = "# ServoDesk recording ";
-
-std::string_view trimmed(std::string_view text)
-{
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
-        text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t'))
-        text.remove_suffix(1);
-    return text;
-}
 
 QString words(std::string_view text)
 {
@@ -66,58 +59,6 @@ std::optional<Mark> parseMark(std::string_view text, base::Duration at)
     return Mark{at, *kind, *number, unescaped(text)};
 }
 
-/// Cells of a line; valid until the next call.
-class Cells {
-public:
-    const std::vector<std::string_view>& split(std::string_view line);
-
-private:
-    std::size_t takeQuoted(std::string_view line, std::size_t begin);
-
-    std::vector<std::string_view> m_cells;
-    std::deque<std::string> m_unquoted;
-};
-
-const std::vector<std::string_view>& Cells::split(std::string_view line)
-{
-    m_cells.clear();
-    m_unquoted.clear();
-    std::size_t begin = 0;
-    while (true) {
-        // Most cells of most rows are empty: those of the other servos.
-        while (begin < line.size() && line[begin] == ',') {
-            m_cells.emplace_back();
-            ++begin;
-        }
-        std::size_t end = 0;
-        if (begin < line.size() && line[begin] == '"') {
-            end = takeQuoted(line, begin);
-        } else {
-            end = std::min(line.find(',', begin), line.size());
-            m_cells.push_back(trimmed(line.substr(begin, end - begin)));
-        }
-        if (end >= line.size())
-            return m_cells;
-        begin = end + 1;
-    }
-}
-
-/// Where the comma after it is, or the end.
-std::size_t Cells::takeQuoted(std::string_view line, std::size_t begin)
-{
-    std::string& text = m_unquoted.emplace_back();
-    std::size_t i = begin + 1;
-    for (; i < line.size(); ++i) {
-        if (line[i] == '"' && (i + 1 == line.size() || line[i + 1] != '"'))
-            break;
-        text += line[i];
-        i += line[i] == '"' ? 1 : 0;
-    }
-    const std::size_t comma = std::min(line.find(',', std::min(i, line.size())), line.size());
-    m_cells.push_back(text);
-    return comma;
-}
-
 class CsvReader final : public RecordingReader {
 public:
     tl::expected<Head, QString> takeHead(std::string_view line) override;
@@ -148,7 +89,7 @@ private:
     std::size_t m_time = 0;
     std::size_t m_servo = 0;
     std::vector<std::pair<std::string, std::size_t>> m_labels;
-    Cells m_cells;
+    CsvCells m_cells;
 };
 
 tl::expected<RecordingReader::Head, QString> CsvReader::takeHead(std::string_view line)

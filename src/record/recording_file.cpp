@@ -73,8 +73,8 @@ void RecordingFile::keepWholeLines(const RecordingBlock& block)
     const std::size_t end =
         came == 0 ? block.text.npos : block.text.rfind('\n', std::size_t(came) - 1);
     const std::size_t kept = end == block.text.npos ? 0 : end + 1;
-    m_file.truncate(qint64(m_size + kept));
     m_size += kept;
+    m_file.truncate(qint64(m_size));
     m_rows += std::uint64_t(std::upper_bound(block.rowEnds.begin(), block.rowEnds.end(), kept) -
                             block.rowEnds.begin());
 }
