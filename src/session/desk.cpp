@@ -20,8 +20,12 @@ Desk::Desk(Session& session, QObject* parent)
 {
     m_look.setInterval(lookInterval);
     connect(&m_look, &QTimer::timeout, this, &Desk::lookAtLink);
-    m_liveTimer.setInterval(33ms);
-    connect(&m_liveTimer, &QTimer::timeout, this, &Desk::takeSamples);
+    m_feedTimer.setInterval(33ms);
+    m_feedTimer.setTimerType(Qt::PreciseTimer);
+    connect(&m_feedTimer, &QTimer::timeout, this, [this] {
+        collectFeed();
+        updateFeed(); // one of them may have a new ID now: asked under that one
+    });
 }
 
 Desk::~Desk()
@@ -74,7 +78,7 @@ void Desk::setState(LinkState state)
         m_look.start();
     else
         m_look.stop();
-    updateLive();
+    updateFeed();
     Q_EMIT linkChanged();
 }
 
@@ -105,7 +109,7 @@ void Desk::forgetServos()
     m_undo.clear();
     m_redo.clear();
     m_returning.reset();
-    m_live = {};
+    m_feeder.forgetAll();
     m_lastSearch.reset();
     Q_EMIT servosCleared();
     Q_EMIT undoChanged();
@@ -125,8 +129,10 @@ void Desk::opened(base::Result<std::unique_ptr<Connection>> result)
         return;
     }
     m_connection = std::move(*result);
-    for (const auto& [ref, known] : m_servos)
+    for (auto& [ref, known] : m_servos) {
         m_connection->know(known.servo);
+        known.turns.reset();
+    }
     setState(LinkState::Open);
     tell({.kind = Event::Kind::Connected, .task = m_connection->bus().portName()});
 }
@@ -159,8 +165,10 @@ void Desk::close()
 
 void Desk::powerCycle()
 {
-    if (m_connection)
-        m_connection->powerCycle();
+    if (!m_connection || !m_connection->powerCycle())
+        return;
+    for (auto& [ref, known] : m_servos)
+        known.turns.reset();
 }
 
 void Desk::lookAtLink()
@@ -183,7 +191,7 @@ void Desk::goOn()
         !m_opening && !m_running && m_queue.empty() && !(m_search && m_search->started);
     if (idle && (m_state == LinkState::Closing || m_state == LinkState::Lost)) {
         m_search.reset();
-        m_live.poll = 0;
+        m_feeder.stop(nullptr);
         // Closing a port may take as long as its adapter likes. Opening waits in the same line.
         m_openThread->start([old = std::shared_ptr<Connection>(std::move(m_connection))]() mutable {
             old.reset();
@@ -194,7 +202,7 @@ void Desk::goOn()
     }
     startSearch();
     startNext(); // what may go on beside the search that has just begun
-    updateLive();
+    updateFeed();
 }
 
 void Desk::finishClosing()
@@ -231,16 +239,5 @@ ServoRef Desk::find(base::Protocol protocol, int id) const
             return ref;
     }
     return 0;
-}
-
-void Desk::emergencyStop()
-{
-    if (!m_connection)
-        return;
-    m_connection->bus().emergency();
-    if (m_running)
-        m_running->stop.request(); // it may be between two requests, where nothing is preempted
-    dropQueue(base::ErrorCode::Preempted);
-    tell({.kind = Event::Kind::Stopped});
 }
 } // namespace session

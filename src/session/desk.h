@@ -6,105 +6,21 @@
 // Nothing is written to a servo that was not asked for by write(), perform() or emergencyStop().
 #pragma once
 
-#include "base/notice.h"
 #include "jobs/recover.h"
 #include "jobs/scan.h"
+#include "session/event.h"
+#include "session/feeder.h"
 #include "session/inbox.h"
 #include "session/job_thread.h"
-#include "session/servo_entry.h"
 #include "session/session.h"
+#include "session/task.h"
 
-#include <QDateTime>
 #include <QObject>
-#include <QPointer>
 #include <QTimer>
 
 #include <deque>
 
 namespace session {
-enum class LinkState : std::uint8_t {
-    Off,
-    Opening,
-    Open,
-    Closing, ///< the running write ends first
-    Lost,    ///< unplugged; see lastRequest()
-};
-
-/// Something that happened, as data; the window words it and keeps it in its log.
-struct Event {
-    enum class Kind : std::uint8_t {
-        Connected,
-        Disconnected,
-        LinkLost,
-        SearchEnded,
-        TableSaved, ///< path: before the first write of the session
-        Written,    ///< report; or error: nothing was written
-        Task,       ///< task names it; error if it failed
-        Stopped,    ///< emergency stop sent
-        Failed,     ///< anything else that went wrong
-    };
-    Kind kind = Kind::Failed;
-    QDateTime at{};
-    ServoRef servo = 0;
-    int id = -1;
-    QString task{}; ///< technical name: "center"
-    QString path{};
-    std::optional<base::Error> error{};
-    std::optional<device::WriteReport> report{};
-    device::Notices notices{};
-    bool undone = false; ///< the write was an undo or redo
-};
-
-/// What a task gets on the job thread. `servo` is a copy; what is in it afterwards is merged into
-/// the list, and the servo is followed when its ID or rate have changed.
-struct TaskContext {
-    const device::Context& device;
-    device::Servo& servo;
-    const base::Stop& stop;
-    jobs::ProgressFn progress;            ///< may be called; arrives as Desk::taskProgress
-    std::vector<device::Servo*> others{}; ///< copies too, as Task::others; all are merged
-};
-
-struct TaskEnd {
-    std::optional<base::Error> error; ///< the task's own, or Stopped/LinkLost when it never ran
-    device::Notices notices;
-};
-
-/// What a task may do to a shaft. After an emergency stop Moves is refused until an Energises has
-/// succeeded for each servo it concerns.
-enum class Effect : std::uint8_t {
-    None,
-    Moves,     ///< goals, actions, motion registers
-    Energises, ///< the user switches torque on
-};
-
-struct Task {
-    QString name;            ///< technical: "center"; goes into the Event
-    bool savesTable = false; ///< the table is saved first if this session has not yet
-    Effect effect = Effect::None;
-    /// Servos the task owns beside its own, all at the same rate; one that is gone ends the task
-    /// with NoAnswer before the first byte.
-    std::vector<ServoRef> others{};
-    bool quiet = false;                                   ///< no Event unless it failed
-    std::function<base::Result<void>(TaskContext&)> work; ///< job thread
-    QPointer<QObject> guard;                              ///< `done` is dropped when it is gone
-    std::function<void(const TaskEnd&)> done{};           ///< main thread
-};
-
-struct WriteOrder {
-    std::vector<device::WriteItem> items; ///< ID and rate included: those servos are followed
-    bool temporary = false;
-    bool dangerous = false; ///< the user's consent
-};
-
-/// What undo() would do.
-struct UndoStep {
-    ServoRef servo = 0;
-    std::vector<device::WriteItem> before;
-    std::vector<device::WriteItem> after;
-    bool temporary = false;
-};
-
 class Desk final : public QObject {
     Q_OBJECT
 
@@ -156,9 +72,15 @@ public:
     bool busy() const; ///< a task runs or waits
     void stopTask();   ///< the running task; those that wait are dropped
 
-    /// Regular reading of these registers while the servo answers at the port's rate. `period` 0:
-    /// as fast as the wire allows. Replaces the one before; no keys: ends it.
-    void watchLive(ServoRef ref, const QStringList& keys, base::Duration period);
+    /// Regular reading of what `user` ("memory", "operate", "record") wants to see, of servos that
+    /// answer at the port's rate. Replaces this user's wish before; no parts: ends it.
+    void wish(const QString& user, const FeedWish& wish);
+    FeedRate rate(ServoRef ref) const { return m_feeder.rate(ref); }
+    Communication communication(ServoRef ref) const;
+
+    void acknowledgeAlarms(ServoRef ref);
+    /// A goal was sent: shown in charts and recordings.
+    void noteMove(ServoRef ref, const QString& text);
 
     const UndoStep* nextUndo() const;
     const UndoStep* nextRedo() const;
@@ -168,7 +90,9 @@ public:
     /// Reads this servo's writes from the journal; servoChanged follows.
     void loadHistory(ServoRef ref);
 
-    /// Torque off for the whole bus, ahead of everything. Never waits.
+    /// Torque off for the whole bus, ahead of everything. Never waits. Then reads every torque
+    /// switch back and makes harmless what waits in servos (StopChecked). Whatever moves a servo is
+    /// refused until torque has been switched on for it again.
     void emergencyStop();
 
     // --- interrupted writes of earlier sessions ---
@@ -191,6 +115,9 @@ Q_SIGNALS:
     void servosCleared();
     void orderChanged();                      ///< the same servos, sorted anew
     void tableChanged(session::ServoRef ref); ///< numbers or their states
+    /// About 30 times a second, in time order. Those that were not answered too.
+    void readings(const std::vector<session::Reading>& batch);
+    void marked(const record::Mark& mark);
 
     void taskChanged(); ///< busy() may have changed
     void taskProgress(const jobs::Progress& progress);
@@ -244,6 +171,8 @@ private:
     void enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind);
     void writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind,
                     const std::optional<device::WriteReport>& report);
+    void markWrites(const ServoEntry& about, const Work& ended, const WriteOrder& order,
+                    const std::optional<device::WriteReport>& report);
     void remember(ServoRef ref, const WriteOrder& order, WriteKind kind,
                   const std::optional<device::WriteReport>& report);
 
@@ -251,13 +180,18 @@ private:
     void recoverIntents(jobs::RecoverAction action, const QString& uuid);
     void followRecovered(const jobs::Recovered& one);
 
-    // live (desk_live.cpp)
-    bool mayPoll(const ServoEntry& entry) const;
-    void updateLive();
-    void stopPoll();
-    void takeSamples();
-    void collectSamples();
-    void take(ServoEntry& entry, const bus::Sample& sample);
+    // feed (desk_feed.cpp)
+    bool mayFeed() const;
+    std::vector<const ServoEntry*> feedable() const;
+    void updateFeed();
+    void collectFeed();
+    void markAlarms(ServoEntry& entry);
+    void mark(record::MarkKind kind, const ServoEntry* about, const QString& text);
+
+    // emergency stop (desk_stop.cpp)
+    void checkStop();
+    bool refusedByStop(const Work& work) const;
+    void maybeReleased(const Work& ended);
 
     Session& m_session;
     Inbox m_inbox;
@@ -286,16 +220,8 @@ private:
     std::vector<UndoStep> m_redo;
     std::optional<UndoStep> m_returning; ///< the step an undo or redo is writing now
 
-    struct Live {
-        ServoRef servo = 0;
-        QStringList keys;
-        base::Duration period{};
-        bus::PollId poll = 0;
-        int id = -1;                   ///< asked under this ID
-        catalog::ProfilePtr profile{}; ///< and by this map
-        std::vector<bus::PollSpan> spans{};
-    } m_live;
-    QTimer m_liveTimer;
+    Feeder m_feeder;
+    QTimer m_feedTimer;
 
     // Last: their jobs use everything above, so they end first.
     std::unique_ptr<JobThread> m_openThread;

@@ -78,7 +78,7 @@ void Desk::startSearch()
     m_search->started = true;
     m_search->startedAt = now();
     m_search->staysHere = jobs::ratesToSearch(m_search->spec, baud()) == std::vector{baud()};
-    updateLive();
+    updateFeed();
     // Job and search end before they are destroyed: goOn() waits for searchEnded().
     m_searchThread->start([this, search = m_search.get()] { runSearch(*search); });
 }
@@ -122,7 +122,10 @@ void Desk::found(const jobs::Found& one)
     added.twinsSuspected = one.twinsSuspected;
     added.heardLate = one.heardLate;
     added.lastSeen = now();
+    const ServoRef ref = added.ref;
     insert(std::move(added));
+    if (ServoEntry* known = entry(ref))
+        markAlarms(*known);
 }
 
 /// Another of its kind may have been put in its place, and nothing in it tells: what was read and
@@ -168,8 +171,8 @@ void Desk::remove(ServoRef ref)
     m_undo.erase(std::remove_if(m_undo.begin(), m_undo.end(), gone), m_undo.end());
     m_redo.erase(std::remove_if(m_redo.begin(), m_redo.end(), gone), m_redo.end());
     m_servos.erase(ref);
-    if (m_live.servo == ref)
-        watchLive(0, {}, {});
+    m_feeder.forget(ref);
+    updateFeed();
     Q_EMIT servoRemoved(ref);
     Q_EMIT undoChanged();
 }

@@ -7,6 +7,13 @@
 
 namespace session {
 namespace {
+/// What restarts the servo or moves its zero.
+bool losesTurns(const QString& task)
+{
+    return task == QLatin1StringView("reboot") || task == QLatin1StringView("center") ||
+           task == QLatin1StringView("restore-defaults");
+}
+
 bool heardSince(const device::Servo& servo, base::Duration since)
 {
     return servo.profile &&
@@ -46,6 +53,11 @@ void Desk::enqueue(std::shared_ptr<Work> work)
         endUnrun(*work, {open ? base::ErrorCode::NoAnswer : base::ErrorCode::LinkLost});
         return;
     }
+    if (refusedByStop(*work)) {
+        endUnrun(*work, {base::ErrorCode::Preempted, {}, QStringLiteral("torque-first")});
+        return;
+    }
+    work->epoch = m_connection->bus().emergencies();
     m_queue.push_back(std::move(work));
     Q_EMIT taskChanged();
     goOn();
@@ -76,7 +88,10 @@ void Desk::startNext()
         return;
     }
     m_running->startedAt = now();
-    updateLive();
+    const bool elsewhere =
+        m_running->ref == 0 || (hasBaud() && m_running->own.servo.baud != baud());
+    m_running->movesRate = m_running->movesRate || elsewhere;
+    updateFeed();
     m_taskThread->start([this, work = m_running] {
         runWork(*work);
         m_inbox.post([this, work] { workEnded(work); });
@@ -132,6 +147,7 @@ void Desk::runWork(Work& work)
 {
     device::Context context = m_connection->context(work.stop, work.notices);
     context.priority = bus::Priority::Interactive;
+    context.epoch = work.epoch;
     if (const auto ready = prepare(context, work); !ready) {
         work.error = ready.error();
         return;
@@ -156,6 +172,7 @@ void Desk::workEnded(const std::shared_ptr<Work>& work)
         work->partEnded(*this, work->own);
     for (const Work::Part& other : work->others)
         work->partEnded(*this, other);
+    maybeReleased(*work);
     if (work->merged)
         work->merged(*work);
     for (const ServoRef ref : work->refs()) {
@@ -192,7 +209,7 @@ void Desk::Work::partEnded(Desk& desk, const Part& part) const
     const bool blamed = error && (error->id == part.servo.id || (error->id < 0 && part.ref == ref));
     if (blamed && error->code == base::ErrorCode::NoAnswer) {
         known->silent = true;
-    } else if (!error || heardSince(part.servo, startedAt)) {
+    } else if ((!error && task.others.empty()) || heardSince(part.servo, startedAt)) {
         known->lastSeen = desk.now();
         known->silent = false;
     }
@@ -200,6 +217,8 @@ void Desk::Work::partEnded(Desk& desk, const Part& part) const
         known->snapshotPath = part.savedPath;
         desk.tell({.kind = Event::Kind::TableSaved, .servo = part.ref, .path = part.savedPath});
     }
+    if (losesTurns(task.name))
+        known->turns.reset();
     desk.merge(*known, part.servo, startedAt);
 }
 
@@ -244,6 +263,9 @@ void Desk::merge(ServoEntry& into, const device::Servo& from, base::Duration sin
     into.servo = from;
     into.servo.image = std::move(image);
     into.firstImage.takeMissing(into.servo.image);
+    if (into.servo.profile)
+        into.turns.on(device::turnBasis(into.servo));
+    markAlarms(into);
     if (m_connection && moved)
         m_connection->know(into.servo);
     if (moved) {

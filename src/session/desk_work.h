@@ -9,8 +9,9 @@ namespace session {
 struct Desk::Work {
     ServoRef ref = 0; ///< 0: concerns the whole bus
     Task task;
-    bool readOnly = false;             ///< may run beside a search at the same rate
-    bool finishes = false;             ///< a write: begun or not, it is done before the port closes
+    bool readOnly = false;  ///< may run beside a search at the same rate
+    bool movesRate = false; ///< takes the bus to another rate: nobody is polled meanwhile
+    bool finishes = false;  ///< a write: begun or not, it is done before the port closes
     std::function<void(Work&)> merged; ///< main thread, after the servo has been merged
 
     /// A servo it concerns: copied when the work starts, merged when it has ended.
@@ -27,6 +28,7 @@ struct Desk::Work {
     void partEnded(Desk& desk, const Part& part) const; ///< main thread
     base::Stop stop;
     base::Duration startedAt{};
+    std::uint64_t epoch = 0; ///< emergency stops before it was asked for
 
     device::Notices notices;
     std::optional<base::Error> error;

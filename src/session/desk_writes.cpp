@@ -36,6 +36,56 @@ bool moves(const ServoEntry* entry, const QString& key)
     return reg != nullptr && reg->motion;
 }
 
+const catalog::Register* registerOf(const ServoEntry& entry, const QString& key)
+{
+    return entry.servo.profile ? entry.servo.profile->find(key) : nullptr;
+}
+
+/// What this order does to a shaft. Switching torque on is the way out of a stop, so a goal in the
+/// same order does not come with it.
+Effect effectOf(const ServoEntry& entry, const WriteOrder& order)
+{
+    Effect effect = Effect::None;
+    for (const device::WriteItem& item : order.items) {
+        const catalog::Register* reg = registerOf(entry, item.key);
+        if (reg == nullptr)
+            continue;
+        if (reg->role == catalog::Role::TorqueSwitch) {
+            if (item.raw != 0)
+                effect = Effect::Energises;
+        } else if (reg->motion) {
+            return Effect::Moves;
+        }
+    }
+    return effect;
+}
+
+/// Makes the present place the middle.
+bool centres(const ServoEntry& entry, const device::WriteResult& result)
+{
+    constexpr std::int64_t mostSwitch = 2; // damping
+    const catalog::Register* reg = registerOf(entry, result.key);
+    return reg != nullptr && reg->role == catalog::Role::TorqueSwitch && result.newRaw > mostSwitch;
+}
+
+bool changesRate(const ServoEntry& entry, const WriteOrder& order)
+{
+    return std::any_of(order.items.begin(), order.items.end(), [&](const device::WriteItem& item) {
+        const catalog::Register* reg = registerOf(entry, item.key);
+        return reg != nullptr && reg->role == catalog::Role::BaudRate;
+    });
+}
+
+/// "position_p 32 → 40", with the word for it if it did not become so.
+QString markText(const device::WriteResult& result)
+{
+    const QString old = result.oldRaw ? QString::number(*result.oldRaw) : QStringLiteral("?");
+    QString text = QStringLiteral("%1 %2 → %3").arg(result.key, old).arg(result.newRaw);
+    if (result.outcome != WriteOutcome::Kept)
+        text += QStringLiteral(", ") + device::outcomeName(result.outcome);
+    return text;
+}
+
 bool took(const device::WriteResult& result)
 {
     return result.outcome == WriteOutcome::Kept || result.outcome == WriteOutcome::Temporary;
@@ -64,6 +114,8 @@ void Desk::enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind)
     work->task.name = QStringLiteral("write");
     work->task.savesTable = true;
     work->task.quiet = true;
+    work->task.effect = effectOf(*known, order);
+    work->movesRate = changesRate(*known, order);
     work->finishes = true;
     work->task.work = [order, kind, report](TaskContext& task) {
         device::WriteOptions options;
@@ -101,8 +153,11 @@ void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind
                 row.outcome = begun ? result.outcome : outcomeOf(*result.error);
                 row.error = result.error;
                 row.at = now();
+                if (centres(*known, result))
+                    known->turns.reset();
             }
         }
+        markWrites(*known, ended, order, report);
         loadHistory(ended.ref);
         Q_EMIT tableChanged(ended.ref);
     }
@@ -113,6 +168,24 @@ void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind
           .report = report,
           .notices = ended.notices,
           .undone = kind != WriteKind::New});
+}
+
+void Desk::markWrites(const ServoEntry& about, const Work& ended, const WriteOrder& order,
+                      const std::optional<device::WriteReport>& report)
+{
+    using record::MarkKind;
+    if (report) {
+        for (const device::WriteResult& result : report->writes)
+            mark(MarkKind::Write, &about, markText(result));
+    } else if (ended.error) {
+        for (const device::WriteItem& item : order.items) {
+            mark(MarkKind::Write, &about,
+                 QStringLiteral("%1 → %2, %3")
+                     .arg(item.key)
+                     .arg(item.raw)
+                     .arg(base::errorName(ended.error->code)));
+        }
+    }
 }
 
 /// What really changed can be taken back. What moves or energises is left out: undoing a setting

@@ -46,4 +46,14 @@ struct FeedRate {
     std::uint64_t missed = 0;
     std::optional<base::Duration> lastAt; ///< of the latest answered one, ever
 };
+
+/// How talking to one servo goes.
+struct Communication {
+    bool answering = false;
+    std::optional<base::Duration> silentSince{}; ///< desk clock
+    base::Duration age{};                        ///< of what was heard latest
+    FeedRate rate{};
+    std::uint64_t timeOuts = 0;  ///< of this ID since the port was opened
+    std::uint64_t badChecks = 0; ///< likewise
+};
 } // namespace session

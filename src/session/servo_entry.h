@@ -5,8 +5,10 @@
 #pragma once
 
 #include "base/journal.h"
-#include "device/servo.h"
+#include "device/turn_count.h"
 #include "device/writer.h"
+#include "session/alarm_latch.h"
+#include "session/link_watch.h"
 
 #include <map>
 #include <set>
@@ -34,6 +36,11 @@ struct ServoEntry {
     bool heardLate = false;
     base::Duration lastSeen{};
     bool silent = false; ///< did not answer when it was last asked
+    LinkWatch link;      ///< by regular readings
+    AlarmLatch alarms;   ///< until acknowledged
+    device::TurnCounter turns;
+    /// By an emergency stop: nothing may move it until torque is switched on again.
+    bool stopped = false;
 
     bool reading = false;         ///< its table is being read
     bool tableRead = false;       ///< the whole table has been read at least once

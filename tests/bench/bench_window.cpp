@@ -154,7 +154,7 @@ void benchLive()
     QStringList keys;
     for (const catalog::Register& reg : bench.entry().servo.profile->registers)
         keys << reg.key;
-    bench.desk().watchLive(ref, keys, {});
+    bench.desk().wish(QStringLiteral("bench"), {{{ref, keys}}, {}});
     letRun(500);
     const double before = residentMb();
     Probe probe;

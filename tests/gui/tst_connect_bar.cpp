@@ -229,8 +229,8 @@ void TestConnectBar::figuresAreShown()
     QCOMPARE(status->words(), QStringLiteral("not connected"));
     QVERIFY(bench.open(QStringLiteral("sim:sts3215@1")));
     QVERIFY(bench.search({.firstId = 0, .lastId = 2, .bauds = {}}));
-    bench.desk.watchLive(bench.ref(1), {QStringLiteral("present_position")},
-                         std::chrono::milliseconds(10));
+    bench.desk.wish(QStringLiteral("test"), {{{bench.ref(1), {QStringLiteral("present_position")}}},
+                                             std::chrono::milliseconds(10)});
     static const QRegularExpression busy(
         QStringLiteral("^[1-9][0-9]* reads/s · 0 errors · wire [0-9]+ %$"));
     QTRY_VERIFY2_WITH_TIMEOUT(busy.match(status->words()).hasMatch(), qPrintable(status->words()),

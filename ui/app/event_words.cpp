@@ -128,6 +128,43 @@ EventWords searchEnded(const Event& event, const session::Desk& desk)
     return report->found.empty() ? warned(line) : good(line);
 }
 
+QString idsOf(const std::vector<session::ServoRef>& servos, const session::Desk& desk)
+{
+    QStringList ids;
+    for (const session::ServoRef ref : servos) {
+        if (const session::ServoEntry* servo = desk.servo(ref))
+            ids << QString::number(servo->servo.id);
+    }
+    return ids.join(QStringLiteral(", "));
+}
+
+/// What reading the torque switches back has shown.
+EventWords stopChecked(const Event& event, const session::Desk& desk)
+{
+    const session::StopCheck& stop = event.stop;
+    const auto say = [&](const QString& words, const std::vector<session::ServoRef>& servos) {
+        return servos.empty() ? QStringList() : QStringList(words.arg(idsOf(servos, desk)));
+    };
+    QStringList bad =
+        say(text::translate("EventWords", "TORQUE IS STILL ON: ID %1"), stop.stillOn) +
+        say(text::translate("EventWords", "no answer: ID %1"), stop.silent) +
+        say(text::translate("EventWords", "at another rate, not reached: ID %1"), stop.elsewhere) +
+        say(text::translate("EventWords", "a goal may still wait for its start: ID %1"),
+            stop.stillHeld);
+    if (bad.isEmpty())
+        return good(text::translate("EventWords", "Stop checked: torque is off, ID %1")
+                        .arg(idsOf(stop.off, desk)));
+    EventWords words{
+        text::translate("EventWords", "Stop checked: %1").arg(bad.join(QStringLiteral("; "))),
+        {},
+        Tone::Bad,
+        QStringLiteral("✗")};
+    if (!stop.stillOn.empty() || !stop.silent.empty())
+        words.more << text::translate("EventWords",
+                                      "Keep clear, and switch the supply off if in doubt.");
+    return words;
+}
+
 EventWords sentence(const Event& event, const session::Desk& desk)
 {
     switch (event.kind) {
@@ -154,6 +191,8 @@ EventWords sentence(const Event& event, const session::Desk& desk)
     case Event::Kind::Stopped:
         return warned(
             text::translate("EventWords", "Stop sent: torque off for everybody on the bus"));
+    case Event::Kind::StopChecked:
+        return stopChecked(event, desk);
     case Event::Kind::Failed:
         return event.error ? failed(*event.error, desk.servo(event.servo)) : EventWords{};
     }

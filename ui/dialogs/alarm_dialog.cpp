@@ -218,6 +218,10 @@ void AlarmDialog::clearIt()
     session::Task task;
     task.name = QStringLiteral("clear-alarm");
     task.savesTable = true;
+    if (m_plan->next == jobs::Release::TurnBack)
+        task.effect = session::Effect::Moves;
+    else if (m_plan->next == jobs::Release::NewGoal)
+        task.effect = session::Effect::Energises; // as was agreed
     task.work = [report, agreed = *m_plan](session::TaskContext& context) -> base::Result<void> {
         auto done = jobs::clearAlarm(context.device, context.servo, agreed);
         if (!done)

@@ -171,7 +171,7 @@ void MemoryPage::updateLive()
     // The whole table first: it tells what this servo answers to.
     const bool may = known != nullptr && known->servo.profile && known->tableRead && isVisible();
     if (!period || !may) {
-        m_desk.watchLive(0, {}, {});
+        m_desk.wish(QStringLiteral("memory"), {});
         return;
     }
     QStringList keys;
@@ -180,7 +180,10 @@ void MemoryPage::updateLive()
         if (reg != nullptr && answersTo(*known, *reg))
             keys << key;
     }
-    m_desk.watchLive(m_selection.current(), keys, *period);
+    session::FeedWish wish{{}, *period};
+    if (!keys.isEmpty())
+        wish.parts.push_back({m_selection.current(), keys});
+    m_desk.wish(QStringLiteral("memory"), wish);
 }
 
 void MemoryPage::orderWrite(const QString& key, std::int64_t raw, bool temporary)

@@ -2,88 +2,13 @@
 // The bench behind the window on a simulated bus: everything asked for returns at once and comes
 // back as a signal; what is in the list was really read; writes end in one of the six words.
 #include "record/snapshot.h"
-#include "session/desk.h"
-#include "sim/sim_link.h"
-#include "support/own_data_folder.h"
 
 #include <QDir>
 #include <QSignalSpy>
-#include <QtTest>
 
+#include "session_bench.h"
 #include <atomic>
 #include <thread>
-
-using session::Desk;
-using session::LinkState;
-using session::ServoRef;
-
-namespace {
-struct Bench {
-    explicit Bench(const QString& port = QStringLiteral("sim:demo"))
-        : opened(open(port))
-    {}
-
-    bool open(const QString& port)
-    {
-        desk.connectTo({.name = port});
-        return QTest::qWaitFor([this] { return desk.state() == LinkState::Open; });
-    }
-    /// The few IDs in use, unless told otherwise.
-    bool search(const jobs::ScanSpec& spec = {.firstId = 0, .lastId = 10, .bauds = {}})
-    {
-        desk.search(spec);
-        return QTest::qWaitFor([this] { return !desk.searching(); }, 30000);
-    }
-    ServoRef at(int id, base::Protocol protocol = base::Protocol::Feetech) const
-    {
-        return desk.find(protocol, id);
-    }
-    const session::ServoEntry& entry(ServoRef ref) const { return *desk.servo(ref); }
-    QByteArray troubles() const
-    {
-        QByteArray all;
-        for (const ServoRef ref : desk.servos()) {
-            for (const auto& [key, row] : entry(ref).writes) {
-                if (row.error)
-                    all += key.toUtf8() + ": " + base::errorName(row.error->code).toUtf8() + " " +
-                           row.error->detail.toUtf8() + "; ";
-            }
-        }
-        return all;
-    }
-    bool settle()
-    {
-        return QTest::qWaitFor([this] { return !desk.busy(); }, 10000);
-    }
-    bool write(ServoRef ref, const QString& key, std::int64_t raw, bool temporary = false)
-    {
-        desk.write(ref, {{{key, raw}}, temporary, true});
-        return settle();
-    }
-    std::optional<std::int64_t> raw(ServoRef ref, const QString& key) const
-    {
-        return entry(ref).servo.raw(key);
-    }
-    std::optional<device::WriteOutcome> outcome(ServoRef ref, const QString& key) const
-    {
-        const auto& writes = entry(ref).writes;
-        return writes.count(key) > 0 ? writes.at(key).outcome : std::nullopt;
-    }
-    template <typename Function>
-    void withWire(Function&& function)
-    {
-        desk.connection()->simulation()->with(std::forward<Function>(function));
-    }
-
-    support::OwnDataFolder place; ///< before the session
-    session::Session session;
-    Desk desk{session};
-    bool opened;
-};
-
-const QString minAngle = QStringLiteral("min_angle_limit");
-const QString positionP = QStringLiteral("position_p");
-} // namespace
 
 class TestDesk : public QObject {
     Q_OBJECT
@@ -466,7 +391,7 @@ private Q_SLOTS:
         QVERIFY(bench.search());
         const ServoRef ref = bench.at(1);
         const QString position = QStringLiteral("present_position");
-        bench.desk.watchLive(ref, {position}, base::Duration{});
+        bench.desk.wish(user, {{{ref, {position}}}, {}});
         const catalog::Register& reg = *bench.entry(ref).servo.profile->find(position);
         QTRY_VERIFY(bench.entry(ref).servo.image.readAt(reg.offset).has_value());
         const auto first = *bench.entry(ref).servo.image.readAt(reg.offset);
@@ -476,7 +401,7 @@ private Q_SLOTS:
         QTRY_VERIFY(*bench.entry(ref).servo.image.readAt(reg.offset) > moved);
         bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {70}; });
         QTRY_VERIFY(!bench.entry(ref).shown(reg));
-        bench.desk.watchLive(0, {}, {});
+        bench.desk.wish(user, {});
     }
 
     /// The stored move of an LX-16A never answers; the rest of the table does.
@@ -489,7 +414,7 @@ private Q_SLOTS:
         QStringList all;
         for (const catalog::Register& reg : bench.entry(ref).servo.profile->registers)
             all << reg.key;
-        bench.desk.watchLive(ref, all, base::Duration{});
+        bench.desk.wish(user, {{{ref, all}}, {}});
         const QString silent = QStringLiteral("wait_angle");
         QTRY_VERIFY(bench.entry(ref).unreadable.count(silent) > 0);
         const auto& profile = *bench.entry(ref).servo.profile;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happens at the bench, as data: the window words it and keeps it in its log. Values told by
+// Desk; main thread.
+#pragma once
+
+#include "base/notice.h"
+#include "session/servo_entry.h"
+
+#include <QDateTime>
+
+namespace session {
+enum class LinkState : std::uint8_t {
+    Off,
+    Opening,
+    Open,
+    Closing, ///< the running write ends first
+    Lost,    ///< unplugged; see lastRequest()
+};
+
+/// What reading the torque switches back after an emergency stop has shown.
+struct StopCheck {
+    std::vector<ServoRef> off;
+    std::vector<ServoRef> stillOn;   ///< after having been told several times
+    std::vector<ServoRef> silent;    ///< did not answer
+    std::vector<ServoRef> stillHeld; ///< off, but a goal may wait in it for an ACTION
+    std::vector<ServoRef> elsewhere; ///< at another rate: the stop has not reached them
+    bool good() const
+    {
+        return stillOn.empty() && silent.empty() && stillHeld.empty() && elsewhere.empty();
+    }
+};
+
+/// Something that happened, as data; the window words it and keeps it in its log.
+struct Event {
+    enum class Kind : std::uint8_t {
+        Connected,
+        Disconnected,
+        LinkLost,
+        SearchEnded,
+        TableSaved,  ///< path: before the first write of the session
+        Written,     ///< report; or error: nothing was written
+        Task,        ///< task names it; error if it failed
+        Stopped,     ///< emergency stop sent
+        StopChecked, ///< `stop` says whether torque is off everywhere
+        Failed,      ///< anything else that went wrong
+    };
+    Kind kind = Kind::Failed;
+    QDateTime at{};
+    ServoRef servo = 0;
+    int id = -1;
+    QString task{}; ///< technical name: "center"
+    QString path{};
+    std::optional<base::Error> error{};
+    std::optional<device::WriteReport> report{};
+    device::Notices notices{};
+    bool undone = false; ///< the write was an undo or redo
+    StopCheck stop{};
+};
+} // namespace session

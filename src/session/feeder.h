@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The wishes of everybody who watches, the polls that serve them, and what comes back: decoded,
+// merged into the list, with what it tells of alarms, silence and turns. Owned by Desk; main
+// thread, never waits.
+#pragma once
+
+#include "bus/bus.h"
+#include "jobs/poll_spans.h"
+#include "record/trigger.h"
+#include "session/feed_plan.h"
+
+#include <array>
+#include <deque>
+
+namespace session {
+/// What has come since the batch before, in time order.
+struct FeedBatch {
+    std::vector<Reading> readings;
+    std::vector<record::Mark> marks;
+    std::set<ServoRef> read; ///< their numbers are new
+    std::set<ServoRef> news; ///< alarms, silence
+};
+
+class Feeder {
+public:
+    void wish(const QString& user, const FeedWish& wish); ///< no parts: ends it
+    void forget(ServoRef ref);
+    void forgetAll();
+    bool running() const { return m_polls[0] != 0; }
+
+    /// True when the polls must change: other wishes, other servos `present` (those that may be
+    /// asked now), another ID, map or rate.
+    bool outdated(const std::vector<const ServoEntry*>& present, int baud) const;
+    /// Ends what ran; take() before.
+    void start(bus::Bus& bus, const std::vector<const ServoEntry*>& present);
+    void stop(bus::Bus* bus); ///< null: the port is gone, and its polls with it
+
+    using EntryOf = std::function<ServoEntry*(ServoRef)>;
+    FeedBatch take(bus::Bus& bus, const EntryOf& entryOf);
+
+    FeedRate rate(ServoRef ref) const;
+
+private:
+    struct Field {
+        const catalog::Register* reg = nullptr;
+        catalog::Meaning meaning;
+    };
+    struct Round { ///< of one of the two polls
+        jobs::RoundCut cut;
+        Reading reading;
+        std::map<std::size_t, bool> answered; ///< latest outcome by block, in this batch
+    };
+    struct Source {
+        FeedTarget target;
+        std::vector<Field> fields;
+        std::array<Round, 2> rounds;
+    };
+    struct Past {
+        std::deque<base::Duration> answered; ///< of the last second
+        std::deque<base::Duration> missed;
+        std::optional<base::Duration> lastAt;
+        base::Duration since{};
+        void end()
+        {
+            answered.clear();
+            missed.clear();
+        }
+    };
+    struct Asked {
+        ServoRef ref = 0;
+        int id = -1;
+        const catalog::Profile* profile = nullptr;
+        bool operator==(const Asked&) const = default;
+    };
+    void endPolls(bus::Bus* bus);
+    bool wished(ServoRef ref) const;
+    std::vector<Asked> askedOf(const std::vector<const ServoEntry*>& present) const;
+    static const std::vector<bus::PollSpan>& spansOf(const Source& source, std::size_t poll);
+    void freshen(Source& source, const ServoEntry& entry);
+    void takeSample(Source& source, std::size_t poll, ServoEntry& entry, const bus::Sample& sample);
+    static void decode(const Source& source, Reading& into, const bus::Sample& sample);
+    void close(Source& source, std::size_t poll, ServoEntry& entry);
+    void look(ServoEntry& entry, const Reading& reading);
+    void finishBatch(Source& source, ServoEntry& entry);
+    void count(const Reading& reading);
+
+    std::map<QString, FeedWish> m_wishes;
+    bool m_wishesChanged = false;
+    std::vector<Asked> m_asked;
+    int m_baud = 0;
+    std::array<bus::PollId, 2> m_polls{}; ///< common, beside
+    std::map<std::pair<base::Protocol, int>, Source> m_sources;
+    FeedBatch m_batch; ///< being made
+    std::map<ServoRef, Past> m_past;
+    base::Duration m_takenAt{};
+};
+
+/// Latches what the servo's status and measurements say now, and tells the changes as marks.
+std::vector<record::Mark> latchAlarms(ServoEntry& entry, base::Duration at);
+} // namespace session

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is asked of the bench: tasks with servos, writes of registers. Values made on the main
+// thread; Task::work runs on the job thread.
+#pragma once
+
+#include "device/context.h"
+#include "device/writer.h"
+#include "jobs/job.h"
+#include "session/servo_entry.h"
+
+#include <QPointer>
+
+namespace session {
+/// What a task gets on the job thread. `servo` is a copy; what is in it afterwards is merged into
+/// the list, and the servo is followed when its ID or rate have changed.
+struct TaskContext {
+    const device::Context& device;
+    device::Servo& servo;
+    const base::Stop& stop;
+    jobs::ProgressFn progress;            ///< may be called; arrives as Desk::taskProgress
+    std::vector<device::Servo*> others{}; ///< copies too, as Task::others; all are merged
+};
+
+struct TaskEnd {
+    std::optional<base::Error> error; ///< the task's own, or Stopped/LinkLost when it never ran
+    device::Notices notices;
+};
+
+/// What a task may do to a shaft. After an emergency stop Moves is refused until an Energises has
+/// succeeded for each servo it concerns.
+enum class Effect : std::uint8_t {
+    None,
+    Moves,     ///< goals, actions, motion registers
+    Energises, ///< the user switches torque on
+};
+
+struct Task {
+    QString name;            ///< technical: "center"; goes into the Event
+    bool savesTable = false; ///< the table is saved first if this session has not yet
+    Effect effect = Effect::None;
+    /// Servos the task owns beside its own, all at the same rate; one that is gone ends the task
+    /// with NoAnswer before the first byte.
+    std::vector<ServoRef> others{};
+    bool quiet = false;                                   ///< no Event unless it failed
+    std::function<base::Result<void>(TaskContext&)> work; ///< job thread
+    QPointer<QObject> guard;                              ///< `done` is dropped when it is gone
+    std::function<void(const TaskEnd&)> done{};           ///< main thread
+};
+
+struct WriteOrder {
+    std::vector<device::WriteItem> items; ///< ID and rate included: those servos are followed
+    bool temporary = false;
+    bool dangerous = false; ///< the user's consent
+};
+
+/// What undo() would do.
+struct UndoStep {
+    ServoRef servo = 0;
+    std::vector<device::WriteItem> before;
+    std::vector<device::WriteItem> after;
+    bool temporary = false;
+};
+} // namespace session
