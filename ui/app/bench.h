@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every page of the window works with: the desk, the ports of this computer, the selected
-// servo and the commands. Made before the window and gone after it, because its widgets use all of
-// this to their last moment. The session must outlive it. Main thread.
+// What every page of the window works with: the desk, what drives and what records beside it, the
+// ports of this computer, the selected servo and the commands. Made before the window and gone
+// after it, because its widgets use all of this to their last moment. The session must outlive it.
+// Main thread.
 #pragma once
 
+#include "session/drive.h"
 #include "session/port_watch.h"
+#include "session/scope.h"
 #include "ui/app/commands.h"
 
 namespace ui {
 struct Bench {
     explicit Bench(session::Session& session)
         : desk(session)
+        , drive(desk)
+        , scope(desk)
         , commands(desk, selection)
     {}
 
     session::Desk desk;
+    session::Drive drive;
+    session::Scope scope;
     session::PortWatch ports;
     Selection selection;
     Commands commands;

@@ -12,6 +12,8 @@
 #include "ui/dialogs/servo_tasks.h"
 #include "ui/dialogs/shortcut_list.h"
 #include "ui/pages/memory_page.h"
+#include "ui/pages/operate_page.h"
+#include "ui/pages/trend_panel.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/connect_bar.h"
 #include "ui/widgets/link_trouble.h"
@@ -27,6 +29,7 @@ namespace ui {
 MainWindow::MainWindow(Bench& bench, session::Settings& settings, ThemeSwitch& theme,
                        LanguageSwitch& language, QWidget* parent)
     : QMainWindow(parent)
+    , m_bench(bench)
     , m_settings(settings)
     , m_theme(theme)
     , m_language(language)
@@ -37,6 +40,7 @@ MainWindow::MainWindow(Bench& bench, session::Settings& settings, ThemeSwitch& t
 {
     build();
     connectCommands();
+    connectPages();
     connectDesk();
     connectSwitches();
     new ServoTasks(m_desk, m_commands, m_selection, this);
@@ -74,6 +78,8 @@ void MainWindow::start(const Options& options)
     m_selectFirst = !options.screenshot.isEmpty() && !options.select;
     if (options.page == QLatin1String("memory"))
         m_pages->setCurrentWidget(m_memory);
+    else if (options.page == QLatin1String("operate"))
+        m_pages->setCurrentWidget(m_operate);
     if (options.port) {
         m_connectBar->setRequest(*options.port);
         m_desk.connectTo(*options.port);
@@ -119,6 +125,26 @@ void MainWindow::connectCommands()
     connect(stopKey, &StopKey::pressed, this, [this] { m_desk.emergencyStop(); });
 }
 
+/// What the chart shows belongs to the operate page; whoever asks for it is led there.
+void MainWindow::connectPages()
+{
+    const auto on = [this](Command command, QWidget* page, auto slot) {
+        connect(m_commands.action(command), &QAction::triggered, this, [this, page, slot] {
+            m_pages->setCurrentWidget(page);
+            slot();
+        });
+    };
+    const auto nothing = [] {};
+    TrendPanel* trend = m_operate->trend();
+    on(Command::PageOperate, m_operate, nothing);
+    on(Command::PageMemory, m_memory, nothing);
+    on(Command::PauseTrend, m_operate, [trend] { trend->toggleFollowing(); });
+    on(Command::Record, m_operate, [trend] { trend->toggleRecording(); });
+    on(Command::OpenRecording, m_operate, [trend] { trend->openRecording(); });
+    // A recording can be looked at without a servo.
+    connect(trend, &TrendPanel::replayShown, this, [this] { showCentre(); });
+}
+
 void MainWindow::connectDesk()
 {
     connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
@@ -132,9 +158,8 @@ void MainWindow::connectDesk()
         if (!m_desk.searching())
             searchEnded();
     });
-    connect(&m_desk, &session::Desk::servoRemoved, this, [this](session::ServoRef ref) {
-        m_selection.drop(ref);
-    });
+    connect(&m_desk, &session::Desk::servoRemoved, this,
+            [this](session::ServoRef ref) { m_selection.drop(ref); });
     connect(&m_desk, &session::Desk::servosCleared, this, [this] { m_selection.select(0); });
     connect(&m_desk, &session::Desk::closed, this, &QWidget::close);
 }
@@ -175,7 +200,8 @@ void MainWindow::connectSwitches()
 /// Pages stay as long as there is a servo to show, also after the port was closed.
 void MainWindow::showCentre()
 {
-    const bool something = m_desk.state() == session::LinkState::Open || !m_desk.servos().empty();
+    const bool something = m_desk.state() == session::LinkState::Open || !m_desk.servos().empty() ||
+                           m_operate->trend()->replaying();
     m_centre->setCurrentIndex(something ? 1 : 0);
 }
 

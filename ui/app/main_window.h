@@ -24,6 +24,7 @@ class MemoryPage;
 class Menus;
 class MessageLine;
 class MessageLog;
+class OperatePage;
 class ThemeSwitch;
 
 class MainWindow final : public QMainWindow {
@@ -48,6 +49,7 @@ private:
     void buildDocks();
     void buildStatusBar();
     void connectCommands();
+    void connectPages();
     void connectDesk();
     void connectSwitches();
     void retranslate();
@@ -57,6 +59,7 @@ private:
     void selectWanted(session::ServoRef added);
     void searchEnded();
 
+    Bench& m_bench;
     session::Settings& m_settings;
     ThemeSwitch& m_theme;
     LanguageSwitch& m_language;
@@ -69,6 +72,7 @@ private:
     Banner* m_banner = nullptr;
     QStackedWidget* m_centre = nullptr;
     QTabWidget* m_pages = nullptr;
+    OperatePage* m_operate = nullptr;
     MemoryPage* m_memory = nullptr;
     QDockWidget* m_searchDock = nullptr;
     QDockWidget* m_logDock = nullptr;

@@ -7,6 +7,7 @@
 #include "ui/app/message_log.h"
 #include "ui/app/theme.h"
 #include "ui/pages/memory_page.h"
+#include "ui/pages/operate_page.h"
 #include "ui/pages/search_panel.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/connect_bar.h"
@@ -70,8 +71,10 @@ QWidget* MainWindow::buildCentre()
     m_pages = new QTabWidget(centre);
     m_pages->setObjectName(QStringLiteral("pages"));
     m_pages->setDocumentMode(true);
+    m_operate = new OperatePage(m_bench, m_settings, m_pages);
     m_memory = new MemoryPage(m_desk, m_commands, m_selection, m_settings, m_pages);
-    m_pages->addTab(m_memory, QString());
+    for (QWidget* page : std::initializer_list<QWidget*>{m_operate, m_memory})
+        m_pages->addTab(page, QString());
     m_centre = new QStackedWidget(centre);
     m_centre->addWidget(new Welcome(m_commands, m_centre));
     m_centre->addWidget(m_pages);
@@ -113,6 +116,8 @@ void MainWindow::retranslate()
     setWindowTitle(tr("ServoDesk"));
     m_searchDock->setWindowTitle(tr("Search"));
     m_logDock->setWindowTitle(tr("Messages"));
+    m_pages->setTabText(m_pages->indexOf(m_operate), tr("Operate"));
+    m_pages->setTabToolTip(m_pages->indexOf(m_operate), tr("Drive the servo and watch it"));
     m_pages->setTabText(m_pages->indexOf(m_memory), tr("Memory"));
     m_pages->setTabToolTip(m_pages->indexOf(m_memory),
                            tr("The servo's memory table: every setting, read and written safely"));

@@ -31,12 +31,15 @@ Menus::Menus(QMenuBar& bar, const Commands& commands, const QList<QAction*>& doc
     add(*m_port, commands,
         {Command::Connect, Command::Disconnect, Command::UseSimulation, Command::PowerCycle, line,
          Command::Search, Command::StopSearch, Command::StopTask, line, Command::OpenIntents, line,
-         Command::ExportTable, Command::PrintTable, line, Command::Quit});
+         Command::Record, Command::OpenRecording, Command::ExportTable, Command::PrintTable, line,
+         Command::Quit});
     add(*m_edit, commands,
         {Command::Undo, Command::Redo, line, Command::CopyRows, Command::FindRegister});
     addServoCommands(*m_servo, commands);
     add(*m_theme, commands, {Command::ThemeSystem, Command::ThemeLight, Command::ThemeDark});
     add(*m_language, commands, {Command::English, Command::Chinese});
+    add(*m_view, commands,
+        {Command::PageOperate, Command::PageMemory, line, Command::PauseTrend, line});
     m_view->addActions(docks);
     m_view->addSeparator();
     m_view->addMenu(m_theme);

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scope's recordings.
+#include "session/scope.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <utility>
+
+namespace session {
+using namespace std::chrono_literals;
+
+namespace {
+/// What waits here while the disk is busy, beyond what waits in the recorder.
+constexpr std::size_t mostRowsWaiting = 65536;
+/// A channel that was heard from so lately is being read.
+constexpr base::Duration lately = 2s;
+} // namespace
+
+std::vector<record::ChannelId> Scope::beingRead() const
+{
+    std::vector<record::ChannelId> ids;
+    for (const ScopeChannel& channel : m_channels) {
+        const auto latest = m_store.latest(channel.id);
+        if (latest && m_desk.now() - latest->at < lately)
+            ids.push_back(channel.id);
+    }
+    return ids;
+}
+
+record::RecordingChannel Scope::describe(const ScopeChannel& channel) const
+{
+    record::RecordingChannel column;
+    column.servo = channel.servo;
+    column.key = channel.key;
+    column.unit = channel.unit;
+    column.servoName = channel.profile->modelName;
+    column.protocol = base::protocolName(channel.profile->protocol);
+    if (const ServoEntry* entry = m_desk.servo(channel.servo))
+        column.servoId = entry->servo.id;
+    return column;
+}
+
+base::Result<void> Scope::record(const RecordingOrder& order)
+{
+    if (recording())
+        return base::fail(base::ErrorCode::BadArgument, QStringLiteral("record"),
+                          QStringLiteral("running"));
+    const auto wanted = order.channels.empty() ? beingRead() : order.channels;
+    record::RecorderSpec spec;
+    spec.path = order.path;
+    spec.format = record::formatOf(order.path);
+    spec.length = order.length;
+    spec.head.started = QDateTime::currentDateTime();
+    spec.head.program = QStringLiteral("ServoDesk ") + QCoreApplication::applicationVersion();
+    spec.head.port = m_desk.lastRequest().name;
+    spec.head.baud = m_desk.baud();
+    spec.head.simulated = m_desk.simulated();
+    std::map<record::ChannelId, std::size_t> columns;
+    std::map<ServoRef, std::size_t> sizes;
+    for (const record::ChannelId id : wanted) {
+        const auto channel = std::find_if(m_channels.begin(), m_channels.end(),
+                                          [id](const ScopeChannel& one) { return one.id == id; });
+        if (channel == m_channels.end())
+            continue;
+        columns[id] = sizes[channel->servo]++;
+        spec.head.channels.push_back(describe(*channel));
+    }
+    if (columns.empty())
+        return base::fail(base::ErrorCode::BadArgument, QStringLiteral("record"),
+                          QStringLiteral("nothing-read"));
+    m_recordingPath = order.path;
+    m_columns = std::move(columns);
+    m_rowSizes = std::move(sizes);
+    m_lastStatus = {};
+    m_beginning = true;
+    m_ending = false;
+    m_files.start([this, spec] {
+        auto opened = std::make_shared<base::Result<std::unique_ptr<record::Recorder>>>(
+            record::Recorder::start(spec));
+        m_inbox.post([this, opened] { recorderOpened(std::move(*opened)); });
+    });
+    return {};
+}
+
+/// What was read meanwhile waits in m_rows and is in it.
+void Scope::recorderOpened(base::Result<std::unique_ptr<record::Recorder>> opened)
+{
+    m_beginning = false;
+    if (!opened) {
+        m_columns.clear();
+        m_rowSizes.clear();
+        Q_EMIT recordingFailed(opened.error());
+        Q_EMIT recordingChanged();
+        return;
+    }
+    m_recorder = std::move(*opened);
+    m_recorderLook.start();
+    Q_EMIT recordingBegan();
+    Q_EMIT recordingChanged();
+    if (m_ending)
+        stopRecording();
+}
+
+/// Closing a file may take as long as its disk likes.
+void Scope::letGo(std::unique_ptr<record::Recorder> recorder)
+{
+    m_files.start(
+        [old = std::shared_ptr<record::Recorder>(std::move(recorder))]() mutable { old.reset(); });
+}
+
+void Scope::stopRecording()
+{
+    m_ending = true;
+    if (!m_recorder)
+        return;
+    flushRows();
+    m_recorder->stop();
+    m_columns.clear();
+    m_rowSizes.clear();
+}
+
+record::RecorderStatus Scope::recordingStatus() const
+{
+    return m_recorder ? m_recorder->status() : m_lastStatus;
+}
+
+void Scope::flushRows()
+{
+    if (!m_recorder) {
+        if (!m_beginning) {
+            m_rows.clear();
+            m_rowMarks.clear();
+        }
+        return;
+    }
+    m_recorder->reach(m_desk.now());
+    if (m_rows.empty() && m_rowMarks.empty())
+        return;
+    if (m_recorder->offer(m_rows, m_rowMarks)) {
+        m_rows.clear();
+        m_rowMarks.clear();
+    } else if (m_rows.size() > mostRowsWaiting) {
+        m_recorder->lost(m_rows.size());
+        m_rows.clear();
+    }
+}
+
+void Scope::lookAtRecorder()
+{
+    m_recorder->reach(m_desk.now());
+    const record::RecorderStatus status = m_recorder->status();
+    if (!status.ended) {
+        Q_EMIT recordingChanged();
+        return;
+    }
+    m_recorderLook.stop();
+    m_lastStatus = status;
+    letGo(std::move(m_recorder));
+    m_columns.clear();
+    m_rowSizes.clear();
+    flushRows();
+    Q_EMIT recordingChanged();
+    Q_EMIT recordingEnded(status, m_recordingPath);
+}
+} // namespace session

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/record_dialog.h"
+
+#include "ui/app/theme.h"
+
+#include <QCheckBox>
+#include <QDateTime>
+#include <QDir>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+const QString folderChoice = QStringLiteral("trend/record_folder");
+const QString shownChoice = QStringLiteral("trend/record_shown");
+const QString secondsChoice = QStringLiteral("trend/record_seconds");
+constexpr int mostSeconds = 7 * 24 * 3600;
+constexpr int usualSeconds = 10;
+constexpr int pathLetters = 44;
+
+QString usualFolder()
+{
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QDir(documents).exists() ? documents : QDir::homePath();
+}
+} // namespace
+
+RecordDialog::RecordDialog(session::Settings& settings, QWidget* parent)
+    : QDialog(parent)
+    , m_settings(settings)
+{
+    setObjectName(QStringLiteral("recordDialog"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    const QDir folder(m_settings.choice(folderChoice, usualFolder()).toString());
+    const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss"));
+    m_path->setText(
+        QDir::toNativeSeparators(folder.filePath(QStringLiteral("servodesk_%1.csv").arg(name))));
+    (m_settings.choice(shownChoice, true).toBool() ? m_shown : m_all)->setChecked(true);
+    const int seconds = m_settings.choice(secondsChoice, 0).toInt();
+    m_limited->setChecked(seconds > 0);
+    m_seconds->setValue(seconds > 0 ? seconds : usualSeconds);
+    m_seconds->setEnabled(seconds > 0);
+    retranslate();
+}
+
+void RecordDialog::build()
+{
+    auto* column = new QVBoxLayout(this);
+    m_form = new QFormLayout;
+    const auto named = [](auto* widget, const char* name) {
+        widget->setObjectName(QString::fromLatin1(name));
+        return widget;
+    };
+    m_path = named(new QLineEdit(this), "recordPath");
+    m_path->setMinimumWidth(m_path->fontMetrics().averageCharWidth() * pathLetters);
+    m_browse = named(new QPushButton(this), "recordBrowse");
+    m_browse->setAutoDefault(false);
+    auto* file = new QHBoxLayout;
+    file->addWidget(m_path, 1);
+    file->addWidget(m_browse);
+    m_shown = named(new QRadioButton(this), "recordShown");
+    m_all = named(new QRadioButton(this), "recordAll");
+    m_limited = named(new QCheckBox(this), "recordLimited");
+    m_seconds = named(new QSpinBox(this), "recordSeconds");
+    m_seconds->setRange(1, mostSeconds);
+    auto* length = new QHBoxLayout;
+    length->addWidget(m_limited);
+    length->addWidget(m_seconds);
+    length->addStretch();
+    m_trouble = named(new QLabel(this), "recordTrouble");
+    m_trouble->setWordWrap(true);
+    m_trouble->hide();
+    m_form->addRow(QString(), file);
+    m_form->addRow(QString(), m_shown);
+    m_form->addRow(QString(), m_all);
+    m_form->addRow(QString(), length);
+    auto* buttons = new QHBoxLayout;
+    m_start = named(new QPushButton(this), "recordStart");
+    m_start->setProperty("mainAction", true);
+    m_start->setDefault(true);
+    m_cancel = named(new QPushButton(this), "recordCancel");
+    buttons->addStretch();
+    buttons->addWidget(m_cancel);
+    buttons->addWidget(m_start);
+    column->addLayout(m_form);
+    column->addWidget(m_trouble);
+    column->addLayout(buttons);
+    connect(m_limited, &QCheckBox::toggled, m_seconds, &QWidget::setEnabled);
+    connect(m_browse, &QPushButton::clicked, this, &RecordDialog::browse);
+    connect(m_start, &QPushButton::clicked, this, &RecordDialog::start);
+    connect(m_cancel, &QPushButton::clicked, this, &QDialog::close);
+}
+
+RecordWish RecordDialog::wish() const
+{
+    return {QDir::fromNativeSeparators(m_path->text().trimmed()), m_shown->isChecked(),
+            m_limited->isChecked() ? m_seconds->value() : 0};
+}
+
+void RecordDialog::start()
+{
+    const RecordWish now = wish();
+    if (now.path.isEmpty()) {
+        complain(tr("Name a file first."));
+        return;
+    }
+    m_settings.setChoice(folderChoice, QFileInfo(now.path).absolutePath());
+    m_settings.setChoice(shownChoice, now.onlyShown);
+    m_settings.setChoice(secondsChoice, now.seconds);
+    Q_EMIT wished(now);
+}
+
+void RecordDialog::complain(const QString& words)
+{
+    m_trouble->setText(words);
+    m_trouble->show();
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
+    m_trouble->setPalette(colours);
+}
+
+void RecordDialog::browse()
+{
+    const QString csv = tr("Table, for spreadsheets (*.csv)");
+    const QString lines = tr("JSON lines, for programs (*.jsonl)");
+    auto* dialog = new QFileDialog(this, tr("Record to"));
+    dialog->setObjectName(QStringLiteral("recordFileDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters({csv, lines});
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    dialog->selectFile(wish().path);
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, lines](const QString& filter) {
+        dialog->setDefaultSuffix(filter == lines ? QStringLiteral("jsonl") : QStringLiteral("csv"));
+    });
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this](const QString& path) { m_path->setText(QDir::toNativeSeparators(path)); });
+    dialog->open();
+}
+
+void RecordDialog::retranslate()
+{
+    setWindowTitle(tr("Record"));
+    const auto words = [](auto* widget, const QString& text, const QString& tip) {
+        widget->setText(text);
+        widget->setAccessibleName(text);
+        widget->setToolTip(tip);
+    };
+    static_cast<QLabel*>(m_form->itemAt(0, QFormLayout::LabelRole)->widget())->setText(tr("File"));
+    m_path->setAccessibleName(tr("File"));
+    m_path->setToolTip(tr("*.csv: a table; *.jsonl: one JSON object a line"));
+    words(m_browse, tr("Choose…"), tr("Choose folder and name"));
+    words(m_shown, tr("The curves of the chart"), tr("Only what is shown is written"));
+    words(m_all, tr("Everything that is read"), tr("Also what the chart does not show"));
+    words(m_limited, tr("End by itself after"), tr("Otherwise it goes on until it is stopped"));
+    m_seconds->setSuffix(tr(" s"));
+    m_seconds->setAccessibleName(tr("Length"));
+    m_seconds->setToolTip(tr("Seconds from the first row"));
+    words(m_start, tr("Record"), tr("Begin now"));
+    words(m_cancel, tr("Cancel"), tr("Record nothing"));
+}
+
+void RecordDialog::changeEvent(QEvent* event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui

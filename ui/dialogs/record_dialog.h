@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a recording goes, what is in it, and how long it lasts. Asks only; deletes itself. Main
+// thread.
+#pragma once
+
+#include "session/settings.h"
+
+#include <QDialog>
+
+class QButtonGroup;
+class QCheckBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QRadioButton;
+class QSpinBox;
+
+namespace ui {
+struct RecordWish {
+    QString path;
+    bool onlyShown = true; ///< the curves of the chart; else all that is read
+    int seconds = 0;       ///< 0: until stopped
+};
+
+class RecordDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    RecordDialog(session::Settings& settings, QWidget* parent);
+
+    RecordWish wish() const;
+    void complain(const QString& words); ///< it could not begin; the dialog stays
+
+Q_SIGNALS:
+    void wished(const ui::RecordWish& wish);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void browse();
+    void start();
+    void retranslate();
+
+    session::Settings& m_settings;
+    QFormLayout* m_form = nullptr;
+    QLineEdit* m_path = nullptr;
+    QPushButton* m_browse = nullptr;
+    QRadioButton* m_shown = nullptr;
+    QRadioButton* m_all = nullptr;
+    QCheckBox* m_limited = nullptr;
+    QSpinBox* m_seconds = nullptr;
+    QLabel* m_trouble = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_cancel = nullptr;
+};
+} // namespace ui

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/operate_page.h"
+
+#include "ui/models/feedback.h"
+#include "ui/pages/control_panel.h"
+#include "ui/pages/operate_status.h"
+#include "ui/pages/servo_strip.h"
+#include "ui/pages/trend_panel.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace ui {
+using namespace std::chrono_literals;
+
+namespace {
+constexpr auto lookInterval = 50ms; ///< numbers that change faster cannot be read
+constexpr int leastControl = 300;
+constexpr int mostControl = 380;
+constexpr int controlPercent = 34;
+const QString wishName = QStringLiteral("operate");
+
+QString turnWords(const session::ServoEntry& entry)
+{
+    const auto turns = entry.turns.value();
+    if (!turns)
+        return {};
+    const QString count = QLocale().toString(turns->turns);
+    if (turns->absolute)
+        return OperatePage::tr("turns: %1").arg(count);
+    if (turns->turns == 0 && turns->sure)
+        return {};
+    return turns->sure ? OperatePage::tr("turns since connecting: %1").arg(count)
+                       : OperatePage::tr("turns since connecting: %1 (not certain)").arg(count);
+}
+} // namespace
+
+OperatePage::OperatePage(Bench& bench, session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_desk(bench.desk)
+    , m_deskLives(&bench.desk)
+    , m_commands(bench.commands)
+    , m_selection(bench.selection)
+    , m_drive(bench.drive)
+    , m_scope(bench.scope)
+{
+    build(settings);
+    connectAll();
+    select();
+}
+
+OperatePage::~OperatePage() = default;
+
+void OperatePage::build(session::Settings& settings)
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 6, 0, 0);
+    row->setSpacing(8);
+    m_control = new ControlPanel(m_desk, m_commands, m_selection, settings, m_drive, this);
+    m_dial = new PositionDial(this);
+    m_dial->setObjectName(QStringLiteral("positionDial"));
+    m_control->setDial(m_dial);
+    row->addWidget(m_control);
+    row->addWidget(buildWatch(settings), 1);
+    setAccessibleName(tr("Operate"));
+    m_dial->setAccessibleName(tr("Position and goal"));
+}
+
+QWidget* OperatePage::buildWatch(session::Settings& settings)
+{
+    m_watch = new QWidget(this);
+    auto* column = new QVBoxLayout(m_watch);
+    column->setContentsMargins({});
+    column->setSpacing(6);
+    m_status = new OperateStatus(m_watch);
+    auto* gauges = new QHBoxLayout;
+    gauges->setSpacing(6);
+    for (std::size_t i = 0; i < m_gauges.size(); ++i) {
+        m_gauges[i] = new Gauge(m_watch);
+        m_gauges[i]->setObjectName(QStringLiteral("gauge%1").arg(i));
+        gauges->addWidget(m_gauges[i], 1);
+    }
+    m_trend = new TrendPanel(m_desk, m_scope, m_selection, settings, m_watch);
+    m_strip = new ServoStrip(m_desk, m_selection, m_watch);
+    column->addWidget(m_status);
+    column->addLayout(gauges);
+    column->addWidget(m_trend, 1);
+    column->addWidget(m_strip);
+    return m_watch;
+}
+
+void OperatePage::connectAll()
+{
+    connect(&m_selection, &Selection::chosenChanged, this, &OperatePage::select);
+    connect(m_status, &OperateStatus::acknowledgeWished, this,
+            [this] { m_desk.acknowledgeAlarms(m_selection.current()); });
+    connect(m_dial, &PositionDial::goalWished, m_control, &ControlPanel::setGoalFromDial);
+    connect(m_control, &ControlPanel::shownAnew, this, [this] { showDial(entry()); });
+    connect(m_trend, &TrendPanel::periodChanged, this, &OperatePage::updateWish);
+    const auto wish = [this] { updateWish(); };
+    connect(&m_desk, &session::Desk::servoAdded, this, wish);
+    connect(&m_desk, &session::Desk::servoRemoved, this, wish);
+    connect(&m_desk, &session::Desk::servosCleared, this, wish);
+    connect(&m_desk, &session::Desk::searchChanged, this, wish);
+    m_look.setInterval(lookInterval);
+    connect(&m_look, &QTimer::timeout, this, &OperatePage::show);
+}
+
+const session::ServoEntry* OperatePage::entry() const
+{
+    return m_desk.servo(m_selection.current());
+}
+
+void OperatePage::select()
+{
+    m_drive.setServos(m_selection.chosen());
+    const session::ServoEntry* known = entry();
+    if (known != nullptr && known->servo.profile && !known->tableRead &&
+        m_desk.state() == session::LinkState::Open && isVisible())
+        m_desk.readTable(known->ref); // its limits belong on slider, dial and gauges
+    updateWish();
+    show();
+}
+
+/// All servos for the strip; the chart says its own.
+void OperatePage::updateWish()
+{
+    if (!m_deskLives)
+        return;
+    session::FeedWish wish;
+    wish.period = m_trend->period();
+    for (const session::ServoRef ref : m_desk.servos()) {
+        const session::ServoEntry* known = m_desk.servo(ref);
+        if (known != nullptr && known->servo.profile && isVisible())
+            wish.parts.push_back({ref, feedbackKeys(known->servo), settingKeys(known->servo)});
+    }
+    m_desk.wish(wishName, wish);
+}
+
+void OperatePage::show()
+{
+    const session::ServoEntry* known = entry();
+    m_status->show(known, m_desk);
+    showDial(known);
+    showGauges(known);
+    m_strip->refresh();
+}
+
+void OperatePage::showDial(const session::ServoEntry* known)
+{
+    DialView view = known != nullptr ? dialView(*known) : DialView{};
+    if (known != nullptr) {
+        view.goalMovable = m_control->goalMovable();
+        if (const auto goal = m_control->placeGoal(); goal && view.goal)
+            view.goal = double(*goal);
+        const QString turns = turnWords(*known);
+        view.turns = view.turns.isEmpty() ? turns : view.turns;
+    }
+    m_dial->show(view);
+}
+
+void OperatePage::showGauges(const session::ServoEntry* known)
+{
+    const bool old = known == nullptr || known->silent || known->link.lost() ||
+                     m_desk.state() != session::LinkState::Open;
+    for (std::size_t i = 0; i < m_gauges.size(); ++i) {
+        const GaugeView view = known != nullptr ? gaugeView(*known, allMeasures[i]) : GaugeView{};
+        m_gauges[i]->setVisible(known != nullptr);
+        m_gauges[i]->setTitle(view.title);
+        m_gauges[i]->setScale(view.scale);
+        if (view.unmeasured.isEmpty())
+            m_gauges[i]->setValue(view.value, view.foot, old);
+        else
+            m_gauges[i]->setUnmeasured(view.unmeasured);
+    }
+}
+
+void OperatePage::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    setAccessibleName(tr("Operate"));
+    m_dial->setAccessibleName(tr("Position and goal"));
+    show();
+}
+
+void OperatePage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_control->setFixedWidth(std::clamp(width() * controlPercent / 100, leastControl, mostControl));
+}
+
+void OperatePage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    m_look.start();
+    select();
+}
+
+void OperatePage::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    m_look.stop();
+    updateWish();
+}
+} // namespace ui

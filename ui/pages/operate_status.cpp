@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/operate_status.h"
+
+#include "ui/models/feedback.h"
+#include "ui/widgets/flow_layout.h"
+#include "ui/widgets/pill.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace ui {
+using catalog::Role;
+
+namespace {
+constexpr std::size_t mostAlarms = 8;
+
+bool reportsFaults(const device::Servo& servo)
+{
+    return servo.repliesCarryStatus() ||
+           (servo.profile && servo.profile->byRole(Role::Status) != nullptr);
+}
+} // namespace
+
+OperateStatus::OperateStatus(QWidget* parent)
+    : QWidget(parent)
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins({});
+    auto* lights = new QWidget(this);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    lights->setSizePolicy(policy);
+    m_row = new FlowLayout(lights, 6);
+    const auto pill = [&](const char* name) {
+        auto* one = new Pill(lights);
+        one->setObjectName(QString::fromLatin1(name));
+        m_row->addWidget(one);
+        return one;
+    };
+    m_link = pill("statusLink");
+    m_moving = pill("statusMoving");
+    m_noAlarm = pill("statusNoAlarm");
+    for (std::size_t i = 0; i < mostAlarms; ++i) {
+        m_alarms.push_back(pill("statusAlarm"));
+        m_alarms.back()->hide();
+    }
+    m_acknowledge = new QPushButton(lights);
+    m_acknowledge->setObjectName(QStringLiteral("acknowledge"));
+    m_acknowledge->hide();
+    m_row->addWidget(m_acknowledge);
+    m_age = new QLabel(this);
+    m_age->setObjectName(QStringLiteral("statusAge"));
+    m_age->setForegroundRole(QPalette::PlaceholderText);
+    m_age->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row->addWidget(lights, 1);
+    row->addWidget(m_age);
+    connect(m_acknowledge, &QPushButton::clicked, this, &OperateStatus::acknowledgeWished);
+    retranslate();
+}
+
+void OperateStatus::show(const session::ServoEntry* entry, const session::Desk& desk)
+{
+    setVisible(entry != nullptr);
+    if (entry == nullptr)
+        return;
+    showLink(*entry, desk);
+    showMoving(*entry);
+    showAlarms(*entry);
+    showAge(*entry, desk);
+}
+
+/// The words are FD's: a technician knows them.
+void OperateStatus::showLink(const session::ServoEntry& entry, const session::Desk& desk)
+{
+    if (desk.state() != session::LinkState::Open) {
+        m_link->setState(Tone::Quiet, tr("Not connected"));
+        return;
+    }
+    const bool silent = entry.silent || entry.link.lost();
+    const auto& counters = desk.statistics().byId;
+    const auto own = counters.find(entry.servo.id);
+    QString more;
+    if (own != counters.end())
+        more = tr("Answers: %1 · time-outs: %2 · wrong checksums: %3")
+                   .arg(own->second.ok)
+                   .arg(own->second.timeOuts)
+                   .arg(own->second.badChecks);
+    m_link->setState(silent ? Tone::Bad : Tone::Good,
+                     silent ? tr("Time-out") : tr("Communication fine"), {}, more);
+}
+
+void OperateStatus::showMoving(const session::ServoEntry& entry)
+{
+    const catalog::Register* reg =
+        entry.servo.profile ? entry.servo.profile->byRole(Role::Moving) : nullptr;
+    const auto moving = reg != nullptr ? entry.shown(*reg) : std::nullopt;
+    if (reg == nullptr)
+        m_moving->setState(Tone::Quiet, tr("no moving flag"));
+    else if (!moving)
+        m_moving->setState(Tone::Quiet, tr("moving: not read"));
+    else
+        m_moving->setState(*moving != 0 ? Tone::Accent : Tone::Quiet,
+                           *moving != 0 ? tr("moving") : tr("stopped"));
+}
+
+void OperateStatus::showAlarms(const session::ServoEntry& entry)
+{
+    const auto& alarms = entry.alarms.alarms();
+    for (std::size_t i = 0; i < m_alarms.size(); ++i) {
+        const bool used = i < alarms.size();
+        m_alarms[i]->setVisible(used);
+        if (!used)
+            continue;
+        const session::Alarm& alarm = alarms[i];
+        QString words = (alarm.active ? QStringLiteral("✗ ") : QStringLiteral("! ")) +
+                        faultWord(alarm.what.key);
+        if (!alarm.active)
+            words += tr(" — over");
+        if (alarm.times > 1)
+            words += QStringLiteral(" × %1").arg(alarm.times);
+        const QString first = locale().toString(alarm.firstSeen.time(), QLocale::LongFormat);
+        QString more = tr("First seen %1, %2 times").arg(first).arg(alarm.times);
+        if (alarm.what.derived)
+            more += QLatin1Char('\n') + tr("Worked out from its limits: it reports no faults");
+        m_alarms[i]->setState(alarm.active ? Tone::Bad : Tone::Warn, words, {}, more);
+    }
+    m_noAlarm->setVisible(alarms.empty());
+    const bool judged =
+        reportsFaults(entry.servo) || entry.servo.raw(Role::PresentTemperature).has_value();
+    m_noAlarm->setState(Tone::Quiet, judged ? tr("no alarm") : tr("alarms: not read"), {},
+                        reportsFaults(entry.servo)
+                            ? QString()
+                            : tr("Worked out from its limits: it reports no faults"));
+    m_acknowledge->setVisible(!alarms.empty());
+}
+
+void OperateStatus::showAge(const session::ServoEntry& entry, const session::Desk& desk)
+{
+    const session::FeedRate rate = desk.rate(entry.ref);
+    if (!rate.lastAt) {
+        m_age->setText(tr("not read yet"));
+        return;
+    }
+    const double age = std::max(0.0, double((desk.now() - *rate.lastAt).count()) / 1e3);
+    const QString old = age < 1000 ? tr("%1 ms").arg(qRound(age))
+                                   : tr("%1 s").arg(age / 1e3, 0, 'f', age < 10000 ? 1 : 0);
+    QString words = tr("value age %1 · %2 Hz").arg(old).arg(qRound(rate.hz));
+    if (rate.missed > 0)
+        words += tr(" · missed: %1").arg(rate.missed);
+    m_age->setText(words);
+}
+
+void OperateStatus::retranslate()
+{
+    m_acknowledge->setText(tr("Acknowledge"));
+    m_acknowledge->setAccessibleName(m_acknowledge->text());
+    m_acknowledge->setToolTip(tr("Faults that are over go from here; the others stay"));
+    m_age->setToolTip(tr("How old the newest value is, and how many readings came in the last "
+                         "second"));
+    m_age->setAccessibleName(tr("Age and rate"));
+}
+
+void OperateStatus::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui

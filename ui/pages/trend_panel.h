@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Trend chart with everything around it: buttons, curves, cursors, trigger, recording, replay.
+// Shows what the scope keeps, or a recording; says to Desk which registers are to be read for it.
+// Owned by its page; main thread, never waits.
+#pragma once
+
+#include "session/replay.h"
+#include "session/settings.h"
+#include "ui/app/selection.h"
+#include "ui/pages/trend_choice.h"
+
+#include <QPointer>
+#include <QWidget>
+
+namespace ui {
+class Banner;
+class CursorTable;
+class RecordDialog;
+class ReplayBar;
+class TrendChart;
+class TrendToolbar;
+struct RecordWish;
+
+class TrendPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    TrendPanel(session::Desk& desk, session::Scope& scope, Selection& selection,
+               session::Settings& settings, QWidget* parent = nullptr);
+    ~TrendPanel() override;
+
+    bool replaying() const { return m_replayed != nullptr; }
+    base::Duration period() const { return m_period; } ///< of the readings that were chosen
+
+public Q_SLOTS:
+    void toggleFollowing();
+    void toggleRecording();
+    void openRecording();
+    void load(const QString& path);
+
+Q_SIGNALS:
+    void periodChanged();
+    void replayShown();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void build();
+    void connectToolbar();
+    void connectScope();
+    void grown();
+    void showCurves();
+    void updateWish();
+    void keepChoices();
+    void setChoices(const std::vector<TrendChoice>& choices);
+    void takeLegend();
+    void chooseChannels();
+    void chooseTrigger();
+    void arm(const record::TriggerSpec& spec);
+    void showTrigger();
+    void startRecording(const RecordWish& wish);
+    void recordingFailed(const base::Error& error);
+    void showRecording();
+    void recordingEnded(const record::RecorderStatus& status, const QString& path);
+    void showReplay(const std::shared_ptr<session::Replayed>& recording);
+    void leaveReplay();
+    void followReplay(base::Duration place);
+    void saveImage();
+    void writeImage(const QString& path);
+    void showPresets();
+    void keepPreset();
+    void usePreset(const QString& name);
+    void complain(const QString& words, const QString& remedy);
+    QColor ground() const;
+    TrendResolver resolver() const;
+
+    session::Desk& m_desk;
+    QPointer<session::Desk> m_deskLives; ///< a window may go after its desk
+    session::Scope& m_scope;
+    Selection& m_selection;
+    session::Settings& m_settings;
+    session::Replay m_replay;
+    std::shared_ptr<session::Replayed> m_replayed;
+
+    Banner* m_banner = nullptr;
+    TrendToolbar* m_toolbar = nullptr;
+    TrendChart* m_chart = nullptr;
+    CursorTable* m_cursors = nullptr;
+    ReplayBar* m_replayBar = nullptr;
+    QPointer<RecordDialog> m_recordDialog;
+
+    std::vector<TrendChoice> m_choices;
+    std::vector<std::size_t> m_shownChoices; ///< channel i of the chart is this choice
+    base::Duration m_period{};
+    bool m_showing = false; ///< the chart is being told, its answers are no wishes
+};
+} // namespace ui

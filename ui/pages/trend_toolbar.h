@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The buttons above the trend chart. Shows and asks; the panel does. Owned by its parent; main
+// thread.
+#pragma once
+
+#include "base/clock.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace ui {
+class FlowLayout;
+
+class TrendToolbar final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TrendToolbar(QWidget* parent = nullptr);
+
+    void setFollowing(bool following);
+    void setWidthShown(base::Duration width);
+    void setCursorsShown(bool shown);
+    void setTrigger(const QString& words, bool waiting); ///< empty: none
+    /// `words`: "00:12 · 5580 rows"; empty: nothing is recorded.
+    void setRecording(const QString& words);
+    void setReplaying(bool replaying);
+    void setPresets(const QStringList& names);
+
+Q_SIGNALS:
+    void followWished(bool on);
+    void widthWished(base::Duration width);
+    void fitWished();
+    void backWished();
+    void cursorsWished(bool on);
+    void channelsWished();
+    void triggerWished();
+    void recordWished();
+    void openWished();
+    void liveWished();
+    void saveImageWished();
+    void clearWished();
+    void presetWished(const QString& name);
+    void presetSaveWished();
+    void presetRemoveWished(const QString& name);
+    void rateWished(int hz); ///< 0: as fast as the wire allows
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QToolButton* add(const char* name, const char* icon, bool checkable = false);
+    void fillPresets();
+    void retranslate();
+
+    FlowLayout* m_layout = nullptr;
+    QToolButton* m_pause = nullptr;
+    QComboBox* m_width = nullptr;
+    QToolButton* m_fit = nullptr;
+    QToolButton* m_back = nullptr;
+    QToolButton* m_cursors = nullptr;
+    QToolButton* m_channels = nullptr;
+    QToolButton* m_trigger = nullptr;
+    QToolButton* m_more = nullptr;
+    QToolButton* m_live = nullptr;
+    QToolButton* m_record = nullptr;
+    QLabel* m_recordState = nullptr;
+    QComboBox* m_rate = nullptr;
+    QMenu* m_menu = nullptr;
+    QStringList m_presets;
+    QString m_triggerWords;
+    QString m_recordWords;
+    bool m_replaying = false;
+};
+} // namespace ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Play, pause, speed and the place in a recording that is shown again. Knows time only; whoever
+// shows the recording follows moved(). Owned by its parent; main thread.
+#pragma once
+
+#include "record/sample_store.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace ui {
+class ReplayBar final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ReplayBar(QWidget* parent = nullptr);
+
+    /// A new recording, shown from its beginning, standing still.
+    void setRecording(const QString& name, const record::TimeSpan& span);
+    base::Duration place() const { return m_place; }
+    bool playing() const { return m_tick.isActive(); }
+    void setPlaying(bool on);
+
+Q_SIGNALS:
+    void moved(base::Duration place);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void advance();
+    void go(base::Duration place);
+    void retranslate();
+    void showPlace();
+
+    record::TimeSpan m_span;
+    base::Duration m_place{};
+    QString m_name;
+    QToolButton* m_play = nullptr;
+    QSlider* m_slider = nullptr;
+    QComboBox* m_speed = nullptr;
+    QLabel* m_label = nullptr;
+    QTimer m_tick;
+    QElapsedTimer m_since;
+};
+} // namespace ui

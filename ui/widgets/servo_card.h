@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One servo of many in little room: ID, state, position between its limits, the numbers that warn.
+// A button: pressing it selects the servo. Owned by the strip; main thread.
+#pragma once
+
+#include "session/servo_entry.h"
+#include "ui/app/theme.h"
+
+#include <QAbstractButton>
+
+namespace ui {
+struct CardView {
+    QString title; ///< "1 · STS3215"
+    QString state; ///< "fine", "overload", "no answer"
+    Tone tone = Tone::Quiet;
+    std::optional<double> place{}; ///< 0 … 1 between the limits
+    std::optional<double> goal{};
+    QString numbers; ///< "187.4° · 7.4 V · 31 °C"
+    QString tip;
+    bool operator==(const CardView&) const = default;
+};
+CardView cardView(const session::ServoEntry& entry);
+
+class ServoCard final : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    explicit ServoCard(QWidget* parent = nullptr);
+    void show(const CardView& view, bool selected);
+    const CardView& view() const { return m_view; }
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    CardView m_view;
+    bool m_selected = false;
+};
+} // namespace ui
