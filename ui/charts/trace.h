@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One curve as it is about to be painted: min/max columns of a stretch of time, and where they go.
-// A value; main thread.
+// One curve as it is about to be painted: which samples, how they look and where they go. A value;
+// main thread.
 #pragma once
 
 #include "record/sample_store.h"
@@ -24,15 +24,22 @@ struct TraceFrame {
     double y(double value) const { return (high - value) * height / (high - low); }
 };
 
-struct Trace {
-    std::vector<record::SampleColumn> columns;
-    QColor colour;
+struct TraceLook {
+    record::ChannelId id = -1;
+    QRgb colour = 0xff000000;
     bool steps = false;
     double scale = 1;
     double offset = 0;
     double low = 0; ///< of its axis
     double high = 1;
+    bool operator==(const TraceLook&) const = default;
 
     double shown(double value) const { return value * scale + offset; }
+};
+
+/// Its min/max columns in a stretch of time.
+struct Trace {
+    TraceLook look;
+    std::vector<record::SampleColumn> columns;
 };
 } // namespace ui

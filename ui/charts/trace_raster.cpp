@@ -2,7 +2,9 @@
 #include "ui/charts/trace_raster.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
 namespace ui {
 namespace {
@@ -27,30 +29,47 @@ bool finite(const record::SampleColumn& column)
 }
 } // namespace
 
-void TraceRaster::paint(QImage& image, const Trace& trace, const record::TimeSpan& span,
-                        double penWidth)
+void TraceRaster::paint(QImage& image, const std::vector<Trace>& traces,
+                        const record::TimeSpan& span, double penWidth, PixelRange part)
 {
-    reset(image.width());
-    collect(trace, {span, trace.low, trace.high, double(image.width()), double(image.height())});
-    widen(int(penWidth - 1) / 2);
-    fill(image, trace.colour.rgb(), penWidth / 2);
+    m_part = {std::max(part.from, 0), std::min(part.to, image.width())};
+    m_wide = {std::max(m_part.from - reach, 0), std::min(m_part.to + reach, image.width())};
+    if (m_part.empty())
+        return;
+    m_runs.resize(std::max(m_runs.size(), traces.size()));
+    for (std::size_t i = 0; i < traces.size(); ++i) {
+        const TraceLook& look = traces[i].look;
+        reset(m_runs[i]);
+        collect(m_runs[i], traces[i],
+                {span, look.low, look.high, double(image.width()), double(image.height())});
+        widen(m_runs[i], int(penWidth - 1) / 2);
+        roundOff(m_runs[i], penWidth / 2, image.height());
+    }
+    coverUp(traces.size());
+    for (std::size_t i = 0; i < traces.size(); ++i) {
+        blendEnds(image, traces[i].look.colour, m_runs[i]);
+        fill(image, traces[i].look.colour, m_runs[i].upper);
+        fill(image, traces[i].look.colour, m_runs[i].lower);
+    }
 }
 
-void TraceRaster::reset(int width)
+void TraceRaster::reset(Runs& runs) const
 {
-    m_width = width;
-    m_top.assign(std::size_t(width), nothing);
-    m_bottom.assign(std::size_t(width), -nothing);
-    m_firstRow.resize(std::size_t(width));
-    m_endRow.resize(std::size_t(width));
+    const auto width = std::size_t(m_wide.to - m_wide.from);
+    runs.top.assign(width, nothing);
+    runs.bottom.assign(width, -nothing);
+    for (Rows* rows : {&runs.upper, &runs.lower}) {
+        rows->first.assign(width, 0);
+        rows->end.assign(width, 0);
+    }
 }
 
-void TraceRaster::collect(const Trace& trace, const TraceFrame& frame)
+void TraceRaster::collect(Runs& runs, const Trace& trace, const TraceFrame& frame) const
 {
     const auto y = [&](double value) {
-        return std::clamp(frame.y(trace.shown(value)), -farAway, farAway);
+        return std::clamp(frame.y(trace.look.shown(value)), -farAway, farAway);
     };
-    const auto x = [&](base::Duration at) { return frame.x(at); };
+    const auto x = [&](base::Duration at) { return frame.x(at) - m_wide.from; };
     const record::SampleColumn* before = nullptr;
     for (std::size_t i = 0; i < trace.columns.size(); ++i) {
         const record::SampleColumn& column = trace.columns[i];
@@ -62,53 +81,54 @@ void TraceRaster::collect(const Trace& trace, const TraceFrame& frame)
         const double right = x(column.to);
         if (before != nullptr && !column.gapBefore) {
             const double fromY = y(before->last);
-            const double fromX = x(before->to);
-            line(fromX, fromY, left, trace.steps ? fromY : y(column.first));
-            if (trace.steps)
-                run(left, left, fromY, y(column.first));
+            line(runs, x(before->to), fromY, left, trace.look.steps ? fromY : y(column.first));
+            if (trace.look.steps)
+                run(runs, left, left, fromY, y(column.first));
         } else if (i + 1 == trace.columns.size() || trace.columns[i + 1].gapBefore) {
-            run(left - 1, left + 1, y(column.first), y(column.first)); // alone: a dot
+            run(runs, left - 1, left + 1, y(column.first), y(column.first)); // alone: a dot
         }
-        run(left, right, y(column.max), y(column.min));
+        run(runs, left, right, y(column.max), y(column.min));
         before = &column;
     }
 }
 
 /// A slanted line, cut at the columns' borders.
-void TraceRaster::line(double x0, double y0, double x1, double y1)
+void TraceRaster::line(Runs& runs, double x0, double y0, double x1, double y1) const
 {
-    const int from = int(std::clamp(std::floor(x0), 0.0, double(m_width)));
-    const int to = int(std::clamp(std::floor(x1), -1.0, double(m_width - 1)));
+    const double width = m_wide.to - m_wide.from;
+    const int from = int(std::clamp(std::floor(x0), 0.0, width));
+    const int to = int(std::clamp(std::floor(x1), -1.0, width - 1));
     const double slope = x1 > x0 ? (y1 - y0) / (x1 - x0) : 0;
     for (int x = from; x <= to; ++x) {
         const double a = y0 + (std::max(double(x), x0) - x0) * slope;
         const double b = x1 > x0 ? y0 + (std::min(double(x + 1), x1) - x0) * slope : y1;
-        extend(x, a, b);
+        extend(runs, x, a, b);
     }
 }
 
-void TraceRaster::run(double x0, double x1, double y0, double y1)
+void TraceRaster::run(Runs& runs, double x0, double x1, double y0, double y1) const
 {
-    const int from = int(std::clamp(std::floor(x0), 0.0, double(m_width)));
-    const int to = int(std::clamp(std::floor(x1), -1.0, double(m_width - 1)));
+    const double width = m_wide.to - m_wide.from;
+    const int from = int(std::clamp(std::floor(x0), 0.0, width));
+    const int to = int(std::clamp(std::floor(x1), -1.0, width - 1));
     for (int x = from; x <= to; ++x)
-        extend(x, y0, y1);
+        extend(runs, x, y0, y1);
 }
 
-void TraceRaster::extend(int x, double y0, double y1)
+void TraceRaster::extend(Runs& runs, int x, double y0, double y1)
 {
-    float& top = m_top[std::size_t(x)];
-    float& bottom = m_bottom[std::size_t(x)];
+    float& top = runs.top[std::size_t(x)];
+    float& bottom = runs.bottom[std::size_t(x)];
     top = std::min(top, float(std::min(y0, y1)));
     bottom = std::max(bottom, float(std::max(y0, y1)));
 }
 
 /// Upright lines as thick as level ones.
-void TraceRaster::widen(int by)
+void TraceRaster::widen(Runs& runs, int by)
 {
     for (int pass = 0; pass < by; ++pass) {
-        for (auto* edge : {&m_top, &m_bottom}) {
-            const bool upper = edge == &m_top;
+        for (auto* edge : {&runs.top, &runs.bottom}) {
+            const bool upper = edge == &runs.top;
             m_spare = *edge;
             for (std::size_t x = 0; x < edge->size(); ++x) {
                 const float left = m_spare[x > 0 ? x - 1 : x];
@@ -120,78 +140,145 @@ void TraceRaster::widen(int by)
     }
 }
 
-void TraceRaster::fill(QImage& image, QRgb colour, double halfPen)
+/// Gives the lines their thickness, and says which rows are covered entirely.
+void TraceRaster::roundOff(Runs& runs, double halfPen, int height)
 {
-    const auto height = float(image.height());
-    for (std::size_t x = 0; x < std::size_t(m_width); ++x) {
-        float& top = m_top[x];
-        float& bottom = m_bottom[x];
+    for (std::size_t x = 0; x < runs.top.size(); ++x) {
+        float& top = runs.top[x];
+        float& bottom = runs.bottom[x];
         top = std::max(top - float(halfPen), 0.0F);
-        bottom = std::min(bottom + float(halfPen), height);
+        bottom = std::min(bottom + float(halfPen), float(height));
         if (top < bottom) {
-            m_firstRow[x] = int(std::ceil(top));
-            m_endRow[x] = int(bottom);
-        } else {
-            m_firstRow[x] = m_endRow[x] = 0;
+            runs.upper.first[x] = int(std::ceil(top));
+            runs.upper.end[x] = int(bottom);
         }
     }
-    blendEnds(image, colour);
-    for (int from = 0; from < m_width; from += block)
-        fillBlock(image, colour, from, std::min(from + block, m_width));
 }
 
-void TraceRaster::fillBlock(QImage& image, QRgb colour, int from, int to)
+/// Takes away what curves in front will cover, as far as that is one stretch; two pieces may stay.
+void TraceRaster::coverUp(std::size_t count)
 {
-    int first = image.height();
-    int end = 0;
-    std::int64_t covered = 0;
-    for (auto x = std::size_t(from); x < std::size_t(to); ++x) {
-        if (m_firstRow[x] >= m_endRow[x])
-            continue;
-        first = std::min(first, m_firstRow[x]);
-        end = std::max(end, m_endRow[x]);
-        covered += m_endRow[x] - m_firstRow[x];
+    const auto width = std::size_t(m_wide.to - m_wide.from);
+    m_cover.first.assign(width, 0);
+    m_cover.end.assign(width, 0);
+    for (std::size_t i = count; i-- > 0;) {
+        Rows& upper = m_runs[i].upper;
+        Rows& lower = m_runs[i].lower;
+        for (std::size_t x = 0; x < width; ++x) {
+            const int first = upper.first[x];
+            const int end = upper.end[x];
+            int& from = m_cover.first[x];
+            int& to = m_cover.end[x];
+            if (end <= first)
+                continue;
+            if (from < to) {
+                upper.end[x] = std::min(end, std::max(from, first));
+                lower.first[x] = std::max(first, std::min(to, end));
+                lower.end[x] = end;
+                if (end <= from || first >= to) { // apart: one piece only
+                    upper.end[x] = end;
+                    lower.end[x] = lower.first[x];
+                }
+            }
+            const bool touching = first <= to && end >= from && from < to;
+            if (touching) {
+                from = std::min(from, first);
+                to = std::max(to, end);
+            } else if (end - first > to - from) {
+                from = first;
+                to = end;
+            }
+        }
     }
+}
+
+void TraceRaster::fill(QImage& image, QRgb colour, const Rows& rows) const
+{
+    for (int from = m_part.from; from < m_part.to; from += block)
+        fillBlock(image, colour, rows, {from, std::min(from + block, m_part.to)});
+}
+
+/// Row by row, which the memory likes, unless there is little to fill.
+void TraceRaster::fillBlock(QImage& image, QRgb colour, const Rows& rows, PixelRange range) const
+{
+    std::array<int, block> first;
+    std::array<int, block> end;
+    first.fill(0);
+    end.fill(0);
+    const int width = range.to - range.from;
+    int top = image.height();
+    int bottom = 0;
+    int innerTop = 0;
+    int innerBottom = image.height();
+    int covered = 0;
+    for (int i = 0; i < width; ++i) {
+        const auto x = std::size_t(range.from - m_wide.from + i);
+        const int a = rows.first[x];
+        const int b = rows.end[x];
+        innerTop = std::max(innerTop, a < b ? a : image.height());
+        innerBottom = std::min(innerBottom, b);
+        if (a >= b)
+            continue;
+        first[std::size_t(i)] = a;
+        end[std::size_t(i)] = b;
+        top = std::min(top, a);
+        bottom = std::max(bottom, b);
+        covered += b - a;
+    }
+    if (covered == 0)
+        return;
     const auto stride = image.bytesPerLine() / qsizetype(sizeof(QRgb));
-    auto* const pixels = reinterpret_cast<QRgb*>(image.bits());
-    const bool tall = covered * 4 > std::int64_t(end - first) * (to - from);
-    if (!tall) {
-        for (int x = from; x < to; ++x) {
-            for (int y = m_firstRow[std::size_t(x)]; y < m_endRow[std::size_t(x)]; ++y)
-                pixels[y * stride + x] = colour;
+    QRgb* const pixels = reinterpret_cast<QRgb*>(image.bits()) + range.from;
+    if (covered * 6 < (bottom - top) * width) {
+        for (int i = 0; i < width; ++i) {
+            for (int y = first[std::size_t(i)]; y < end[std::size_t(i)]; ++y)
+                pixels[y * stride + i] = colour;
         }
         return;
     }
-    const int* const firstRow = m_firstRow.data();
-    const int* const endRow = m_endRow.data();
-    for (int y = first; y < end; ++y) {
-        QRgb* const row = pixels + y * stride;
-        for (int x = from; x < to; ++x)
-            row[x] = (y >= firstRow[x]) & (y < endRow[x]) ? colour : row[x];
-    }
+    if (innerTop >= innerBottom)
+        innerTop = innerBottom = bottom;
+    std::array<QRgb, block> whole;
+    whole.fill(colour);
+    const auto ragged = [&](int from, int to) {
+        for (int y = from; y < to; ++y) {
+            std::array<QRgb, block> row; // of fixed length, for the compiler to work on in parallel
+            std::memcpy(row.data(), pixels + y * stride, std::size_t(width) * sizeof(QRgb));
+            for (std::size_t i = 0; i < block; ++i)
+                row[i] = (y >= first[i]) & (y < end[i]) ? colour : row[i];
+            std::memcpy(pixels + y * stride, row.data(), std::size_t(width) * sizeof(QRgb));
+        }
+    };
+    ragged(top, innerTop);
+    for (int y = innerTop; y < innerBottom; ++y)
+        std::memcpy(pixels + y * stride, whole.data(), std::size_t(width) * sizeof(QRgb));
+    ragged(innerBottom, bottom);
 }
 
-void TraceRaster::blendEnds(QImage& image, QRgb colour)
+void TraceRaster::blendEnds(QImage& image, QRgb colour, const Runs& runs) const
 {
     const auto stride = image.bytesPerLine() / qsizetype(sizeof(QRgb));
     auto* const pixels = reinterpret_cast<QRgb*>(image.bits());
-    const auto put = [&](std::size_t x, int y, float coverage) {
+    const auto put = [&](int x, int y, float coverage) {
         if (y < 0 || y >= image.height() || coverage <= 0)
             return;
-        QRgb& pixel = pixels[y * stride + qsizetype(x)];
+        QRgb& pixel = pixels[y * stride + x];
         pixel = blend(pixel, colour, int(coverage * 256));
     };
-    for (std::size_t x = 0; x < std::size_t(m_width); ++x) {
-        if (m_top[x] >= m_bottom[x])
+    for (int x = m_part.from; x < m_part.to; ++x) {
+        const auto i = std::size_t(x - m_wide.from);
+        const float top = runs.top[i];
+        const float bottom = runs.bottom[i];
+        if (top >= bottom)
             continue;
-        const int above = m_firstRow[x] - 1;
-        const int below = m_endRow[x];
-        if (below < m_firstRow[x]) { // within one row
-            put(x, below, m_bottom[x] - m_top[x]);
+        const int first = int(std::ceil(top));
+        const int end = int(bottom);
+        if (end < first) { // within one row
+            put(x, end, bottom - top);
             continue;
         }
-        put(x, above, float(m_firstRow[x]) - m_top[x]);
-        put(x, below, m_bottom[x] - float(below));
+        put(x, first - 1, float(first) - top);
+        put(x, end, bottom - float(end));
     }
 }
 } // namespace ui

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Paints curves into an image, one vertical run a column of pixels, smooth at both ends. QPainter
-// needs several times as long for a line of this width, and far more where an hour of movement
-// becomes a solid band. Main thread; keeps its buffers between frames. Values that are no numbers
-// are left out like gaps.
+// needs several times as long for lines of this width, and far more where an hour of movement
+// becomes a solid band: here what a later curve will cover is not painted at all. Main thread;
+// keeps its buffers between frames. Values that are no numbers are left out like gaps.
 #pragma once
 
 #include "ui/charts/trace.h"
@@ -10,30 +10,50 @@
 #include <QImage>
 
 namespace ui {
+struct PixelRange {
+    int from = 0;
+    int to = 0; ///< exclusive
+    bool empty() const { return from >= to; }
+};
+
 class TraceRaster {
 public:
-    /// Into an ARGB32_Premultiplied image, over what is there. Columns whose time is beyond the
-    /// image's sides are clipped.
-    void paint(QImage& image, const Trace& trace, const record::TimeSpan& span, double penWidth);
+    /// Columns of pixels that the neighbours of a part must be known for.
+    static constexpr int reach = 4;
+
+    /// Over what is in these columns of an ARGB32_Premultiplied image, in the order of the traces.
+    /// `span` is the time the whole image covers.
+    void paint(QImage& image, const std::vector<Trace>& traces, const record::TimeSpan& span,
+               double penWidth, PixelRange part);
 
 private:
-    void reset(int width);
-    void collect(const Trace& trace, const TraceFrame& frame);
-    void line(double x0, double y0, double x1, double y1);
-    void run(double x0, double x1, double y0, double y1);
-    void extend(int x, double y0, double y1);
-    void widen(int by);
-    void fill(QImage& image, QRgb colour, double halfPen);
-    void fillBlock(QImage& image, QRgb colour, int from, int to);
-    void blendEnds(QImage& image, QRgb colour);
+    struct Rows { ///< fully covered ones
+        std::vector<int> first;
+        std::vector<int> end;
+    };
+    struct Runs {
+        std::vector<float> top; ///< top >= bottom: nothing
+        std::vector<float> bottom;
+        Rows upper;
+        Rows lower; ///< the second piece, where another curve lies over the middle
+    };
 
-    std::vector<float> m_top; ///< a column's run; top > bottom: nothing
-    std::vector<float> m_bottom;
+    void reset(Runs& runs) const;
+    void collect(Runs& runs, const Trace& trace, const TraceFrame& frame) const;
+    void line(Runs& runs, double x0, double y0, double x1, double y1) const;
+    void run(Runs& runs, double x0, double x1, double y0, double y1) const;
+    static void extend(Runs& runs, int x, double y0, double y1);
+    void widen(Runs& runs, int by);
+    static void roundOff(Runs& runs, double halfPen, int height);
+    void coverUp(std::size_t count);
+    void fill(QImage& image, QRgb colour, const Rows& rows) const;
+    void fillBlock(QImage& image, QRgb colour, const Rows& rows, PixelRange range) const;
+    void blendEnds(QImage& image, QRgb colour, const Runs& runs) const;
+
+    std::vector<Runs> m_runs;
+    Rows m_cover;
     std::vector<float> m_spare;
-    std::vector<int> m_firstRow; ///< fully covered rows
-    std::vector<int> m_endRow;
-    int m_width = 0;
-    int m_usedFrom = 0;
-    int m_usedTo = 0;
+    PixelRange m_wide; ///< what is collected
+    PixelRange m_part; ///< what is painted
 };
 } // namespace ui

@@ -33,6 +33,7 @@ void TrendChart::setStore(const record::SampleStore* store)
 {
     m_private->state().store = store;
     m_private->control.forgetBack();
+    m_private->plot->picture().storeChanged();
     m_private->channelsChanged();
     if (cursorsShown())
         Q_EMIT cursorsChanged();
@@ -42,6 +43,7 @@ void TrendChart::setChannels(std::vector<TrendChannel> channels)
 {
     m_private->state().channels = std::move(channels);
     m_private->channelsChanged();
+    Q_EMIT channelsChanged();
     if (cursorsShown())
         Q_EMIT cursorsChanged();
 }
@@ -65,10 +67,17 @@ void TrendChart::setOrigin(Duration instant)
 
 void TrendChart::advance(Duration now)
 {
-    const bool moved = m_private->state().view.advance(now);
-    if (moved || m_private->overviewDue())
+    if (m_private->state().view.advance(now))
         m_private->frameSoon();
+    else if (isVisible() && !following())
+        m_private->overview->advance(); // recording goes on
     m_private->cursorsGrow();
+}
+
+void TrendChart::flush()
+{
+    if (m_private->frameWaits())
+        m_private->frame();
 }
 
 bool TrendChart::following() const
@@ -97,6 +106,15 @@ std::optional<TimeSpan> TrendChart::cursors() const
     if (!pair)
         return {};
     return TimeSpan{std::min(pair->first, pair->second), std::max(pair->first, pair->second)};
+}
+
+std::optional<std::pair<Duration, Duration>> TrendChart::cursorTimes() const
+{
+    const TrendState& state = m_private->state();
+    if (!state.cursors)
+        return {};
+    const Duration zero = following() ? shown().to : state.origin;
+    return std::pair(state.cursors->first - zero, state.cursors->second - zero);
 }
 
 std::vector<CursorReading> TrendChart::cursorReadings() const
@@ -157,15 +175,19 @@ void TrendChart::setCursors(Duration a, Duration b)
 
 void TrendChart::setChannelVisible(int index, bool visible)
 {
-    auto& channels = m_private->state().channels;
-    if (index < 0 || std::size_t(index) >= channels.size() ||
-        channels[std::size_t(index)].visible == visible)
-        return;
-    channels[std::size_t(index)].visible = visible;
-    m_private->channelsChanged();
-    Q_EMIT channelsChanged();
-    if (cursorsShown())
-        Q_EMIT cursorsChanged();
+    m_private->changeChannel(index, [visible](TrendChannel& channel) {
+        return std::exchange(channel.visible, visible) != visible;
+    });
+}
+
+void TrendChart::setChannelScale(int index, double scale, double offset)
+{
+    m_private->changeChannel(index, [scale, offset](TrendChannel& channel) {
+        const bool other = channel.scale != scale || channel.offset != offset;
+        channel.scale = scale;
+        channel.offset = offset;
+        return other;
+    });
 }
 
 void TrendChart::changeEvent(QEvent* event)

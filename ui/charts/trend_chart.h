@@ -41,12 +41,17 @@ public:
     void advance(base::Duration now);
 
     using QWidget::show;
+    /// A frame that waits for its turn is made now.
+    void flush();
+
     bool following() const;
     base::Duration width() const; ///< of time shown
     record::TimeSpan shown() const;
     bool cursorsShown() const;
     std::optional<record::TimeSpan> cursors() const; ///< A … B, in order of time
-    std::vector<CursorReading> cursorReadings() const;
+    /// A and B as they stand on the time axis: from the origin, or from now while following.
+    std::optional<std::pair<base::Duration, base::Duration>> cursorTimes() const;
+    std::vector<CursorReading> cursorReadings() const; ///< of the visible channels
 
     bool savePng(const QString& path, QSize size, QString* trouble) const; ///< with legend
     bool saveSvg(const QString& path, QSize size, QString* trouble) const;
@@ -60,11 +65,12 @@ public Q_SLOTS:
     void setCursorsShown(bool on);
     void setCursors(base::Duration a, base::Duration b);
     void setChannelVisible(int index, bool visible);
+    void setChannelScale(int index, double scale, double offset); ///< scale is not 0
 
 Q_SIGNALS:
     void viewChanged();     ///< shown(), following(), width()
     void cursorsChanged();  ///< places, or what is read at them
-    void channelsChanged(); ///< visibility or colour, changed at the legend
+    void channelsChanged(); ///< others, or their looks: legend, keys, list
 
 protected:
     void changeEvent(QEvent* event) override;

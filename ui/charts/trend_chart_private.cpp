@@ -9,8 +9,7 @@
 namespace ui {
 namespace {
 constexpr int frameMs = 33;
-constexpr int idleFrameMs = 500; ///< the overview of a chart that stands still
-constexpr int readingsMs = 400;  ///< of cursors whose stretch still fills
+constexpr int readingsMs = 400; ///< of cursors whose stretch still fills
 } // namespace
 
 TrendChart::Private::Private(TrendChart* chart)
@@ -113,6 +112,17 @@ void TrendChart::Private::channelsChanged()
     frameSoon();
 }
 
+void TrendChart::Private::changeChannel(int index, const std::function<bool(TrendChannel&)>& change)
+{
+    auto& channels = state().channels;
+    if (index < 0 || std::size_t(index) >= channels.size() || !change(channels[std::size_t(index)]))
+        return;
+    channelsChanged();
+    Q_EMIT q->channelsChanged();
+    if (state().cursors)
+        Q_EMIT q->cursorsChanged();
+}
+
 void TrendChart::Private::showNotice()
 {
     const auto& channels = state().channels;
@@ -142,11 +152,6 @@ void TrendChart::Private::frame()
                             plot->devicePixelRatioF());
     m_atOnce = false;
     overview->advance();
-}
-
-bool TrendChart::Private::overviewDue() const
-{
-    return !m_sinceFrame.isValid() || m_sinceFrame.elapsed() > idleFrameMs;
 }
 
 /// What is read between the cursors changes while samples still come in there.

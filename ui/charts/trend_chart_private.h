@@ -10,6 +10,8 @@
 
 #include <QTimer>
 
+#include <functional>
+
 namespace ui {
 class TrendChart::Private {
 public:
@@ -19,12 +21,13 @@ public:
     void connectAll();
     void takeColours();
     void channelsChanged();
+    void changeChannel(int index, const std::function<bool(TrendChannel&)>& change);
     void showNotice();
 
     /// Now if the last one is long enough ago, otherwise as soon as it is.
     void frameSoon();
     void frame();
-    bool overviewDue() const;
+    bool frameWaits() const { return m_later.isActive(); }
     void cursorsGrow();
 
     TrendChart* const q;

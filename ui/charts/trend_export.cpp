@@ -6,6 +6,7 @@
 
 #include <QBuffer>
 #include <QChart>
+#include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QPainter>
 #include <QSaveFile>
@@ -33,6 +34,7 @@ void paintOnPaper(QPainter* painter, const TrendState& state, const TrendAxes& a
     for (const TrendAxes::ValueAxis& axis : axes.valueAxes())
         picture.axes().axisOf(axis.range.unit()).range = axis.range;
     picture.refresh(TrendPicture::Axes::Calm, 1);
+    chart->layout()->activate(); // nobody's event loop will
     painter->fillRect(QRectF(QPointF(0, 0), size), Qt::white);
     const QRectF paper(QPointF(border, border), chart->size());
     scene.render(painter, paper, QRectF(QPointF(0, 0), chart->size()));

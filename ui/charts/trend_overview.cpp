@@ -19,6 +19,24 @@ constexpr double border = 3;       ///< above and below the curves
 constexpr double grip = 6;         ///< pixels around an edge of the handle
 constexpr double leastHandle = 6;  ///< pixels painted at least
 constexpr qint64 renewEvery = 700; ///< ms
+
+/// Each curve as high as the strip: it is for recognising, not for reading.
+void fillHeight(Trace& trace)
+{
+    bool any = false;
+    double low = 0;
+    double high = 0;
+    for (const record::SampleColumn& column : trace.columns) {
+        if (!std::isfinite(column.min) || !std::isfinite(column.max))
+            continue;
+        low = any ? std::min(low, column.min) : column.min;
+        high = any ? std::max(high, column.max) : column.max;
+        any = true;
+    }
+    const double more = std::max((high - low) * 0.03, std::abs(high) * 1e-3 + 1e-9);
+    trace.look.low = low - more;
+    trace.look.high = high + more;
+}
 } // namespace
 
 TrendOverview::TrendOverview(const TrendState& state, QWidget* parent)
@@ -61,8 +79,8 @@ std::optional<TimeSpan> TrendOverview::history() const
 /// One channel a call; when all are there, the picture changes at once.
 void TrendOverview::advance()
 {
-    const bool due = m_stale || !m_sinceImage.isValid() || m_sinceImage.elapsed() > renewEvery;
-    if (m_stale) {
+    const bool due = !m_sinceImage.isValid() || m_sinceImage.elapsed() > renewEvery;
+    if (m_stale || (!m_shownHistory && history())) {
         if (begin()) { // at once: something else is to be seen
             while (m_fetching)
                 fetchNext();
@@ -108,13 +126,12 @@ void TrendOverview::fetchNext()
     }
     const TrendChannel& channel = channels[m_nextChannel++];
     Trace trace;
-    trace.colour = trendColourOn(channel.colour, m_colours.ground);
-    trace.steps = channel.steps;
+    trace.look.colour = trendColourOn(channel.colour, m_colours.ground).rgb();
+    trace.look.steps = channel.steps;
     m_state.store->columns(channel.id, m_nextHistory, width(), trace.columns);
     m_traces.push_back(std::move(trace));
 }
 
-/// Each curve as high as the strip: it is for recognising, not for reading.
 void TrendOverview::finish()
 {
     m_fetching = false;
@@ -122,23 +139,9 @@ void TrendOverview::finish()
     m_image = QImage((QSizeF(width(), height() - 2 * border) * ratio).toSize(),
                      QImage::Format_ARGB32_Premultiplied);
     m_image.fill(Qt::transparent);
-    for (Trace& trace : m_traces) {
-        double low = 0;
-        double high = 0;
-        bool any = false;
-        for (const record::SampleColumn& column : trace.columns) {
-            if (!std::isfinite(column.min) || !std::isfinite(column.max))
-                continue;
-            low = any ? std::min(low, column.min) : column.min;
-            high = any ? std::max(high, column.max) : column.max;
-            any = true;
-        }
-        const double more = std::max((high - low) * 0.03, std::abs(high) * 1e-3 + 1e-9);
-        trace.low = low - more;
-        trace.high = high + more;
-        if (any)
-            m_raster.paint(m_image, trace, m_nextHistory, ratio);
-    }
+    for (Trace& trace : m_traces)
+        fillHeight(trace);
+    m_raster.paint(m_image, m_traces, m_nextHistory, ratio, {0, m_image.width()});
     m_image.setDevicePixelRatio(ratio);
     m_shownHistory = m_nextHistory;
     m_sinceImage.start();

@@ -16,24 +16,22 @@ namespace {
 constexpr double legendSpace = 4;
 constexpr double leastPlot = 40;
 
-/// Of the columns within the stretch; those beside it are there for their lines only.
-std::optional<AxisRange> extremes(const Trace& trace, const record::TimeSpan& span)
+bool hasTrace(const TrendChannel& channel)
 {
-    std::optional<AxisRange> found;
-    const auto take = [&](double value) {
-        const double y = trace.shown(value);
-        if (!std::isfinite(y))
-            return;
-        found =
-            found ? AxisRange{std::min(found->low, y), std::max(found->high, y)} : AxisRange{y, y};
-    };
-    for (const record::SampleColumn& column : trace.columns) {
-        if (column.to < span.from || column.from > span.to)
-            continue;
-        take(column.min);
-        take(column.max);
-    }
-    return found;
+    return channel.visible && channel.id >= 0;
+}
+
+/// Of what is drawn; a scale may turn it upside down.
+std::optional<AxisRange> extremes(const TrendState& state, const TrendChannel& channel)
+{
+    const auto range = state.store->range(channel.id, state.view.span());
+    if (!range)
+        return {};
+    const double a = range->first * channel.scale + channel.offset;
+    const double b = range->second * channel.scale + channel.offset;
+    if (!std::isfinite(a) || !std::isfinite(b))
+        return {};
+    return AxisRange{std::min(a, b), std::max(a, b)};
 }
 } // namespace
 
@@ -174,55 +172,23 @@ bool TrendPicture::layOutPlot()
 
 void TrendPicture::refresh(Axes axes, double ratio)
 {
-    fetch(ratio);
     rangeAxes(axes);
-    if (layOutPlot())
-        fetch(ratio); // other texts, another width
-    std::size_t i = 0;
-    for (Trace& trace : m_traces->traces()) {
-        const TrendChannel& channel = m_state.channels[std::size_t(m_traceChannel[i++])];
-        const AxisRange range = m_axes->axisOf(channel.unit).range.shown();
-        trace.low = range.low;
-        trace.high = range.high;
-    }
+    layOutPlot(); // the texts may have become longer
     m_axes->show(m_state.view, m_state.origin);
-    m_traces->changed();
+    showTraces(ratio);
     refreshOverlay();
-}
-
-void TrendPicture::fetch(double ratio)
-{
-    m_traces->setSpan(m_state.view.span());
-    m_traceChannel.clear();
-    std::vector<Trace>& traces = m_traces->traces();
-    std::size_t used = 0;
-    const int pixels = std::max(int(m_plot.width() * ratio), 1);
-    for (std::size_t i = 0; i < m_state.channels.size(); ++i) {
-        const TrendChannel& channel = m_state.channels[i];
-        if (!channel.visible || channel.id < 0 || m_state.store == nullptr)
-            continue;
-        if (used == traces.size())
-            traces.emplace_back();
-        Trace& trace = traces[used++]; // its memory is used again
-        trace.colour = trendColourOn(channel.colour, m_colours.ground);
-        trace.steps = channel.steps;
-        trace.scale = channel.scale;
-        trace.offset = channel.offset;
-        m_state.store->columns(channel.id, m_state.view.span(), pixels, trace.columns);
-        m_traceChannel.push_back(int(i));
-    }
-    traces.resize(used);
 }
 
 void TrendPicture::rangeAxes(Axes how)
 {
     for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
+        if (m_state.store == nullptr || !axis.used || axis.range.fixed())
+            continue;
         std::optional<AxisRange> range;
-        std::size_t i = 0;
-        for (const Trace& trace : m_traces->traces()) {
-            if (m_state.channels[std::size_t(m_traceChannel[i++])].unit != axis.range.unit())
+        for (const TrendChannel& channel : m_state.channels) {
+            if (!hasTrace(channel) || channel.unit != axis.range.unit())
                 continue;
-            if (const auto seen = extremes(trace, m_state.view.span()))
+            if (const auto seen = extremes(m_state, channel))
                 range = range ? AxisRange{std::min(range->low, seen->low),
                                           std::max(range->high, seen->high)}
                               : *seen;
@@ -234,6 +200,19 @@ void TrendPicture::rangeAxes(Axes how)
         else
             axis.range.take(range->low, range->high, m_state.view.now());
     }
+}
+
+void TrendPicture::showTraces(double ratio)
+{
+    std::vector<TraceLook> looks;
+    for (const TrendChannel& channel : m_state.channels) {
+        if (!hasTrace(channel))
+            continue;
+        const AxisRange range = m_axes->axisOf(channel.unit).range.shown();
+        looks.push_back({channel.id, trendColourOn(channel.colour, m_colours.ground).rgb(),
+                         channel.steps, channel.scale, channel.offset, range.low, range.high});
+    }
+    m_traces->show(m_state.store, looks, m_state.view.span(), ratio);
 }
 
 void TrendPicture::refreshOverlay()

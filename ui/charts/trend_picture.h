@@ -39,6 +39,7 @@ public:
     void setPaper(bool on) { m_traces->setPaper(on); }
     void setNotice(const QString& text) { m_overlay->setNotice(text); }
 
+    void storeChanged() { m_traces->forget(); }
     void channelsChanged(); ///< other ones, or other names, colours, visibility
     void layOut();          ///< the chart's size has changed
     /// Fetches what is in view; `ratio`: columns a logical pixel.
@@ -57,8 +58,8 @@ private:
     void rebuildSeries();
     void styleLegend();
     double layOutLegend(double width);
-    void fetch(double ratio);
     void rangeAxes(Axes axes);
+    void showTraces(double ratio);
     bool layOutPlot();
 
     QChart* m_chart;
@@ -67,7 +68,6 @@ private:
     TraceItem* m_traces;
     TrendOverlay* m_overlay;
     std::vector<QLineSeries*> m_series; ///< empty ones; they give legend and axes their entries
-    std::vector<int> m_traceChannel;    ///< channel of each trace
     TrendColours m_colours;
     QRectF m_plot;
     double m_legendHeight = 0;

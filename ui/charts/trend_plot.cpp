@@ -27,6 +27,8 @@ TrendPlot::TrendPlot(const TrendState& state, QWidget* parent)
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // all of it changes each time
     setOptimizationFlags(DontSavePainterState | DontAdjustForAntialiasing);
     setRubberBand(NoRubberBand);
+    viewport()->setAutoFillBackground(false); // the background brush fills it
+    viewport()->setAttribute(Qt::WA_OpaquePaintEvent);
     viewport()->setMouseTracking(true);
     viewport()->setAttribute(Qt::WA_AcceptTouchEvents);
     viewport()->grabGesture(Qt::PinchGesture);
@@ -133,7 +135,11 @@ void TrendPlot::mouseDoubleClickEvent(QMouseEvent* event)
 QRectF TrendPlot::boxTo(const QPointF& scene) const
 {
     const QRectF& plot = m_picture->plot();
-    QRectF box = QRectF(m_pressed, scene).normalized().intersected(plot);
+    const auto inside = [&](const QPointF& p) {
+        return QPointF(std::clamp(p.x(), plot.left(), plot.right()),
+                       std::clamp(p.y(), plot.top(), plot.bottom()));
+    };
+    QRectF box = QRectF(inside(m_pressed), inside(scene)).normalized();
     if (box.width() < leastBox)
         return {};
     if (box.height() < flatBox) {
@@ -231,8 +237,10 @@ bool TrendPlot::pinched(QGestureEvent* event)
 
 void TrendPlot::focusInEvent(QFocusEvent* event)
 {
-    // A click shows where it was by itself.
-    m_picture->overlay().setFocused(event->reason() != Qt::MouseFocusReason);
+    // Only for who came by keyboard; keyPressEvent() shows it too.
+    const Qt::FocusReason why = event->reason();
+    m_picture->overlay().setFocused(why == Qt::TabFocusReason || why == Qt::BacktabFocusReason ||
+                                    why == Qt::ShortcutFocusReason);
     QChartView::focusInEvent(event);
 }
 

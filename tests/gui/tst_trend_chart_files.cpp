@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the trend chart leaves outside of its window: picture files, presets, copied readings; and
+// the rules it draws by: colours, ticks, ranges.
+#include "gui/trend_bench.h"
+#include "ui/charts/auto_range.h"
+#include "ui/charts/axis_ticks.h"
+#include "ui/charts/channel_list.h"
+#include "ui/charts/cursor_table.h"
+#include "ui/charts/trend_preset.h"
+
+#include <QClipboard>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+#include <QXmlStreamReader>
+
+#include <cmath>
+
+using namespace std::chrono_literals;
+
+namespace {
+QString q(const char* text)
+{
+    return QString::fromUtf8(text);
+}
+} // namespace
+
+class TrendFilesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(q("^(?!This plugin)"))); }
+    void pictureFiles();
+    void pictureFailsWithAMessage();
+    void presets();
+    void brokenPresets();
+    void cursorTable();
+    void channelList();
+    void coloursStandOut();
+    void timeTexts_data();
+    void timeTexts();
+    void roundRanges_data();
+    void roundRanges();
+    void axisIsCalm();
+};
+
+void TrendFilesTest::pictureFiles()
+{
+    const QTemporaryDir folder;
+    gui::TrendBench bench;
+    bench.fill(0, 10s, [](double t) { return t; });
+    bench.chart.show({0s, 10s});
+    bench.settle();
+    QString trouble;
+    const QString png = folder.filePath(q("a.png"));
+    QVERIFY2(bench.chart.savePng(png, {900, 500}, &trouble), qPrintable(trouble));
+    const QImage image(png);
+    QCOMPARE(image.size(), QSize(900, 500));
+    QCOMPARE(image.pixelColor(2, 2), QColor(Qt::white));
+    const QRgb blue = ui::trendColour(0, Qt::white).rgb();
+    int painted = 0;
+    for (int y = 60; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x)
+            painted += gui::TrendBench::near(image.pixel(x, y), blue) ? 1 : 0;
+    }
+    QVERIFY(painted > 500);
+
+    const QString svg = folder.filePath(q("a.svg"));
+    QVERIFY2(bench.chart.saveSvg(svg, {900, 500}, &trouble), qPrintable(trouble));
+    QFile file(svg);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QXmlStreamReader xml(&file);
+    QString texts;
+    int lines = 0;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (xml.isCharacters())
+            texts += xml.text();
+        lines += xml.isStartElement() && xml.name() == q("polyline") ? 1 : 0;
+    }
+    QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+    QVERIFY(texts.contains(q("Alpha")) && texts.contains(q("Beta")));
+    QVERIFY(texts.contains(q("10 s")));
+    QVERIFY(lines >= 1);
+}
+
+void TrendFilesTest::pictureFailsWithAMessage()
+{
+    gui::TrendBench bench;
+    QString trouble;
+    QVERIFY(!bench.chart.savePng(q("/nonexistent-folder/a.png"), {400, 300}, &trouble));
+    QVERIFY(trouble.contains(q("/nonexistent-folder/a.png")));
+    trouble.clear();
+    QVERIFY(!bench.chart.saveSvg(q("/nonexistent-folder/a.svg"), {400, 300}, &trouble));
+    QVERIFY(!trouble.isEmpty());
+    trouble.clear();
+    QVERIFY(!bench.chart.saveSvg(QString(), {400, 300}, &trouble));
+    QVERIFY(!trouble.isEmpty());
+    if (QFile::exists(q("/dev/full"))) {
+        trouble.clear();
+        QVERIFY(!bench.chart.savePng(q("/dev/full"), {400, 300}, &trouble));
+        QVERIFY(!trouble.isEmpty());
+    }
+}
+
+void TrendFilesTest::presets()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(q("s.ini"));
+    gui::TrendBench bench;
+    std::vector<ui::TrendChannel> channels = bench.channels;
+    channels[1].visible = false;
+    channels[1].scale = -2.5;
+    channels[1].offset = 100;
+    const ui::TrendPreset preset = ui::presetOf(channels, 42s);
+    {
+        session::Settings settings(file);
+        QVERIFY(ui::presetNames(settings).isEmpty());
+        QVERIFY(ui::savePreset(settings, q("  夹持 grip "), preset));
+        QVERIFY(ui::savePreset(settings, q("Alone"), {5s, {{q("1/b"), true, Qt::red, 1, 0}}}));
+        QVERIFY(!ui::savePreset(settings, q("  "), preset));
+    }
+    session::Settings settings(file);
+    QCOMPARE(ui::presetNames(settings), QStringList({q("Alone"), q("夹持 grip")}));
+    QVERIFY(ui::loadPreset(settings, q("夹持 grip")) == preset);
+    QVERIFY(!ui::loadPreset(settings, q("other")));
+    const auto set = ui::withPreset(bench.channels, *ui::loadPreset(settings, q("Alone")));
+    QCOMPARE(set.size(), std::size_t(2));
+    QCOMPARE(set[0].key, q("1/b"));
+    QCOMPARE(set[0].id, bench.ids[1]);
+    QCOMPARE(set[0].colour, QColor(Qt::red));
+    QVERIFY(set[0].visible);
+    QVERIFY(!set[1].visible);
+    ui::deletePreset(settings, q("Alone"));
+    QCOMPARE(ui::presetNames(settings), QStringList({q("夹持 grip")}));
+}
+
+void TrendFilesTest::brokenPresets()
+{
+    const QTemporaryDir folder;
+    session::Settings settings(folder.filePath(q("s.ini")));
+    settings.setChoice(q("trend/presets"), q("{\"a\":{\"width_us\":-5,\"channels\":[{\"key\":7},"
+                                             "{\"key\":\"1/a\",\"scale\":0}]},\"b\":3"));
+    QVERIFY(ui::presetNames(settings).isEmpty());
+    settings.setChoice(q("trend/presets"), q("{\"a\":{\"width_us\":-5,\"channels\":[{\"key\":7},"
+                                             "{\"key\":\"1/a\",\"scale\":0}]},\"b\":3}"));
+    const auto preset = ui::loadPreset(settings, q("a"));
+    QVERIFY(preset);
+    QCOMPARE(preset->width, base::Duration(10s));
+    QCOMPARE(preset->channels.size(), std::size_t(1));
+    QCOMPARE(preset->channels[0].scale, 1.0);
+    QVERIFY(!ui::loadPreset(settings, q("b")));
+}
+
+void TrendFilesTest::cursorTable()
+{
+    gui::TrendBench bench;
+    ui::CursorTable table(&bench.chart);
+    auto* const cells = table.findChild<QTableWidget*>(q("cursorTable"));
+    QCOMPARE(cells->rowCount(), 0);
+    bench.fill(0, 10s, [](double t) { return 2 * t; });
+    bench.chart.show({0s, 10s});
+    bench.chart.setCursors(2s, 6s);
+    QCOMPARE(cells->rowCount(), 2);
+    QCOMPARE(cells->item(0, 0)->text(), q("Alpha"));
+    QCOMPARE(cells->item(0, 1)->text().toDouble(), 4.0);
+    QCOMPARE(cells->item(0, 2)->text().toDouble(), 12.0);
+    QCOMPARE(cells->item(0, 3)->text().toDouble(), 8.0);
+    QCOMPARE(cells->item(0, 4)->text().toDouble(), 2.0);
+    QCOMPARE(cells->item(0, 5)->text().toDouble(), 8.0);
+    QCOMPARE(cells->item(0, 6)->text().toDouble(), 4.0);
+    QCOMPARE(cells->item(0, 7)->text().toDouble(), 12.0);
+    QCOMPARE(cells->item(0, 9)->text(), q("401"));
+    QCOMPARE(cells->item(1, 1)->text(), q("–")); // no sample
+    table.copy();
+    const QString copied = QGuiApplication::clipboard()->text();
+    QVERIFY(copied.contains(q("4.000 s")));
+    QVERIFY(copied.contains(q("Alpha\t")));
+    bench.chart.setChannelVisible(0, false);
+    QCOMPARE(cells->rowCount(), 1);
+    bench.chart.setCursorsShown(false);
+    QCOMPARE(cells->rowCount(), 0);
+}
+
+void TrendFilesTest::channelList()
+{
+    gui::TrendBench bench;
+    ui::ChannelList list(&bench.chart);
+    list.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&list));
+    auto* const tree = list.findChild<QTreeWidget*>(q("channelList"));
+    QCOMPARE(tree->topLevelItemCount(), 2);
+    tree->setCurrentItem(tree->topLevelItem(1));
+    QTest::keyClick(tree, Qt::Key_Space);
+    QVERIFY(!bench.chart.channels()[1].visible);
+    QTest::keyClick(tree, Qt::Key_Space);
+    QVERIFY(bench.chart.channels()[1].visible);
+    tree->topLevelItem(0)->setText(1, q("2.5"));
+    QCOMPARE(bench.chart.channels()[0].scale, 2.5);
+    tree->topLevelItem(0)->setText(1, q("0"));
+    QCOMPARE(bench.chart.channels()[0].scale, 2.5);
+    QCOMPARE(tree->topLevelItem(0)->text(1), q("2.5"));
+    bench.chart.setChannelVisible(0, false); // at the legend
+    QCOMPARE(tree->topLevelItem(0)->checkState(0), Qt::Unchecked);
+}
+
+void TrendFilesTest::coloursStandOut()
+{
+    for (const QColor& ground : {QColor(Qt::white), QColor(0x2d, 0x31, 0x38)}) {
+        for (int i = 0; i < ui::trendColourCount; ++i) {
+            const QColor colour = ui::trendColour(i, ground);
+            QVERIFY2(ui::contrast(colour, ground) >= 3.0, qPrintable(colour.name()));
+            for (int k = 0; k < i; ++k)
+                QVERIFY(colour != ui::trendColour(k, ground));
+        }
+        for (const QColor& wanted : {QColor(Qt::yellow), QColor(0, 0, 60), QColor(Qt::white),
+                                     QColor(Qt::black), QColor(0x30, 0x34, 0x38), QColor()})
+            QVERIFY(ui::contrast(ui::trendColourOn(wanted, ground), ground) >= 3.0);
+    }
+    const QColor light = ui::trendColour(2, Qt::white);
+    const QColor dark = ui::trendColour(2, QColor(0x2d, 0x31, 0x38));
+    QCOMPARE(ui::trendColourOn(light, QColor(0x2d, 0x31, 0x38)), dark);
+    QCOMPARE(ui::trendColourOn(dark, Qt::white), light);
+    QCOMPARE(ui::contrast(Qt::white, Qt::black), 21.0);
+}
+
+void TrendFilesTest::timeTexts_data()
+{
+    QTest::addColumn<double>("low");
+    QTest::addColumn<double>("high");
+    QTest::addColumn<double>("at");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("following") << -10.0 << 0.0 << -4.0 << q("-4 s");
+    QTest::newRow("now") << -10.0 << 0.0 << 0.0 << q("0 s");
+    QTest::newRow("short") << -0.5 << 0.0 << -0.25 << q("-250 ms");
+    QTest::newRow("parts of a second") << 0.0 << 4.0 << 1.5 << q("1.5 s");
+    QTest::newRow("minutes") << 0.0 << 600.0 << 60.0 << q("1:00");
+    QTest::newRow("back in minutes") << -600.0 << 0.0 << -120.0 << q("-2:00");
+    QTest::newRow("hours") << 0.0 << 7200.0 << 3600.0 << q("1:00:00");
+    QTest::newRow("close, late") << 3600.0 << 3600.05 << 3600.01 << q("1:00:00.010");
+}
+
+void TrendFilesTest::timeTexts()
+{
+    QFETCH(double, low);
+    QFETCH(double, high);
+    QFETCH(double, at);
+    const ui::AxisRange range{low, high};
+    const double step = ui::timeStep(range.size(), 10);
+    QFETCH(QString, text);
+    QCOMPARE(ui::timeText(at, range, step), text);
+    const auto places = ui::ticks(range, step);
+    QVERIFY(places.size() >= 4 && places.size() <= 11);
+}
+
+void TrendFilesTest::roundRanges_data()
+{
+    QTest::addColumn<double>("min");
+    QTest::addColumn<double>("max");
+    QTest::addColumn<QString>("unit");
+    QTest::newRow("one turn") << 0.0 << 360.0 << q("°");
+    QTest::newRow("part of a turn") << 51.0 << 299.0 << q("°");
+    QTest::newRow("negative") << -133.0 << 134.0 << q("rpm");
+    QTest::newRow("constant") << 7.4 << 7.4 << q("V");
+    QTest::newRow("tiny") << 1.0 << 1.0 + 1e-12 << QString();
+    QTest::newRow("huge") << -1e12 << 3e12 << QString();
+    QTest::newRow("far away") << 1e9 << 1e9 + 1 << QString();
+}
+
+void TrendFilesTest::roundRanges()
+{
+    QFETCH(double, min);
+    QFETCH(double, max);
+    QFETCH(QString, unit);
+    const ui::AxisRange range = ui::roundRange(min, max, unit);
+    QVERIFY(range.low <= min + 1e-9 * std::abs(min) && range.high >= max - 1e-9 * std::abs(max));
+    QVERIFY(range.size() > 0);
+    const double step = range.size() / ui::axisDivisions;
+    QVERIFY(std::abs(range.low / step - std::round(range.low / step)) < 1e-6);
+    if (max - min > 100)
+        QVERIFY((max - min) / range.size() > 0.3); // not lost in an empty plot
+}
+
+void TrendFilesTest::axisIsCalm()
+{
+    ui::AutoRange axis(q("°"));
+    axis.take(0, 300, 0s);
+    const ui::AxisRange first = axis.shown();
+    axis.take(20, 250, 1s);
+    QCOMPARE(axis.shown().high, first.high);
+    axis.take(0, 700, 2s); // grows at once
+    QVERIFY(axis.shown().high > 700);
+    const ui::AxisRange grown = axis.shown();
+    axis.take(0, 100, 3s);
+    axis.take(0, 100, 4s);
+    QCOMPARE(axis.shown().high, grown.high);
+    axis.take(0, 300, 4500ms);
+    axis.take(0, 100, 6s); // needed again in between: the patience starts anew
+    QCOMPARE(axis.shown().high, grown.high);
+    axis.take(0, 100, 9s);
+    QVERIFY(axis.shown().high < grown.high);
+    axis.fix({1, 2});
+    axis.take(-1000, 1000, 10s);
+    QCOMPARE(axis.shown().high, 2.0);
+    axis.take(qQNaN(), 1, 11s);
+    axis.release();
+    axis.take(0, 10, 12s);
+    QVERIFY(axis.shown().high >= 10 && axis.shown().high < 20);
+}
+
+QTEST_MAIN(TrendFilesTest)
+#include "tst_trend_chart_files.moc"

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a chart was set up, kept under a name: which channels, how they look, how much time. Channels
+// are named by their keys, so a preset fits other servos of the same IDs. Kept in the settings;
+// what cannot be read there is left out. Main thread.
+#pragma once
+
+#include "session/settings.h"
+#include "ui/charts/trend_channel.h"
+
+#include <QStringList>
+
+namespace ui {
+struct PresetChannel {
+    QString key;
+    bool visible = true;
+    QColor colour{};
+    double scale = 1.0;
+    double offset = 0.0;
+    bool operator==(const PresetChannel&) const = default;
+};
+
+struct TrendPreset {
+    base::Duration width = std::chrono::seconds(10);
+    std::vector<PresetChannel> channels{};
+    bool operator==(const TrendPreset&) const = default;
+};
+
+TrendPreset presetOf(const std::vector<TrendChannel>& channels, base::Duration width);
+/// Channels of the preset first, in its order and as it says; the others follow, hidden. What the
+/// preset names and is not there is passed over.
+std::vector<TrendChannel> withPreset(std::vector<TrendChannel> channels, const TrendPreset& preset);
+
+QStringList presetNames(const session::Settings& settings); ///< sorted
+std::optional<TrendPreset> loadPreset(const session::Settings& settings, const QString& name);
+/// Replaces one of the same name. False: no name.
+bool savePreset(session::Settings& settings, const QString& name, const TrendPreset& preset);
+void deletePreset(session::Settings& settings, const QString& name);
+} // namespace ui
