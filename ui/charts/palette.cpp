@@ -61,12 +61,13 @@ QColor trendColourOn(const QColor& wanted, const QColor& ground)
         if (wanted.rgb() == twins.onLight || wanted.rgb() == twins.onDark)
             return trendColour(i, ground);
     }
-    QColor shown = wanted.isValid() ? wanted : trendColour(0, ground);
-    const bool dark = isDarkGround(ground);
-    float lightness = shown.lightnessF();
-    while (contrast(shown, ground) < leastContrast && lightness > 0.0F && lightness < 1.0F) {
-        lightness = std::clamp(lightness + (dark ? 0.02F : -0.02F), 0.0F, 1.0F);
-        shown.setHslF(std::max(shown.hslHueF(), 0.0F), shown.hslSaturationF(), lightness);
+    QColor shown = wanted.isValid() ? wanted.toRgb() : trendColour(0, ground);
+    const QColor end = isDarkGround(ground) ? Qt::white : Qt::black;
+    for (int percent = 5; contrast(shown, ground) < leastContrast && percent <= 100; percent += 5) {
+        const auto mix = [&](int from, int to) { return from + (to - from) * percent / 100; };
+        const QColor from = wanted.toRgb();
+        shown = QColor(mix(from.red(), end.red()), mix(from.green(), end.green()),
+                       mix(from.blue(), end.blue()));
     }
     return shown;
 }

@@ -6,6 +6,7 @@
 
 #include <QBuffer>
 #include <QChart>
+#include <QFileInfo>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QPainter>
@@ -40,17 +41,32 @@ void paintOnPaper(QPainter* painter, const TrendState& state, const TrendAxes& a
     scene.render(painter, paper, QRectF(QPointF(0, 0), chart->size()));
 }
 
+/// Beside the old file first. A device is never replaced by a file, but written to.
+QString writeFile(const QString& path, const QByteArray& bytes)
+{
+    const QFileInfo old(path);
+    if (old.exists() && !old.isFile()) {
+        QFile device(path);
+        const bool good = device.open(QIODevice::WriteOnly | QIODevice::Unbuffered) &&
+                          device.write(bytes) == bytes.size();
+        return good ? QString() : device.errorString();
+    }
+    QSaveFile file(path);
+    const bool good =
+        file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    return good ? QString() : file.errorString();
+}
+
 bool write(const QString& path, const QByteArray& bytes, QString* trouble)
 {
-    QSaveFile file(path);
-    const bool good = !path.isEmpty() && file.open(QIODevice::WriteOnly) &&
-                      file.write(bytes) == bytes.size() && file.commit();
-    if (!good && trouble != nullptr)
-        *trouble =
-            path.isEmpty()
-                ? TrendChart::tr("No file name was given.")
-                : TrendChart::tr("%1 could not be written: %2").arg(path, file.errorString());
-    return good;
+    QString why;
+    if (path.isEmpty())
+        why = TrendChart::tr("No file name was given.");
+    else if (const QString system = writeFile(path, bytes); !system.isEmpty())
+        why = TrendChart::tr("%1 could not be written: %2").arg(path, system);
+    if (!why.isEmpty() && trouble != nullptr)
+        *trouble = why;
+    return why.isEmpty();
 }
 } // namespace
 
