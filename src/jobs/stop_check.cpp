@@ -121,9 +121,12 @@ base::Result<bool> mayStore(const device::Context& context, device::Servo& servo
     }
     return servo.image.bytes(patch.readOffset, patch.count()).has_value();
 }
+} // namespace
 
-base::Result<bool> disarm(const device::Context& context, device::Servo& servo)
+base::Result<bool> disarm(const device::Context& outer, device::Servo& servo)
 {
+    const device::Owned owned = device::own(outer, {servo.id});
+    const device::Context& context = owned.context;
     if (!servo.profile || !servo.profile->writable)
         return false;
     if (const catalog::Register* flag = servo.profile->byRole(Role::AsyncFlag))
@@ -132,7 +135,6 @@ base::Result<bool> disarm(const device::Context& context, device::Servo& servo)
         return mayStore(context, servo, *goal);
     return false;
 }
-} // namespace
 
 base::Result<std::vector<StopVerdict>> checkStopped(const device::Context& outer,
                                                     const std::vector<device::Servo*>& servos)
@@ -149,8 +151,7 @@ base::Result<std::vector<StopVerdict>> checkStopped(const device::Context& outer
     for (std::size_t i = 0; i < servos.size(); ++i) {
         if (verdicts[i].torque == Torque::Unknown)
             continue;
-        const device::Owned owned = device::own(outer, {servos[i]->id});
-        const auto held = disarm(owned.context, *servos[i]);
+        const auto held = disarm(outer, *servos[i]);
         if (!held && endsAll(held.error()))
             return tl::unexpected(held.error());
         verdicts[i].mayHold = held.value_or(true);

@@ -150,7 +150,7 @@ private:
     void searchEnded(const base::Result<jobs::ScanReport>& result);
     void removeSilent(const jobs::ScanReport& report);
 
-    // tasks (desk_tasks.cpp)
+    // tasks (desk_tasks.cpp, desk_read.cpp)
     void enqueue(std::shared_ptr<Work> work);
     bool mayRun(const Work& work) const;
     void startNext();
@@ -192,6 +192,7 @@ private:
     void checkStop();
     bool refusedByStop(const Work& work) const;
     void maybeReleased(const Work& ended);
+    void storeHere(ServoRef ref);
 
     Session& m_session;
     Inbox m_inbox;

@@ -84,6 +84,21 @@ bool Desk::refusedByStop(const Work& work) const
     });
 }
 
+/// What an LX servo stores since the stop is the place where it was then. It may have been turned
+/// by hand since, and a start command would turn it back.
+void Desk::storeHere(ServoRef ref)
+{
+    if (servo(ref)->servo.profile->byRole(catalog::Role::StoredGoal) == nullptr)
+        return;
+    Task task;
+    task.name = QStringLiteral("stop-check");
+    task.quiet = true;
+    task.work = [](TaskContext& context) {
+        return jobs::disarm(context.device, context.servo).map([](bool) {});
+    };
+    perform(ref, std::move(task));
+}
+
 /// The user has switched torque on, and the servo has shown it.
 void Desk::maybeReleased(const Work& ended)
 {
@@ -96,8 +111,10 @@ void Desk::maybeReleased(const Work& ended)
         if (torque == nullptr || known == nullptr)
             return;
         const auto at = part.servo.image.readAt(torque->offset);
-        if (at && *at >= ended.startedAt && part.servo.raw(*torque) == 1)
-            known->stopped = false;
+        if (!at || *at < ended.startedAt || part.servo.raw(*torque) != 1)
+            return;
+        if (std::exchange(known->stopped, false))
+            storeHere(part.ref);
     };
     look(ended.own);
     for (const Work::Part& other : ended.others)

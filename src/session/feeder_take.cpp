@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What Feeder makes of the samples that have come.
+#include "device/alarms.h"
+#include "session/feeder.h"
+
+#include <algorithm>
+
+namespace session {
+using base::Duration;
+using catalog::Role;
+using record::MarkKind;
+
+namespace {
+/// A round whose other blocks stay out for so long (the servo is held by a job) is given up.
+constexpr Duration longestRound = std::chrono::seconds(1);
+constexpr double degreesPerSecondPerRpm = 6;
+
+/// As the servo measures it.
+std::optional<double> speedIn(const Reading& reading, const device::Servo& servo)
+{
+    for (const ReadValue& value : reading.values) {
+        if (value.reg->role == Role::PresentSpeed &&
+            servo.meaning(*value.reg).unit == QLatin1StringView("rpm"))
+            return value.physical * degreesPerSecondPerRpm;
+    }
+    return std::nullopt;
+}
+} // namespace
+
+std::vector<record::Mark> latchAlarms(ServoEntry& entry, Duration at)
+{
+    std::vector<record::Mark> marks;
+    for (const AlarmLatch::Change& change : entry.alarms.update(alarmsNow(entry.servo), at)) {
+        QString text = change.what.key;
+        if (change.what.derived)
+            text += QStringLiteral(" (derived)");
+        marks.push_back(
+            {at, change.came ? MarkKind::Fault : MarkKind::FaultOver, entry.servo.id, text});
+    }
+    return marks;
+}
+
+/// What phase and mode make of the registers may have changed since the batch before.
+void Feeder::freshen(Source& source, const ServoEntry& entry)
+{
+    for (Field& field : source.fields)
+        field.meaning = entry.servo.meaning(*field.reg);
+}
+
+FeedBatch Feeder::take(bus::Bus& bus, const EntryOf& entryOf)
+{
+    m_batch = {};
+    m_takenAt = bus.clock().now();
+    // Whoever has been taken to another rate could not answer.
+    const bool here = bus.baud() == m_baud;
+    std::map<Source*, ServoEntry*> met;
+    for (std::size_t poll = 0; poll < m_polls.size(); ++poll) {
+        if (m_polls[poll] == 0)
+            continue;
+        for (const bus::Sample& sample : bus.takeSamples(m_polls[poll])) {
+            const auto found = m_sources.find({sample.protocol, sample.id});
+            if (found == m_sources.end() || (!sample.answered && !here))
+                continue;
+            Source& source = found->second;
+            const auto [place, first] = met.try_emplace(&source, nullptr);
+            if (first) {
+                ServoEntry* known = entryOf(source.target.ref);
+                const bool same = known != nullptr && known->servo.id == sample.id &&
+                                  known->servo.profile == source.target.profile;
+                place->second = same ? known : nullptr;
+                if (same)
+                    freshen(source, *known);
+            }
+            if (place->second != nullptr)
+                takeSample(source, poll, *place->second, sample);
+        }
+    }
+    for (const auto& [source, entry] : met) {
+        if (entry != nullptr)
+            finishBatch(*source, *entry);
+    }
+    std::stable_sort(m_batch.readings.begin(), m_batch.readings.end(),
+                     [](const Reading& a, const Reading& b) { return a.at < b.at; });
+    std::stable_sort(m_batch.marks.begin(), m_batch.marks.end(),
+                     [](const auto& a, const auto& b) { return a.at < b.at; });
+    return std::move(m_batch);
+}
+
+void Feeder::takeSample(Source& source, std::size_t poll, ServoEntry& entry,
+                        const bus::Sample& sample)
+{
+    Round& round = source.rounds[poll];
+    const std::size_t block = jobs::blockOf(sample, spansOf(source, poll));
+    if (round.cut.startsAnew(block) ||
+        (round.cut.open() && round.reading.at < sample.at - longestRound))
+        close(source, poll, entry);
+    round.answered[block] = sample.answered;
+    Reading& reading = round.reading;
+    reading.at = sample.at;
+    if (sample.answered) {
+        device::Servo& servo = entry.servo;
+        servo.image.store(sample.address, sample.data, sample.at);
+        if (servo.repliesCarryStatus())
+            reading.status = sample.status;
+        else
+            device::takeStatus(servo, sample.address, static_cast<int>(sample.data.size()));
+        reading.answered = true;
+        decode(source, reading, sample);
+    } else {
+        reading.error = sample.error;
+    }
+    if (round.cut.take(block, sample))
+        close(source, poll, entry);
+}
+
+void Feeder::decode(const Source& source, Reading& into, const bus::Sample& sample)
+{
+    const base::ByteView data(sample.data);
+    for (const Field& field : source.fields) {
+        const int offset = field.reg->offset - sample.address;
+        if (offset < 0 || offset + field.reg->size > static_cast<int>(data.size()))
+            continue;
+        const auto wire = data.subspan(static_cast<std::size_t>(offset),
+                                       static_cast<std::size_t>(field.reg->size));
+        const std::int64_t raw =
+            catalog::decodeRaw(wire, *field.reg, field.meaning, source.target.profile->byteOrder);
+        into.values.push_back({field.reg, raw, catalog::toPhysical(raw, field.meaning)});
+    }
+}
+
+void Feeder::close(Source& source, std::size_t poll, ServoEntry& entry)
+{
+    Round& round = source.rounds[poll];
+    round.cut.close();
+    Reading reading = std::exchange(round.reading, Reading{});
+    reading.values.reserve(source.fields.size());
+    round.reading.values.reserve(source.fields.size());
+    reading.servo = source.target.ref;
+    reading.profile = source.target.profile;
+    if (!entry.servo.repliesCarryStatus() || !reading.answered)
+        reading.status = entry.servo.status;
+    look(entry, reading);
+    count(reading);
+    m_batch.read.insert(entry.ref);
+    m_batch.readings.push_back(std::move(reading));
+}
+
+/// What a reading tells beside its numbers.
+void Feeder::look(ServoEntry& entry, const Reading& reading)
+{
+    const LinkWatch::News news = entry.link.reading(reading.answered, reading.at);
+    if (news == LinkWatch::News::Lost) {
+        entry.silent = true;
+        m_batch.marks.push_back({entry.link.silentSince().value_or(reading.at), MarkKind::LinkError,
+                                 entry.servo.id, base::errorName(reading.error)});
+    } else if (news == LinkWatch::News::Back) {
+        entry.turns.reset(); // it may have been without supply
+        m_batch.marks.push_back({reading.at, MarkKind::LinkBack, entry.servo.id, {}});
+    }
+    if (news != LinkWatch::News::None)
+        m_batch.news.insert(entry.ref);
+    if (!reading.answered)
+        return;
+    if (std::exchange(entry.silent, false))
+        m_batch.news.insert(entry.ref);
+    entry.lastSeen = reading.at;
+    const bool otherStatus = std::exchange(entry.servo.status, reading.status) != reading.status;
+    if (otherStatus || !entry.servo.repliesCarryStatus()) {
+        const auto marks = latchAlarms(entry, reading.at);
+        m_batch.marks.insert(m_batch.marks.end(), marks.begin(), marks.end());
+        if (otherStatus || !marks.empty())
+            m_batch.news.insert(entry.ref);
+    }
+    for (const ReadValue& value : reading.values) {
+        if (value.reg->role == Role::PresentPosition)
+            entry.turns.reading(value.raw, speedIn(reading, entry.servo), reading.at);
+    }
+}
+
+/// Once a servo and batch, however many readings there were.
+void Feeder::finishBatch(Source& source, ServoEntry& entry)
+{
+    entry.firstImage.takeMissing(entry.servo.image);
+    entry.turns.on(device::turnBasis(entry.servo));
+    const auto& registers = source.target.profile->registers;
+    for (std::size_t poll = 0; poll < source.rounds.size(); ++poll) {
+        const auto& spans = spansOf(source, poll);
+        for (const auto& [block, answered] : std::exchange(source.rounds[poll].answered, {})) {
+            if (block >= spans.size() || (answered && entry.unreadable.empty()))
+                continue;
+            const bus::PollSpan& span = spans[block];
+            for (const catalog::Register& reg : registers) {
+                if (reg.offset < span.address || reg.offset + reg.size > span.address + span.count)
+                    continue;
+                if (answered)
+                    entry.unreadable.erase(reg.key);
+                else
+                    entry.unreadable.insert(reg.key);
+            }
+        }
+    }
+}
+} // namespace session

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Turns are counted through the seam, both ways; and it is said when they are not certain.
+#include "device/turn_count.h"
+#include "support/sim_bench.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include <cmath>
+
+using device::TurnBasis;
+using device::TurnCounter;
+using namespace std::chrono_literals;
+
+namespace {
+constexpr int steps = 4096;
+const TurnBasis oneTurn{steps, false, QStringLiteral("speed"), 0};
+
+/// Readings every 10 ms from a shaft that is at `place` after each.
+void turnTo(TurnCounter& counter, double& place, double target, base::Duration& at)
+{
+    const double step = target > place ? 200 : -200;
+    while (std::abs(target - place) > 0.5) {
+        place = std::abs(target - place) < std::abs(step) ? target : place + step;
+        at += 10ms;
+        const double seen = place - steps * std::floor(place / steps);
+        counter.reading(std::llround(seen) % steps, 360.0 * 200 / steps / 0.01, at);
+    }
+}
+} // namespace
+
+class TestTurnCount : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void nothingReadIsNothingKnown()
+    {
+        TurnCounter counter;
+        counter.on(oneTurn);
+        QVERIFY(!counter.value());
+        counter.reading(1024, 0.0, 1s);
+        QCOMPARE(*counter.value(), (device::Turns{0, 90, false, true}));
+    }
+
+    void turnsAreCountedThroughTheSeamBothWays()
+    {
+        TurnCounter counter;
+        counter.on(oneTurn);
+        double place = 1024;
+        base::Duration at = 1s;
+        counter.reading(1024, 0.0, at);
+        turnTo(counter, place, 1024 + 3 * steps, at);
+        QCOMPARE(counter.value()->turns, 3);
+        QCOMPARE(counter.value()->degrees, 3 * 360.0 + 90);
+        QVERIFY(counter.value()->sure);
+        turnTo(counter, place, 1024 - 2 * steps, at);
+        QCOMPARE(counter.value()->turns, -2);
+        QCOMPARE(counter.value()->degrees, -2 * 360.0 + 90);
+        QVERIFY(!counter.value()->absolute);
+    }
+
+    void readingsTooFarApartAreNotSure()
+    {
+        TurnCounter counter;
+        counter.on(oneTurn);
+        counter.reading(0, 360.0, 1s);
+        counter.reading(1500, 360.0, 1400ms); // 144° at 360°/s
+        QVERIFY(counter.value()->sure);
+        counter.reading(100, 360.0, 2s); // 216° or more
+        QVERIFY(!counter.value()->sure);
+        counter.reading(120, 0.0, 2010ms);
+        QVERIFY2(!counter.value()->sure, "what was missed stays missed");
+        counter.reset();
+        counter.reading(120, 0.0, 2020ms);
+        QVERIFY(counter.value()->sure);
+    }
+
+    void aServoThatCountsItselfIsBelieved()
+    {
+        TurnCounter counter;
+        counter.on({steps, true, QStringLiteral("multiturn"), 0});
+        counter.reading(3 * steps + 2048, 0.0, 1s);
+        QCOMPARE(*counter.value(), (device::Turns{3, 3 * 360.0 + 180, true, true}));
+        counter.reading(-1024, 9999.0, 9s); // however long ago the one before was
+        QCOMPARE(*counter.value(), (device::Turns{-1, -90, true, true}));
+    }
+
+    void aNewZeroOrMeaningBeginsAnew()
+    {
+        TurnCounter counter;
+        counter.on(oneTurn);
+        counter.reading(4000, 0.0, 1s);
+        counter.reading(100, 0.0, 1010ms);
+        QCOMPARE(counter.value()->turns, 1);
+        TurnBasis same = oneTurn;
+        same.mode = QStringLiteral("pwm"); // the encoder shows the same
+        counter.on(same);
+        QCOMPARE(counter.value()->turns, 1);
+        same.offset = 300; // centred
+        counter.on(same);
+        QVERIFY(!counter.value());
+        counter.on({}); // step mode
+        counter.reading(100, 0.0, 1020ms);
+        QVERIFY(!counter.value());
+    }
+
+    /// What registers make of the reading: step mode shows the way left, factor 30 changes nothing.
+    void theBasisIsTheServos()
+    {
+        support::SimBench bench(QStringLiteral("sts3215@1,scs15@5"));
+        device::Servo sts = bench.servo(1);
+        QCOMPARE(device::turnBasis(sts).steps, steps);
+        QVERIFY(!device::turnBasis(sts).countsItself);
+        bench.poke(1, QStringLiteral("lock"), 0);
+        bench.poke(1, QStringLiteral("angle_resolution"), 2);
+        QCOMPARE(device::turnBasis(bench.servo(1)).steps, steps);
+        bench.poke(1, QStringLiteral("phase"), bench.raw(1, QStringLiteral("phase")) | 1 << 4);
+        QVERIFY(device::turnBasis(bench.servo(1)).countsItself);
+        bench.poke(1, QStringLiteral("operating_mode"), 3);
+        QCOMPARE(device::turnBasis(bench.servo(1)).steps, 0);
+        QCOMPARE(device::turnBasis(bench.servo(5)).steps, 0); // a potentiometer
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTurnCount)
+#include "tst_turn_count.moc"
