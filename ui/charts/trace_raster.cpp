@@ -87,7 +87,11 @@ void TraceRaster::collect(Runs& runs, const Trace& trace, const TraceFrame& fram
         } else if (i + 1 == trace.columns.size() || trace.columns[i + 1].gapBefore) {
             run(runs, left - 1, left + 1, y(column.first), y(column.first)); // alone: a dot
         }
-        run(runs, left, right, y(column.max), y(column.min));
+        const auto [low, high] = std::minmax(column.first, column.last);
+        if (!trace.look.steps && column.min >= low && column.max <= high) // smooth, where it is
+            line(runs, left, y(column.first), right, y(column.last));
+        else
+            run(runs, left, right, y(column.max), y(column.min));
         before = &column;
     }
 }
