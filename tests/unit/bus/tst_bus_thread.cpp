@@ -281,6 +281,48 @@ private Q_SLOTS:
         QCOMPARE(bench.world->takeSent(), (std::vector{ping(1), off}));
     }
 
+    /// By the bus' own record: not at the deadline of what is running, which is a minute away.
+    void noDeadlineKeepsAnEmergencyWaiting()
+    {
+        Bench bench;
+        const Bytes off =
+            protocol::feetechCodec().encode(Request::write(254, 40, {0}, Repeat::Safe)).value();
+        bench.bus->setStopFrames({{base::Protocol::Feetech, off}});
+        bench.bus->takeTrace();
+        auto busy = bench.occupy();
+        const Duration called = bench.clock.now();
+        bench.bus->emergency();
+        QCOMPARE(busy.get().error().code, ErrorCode::Preempted);
+        bench.world->awaitFrame(off);
+        std::optional<Duration> sent;
+        QTRY_VERIFY([&] {
+            for (const TraceEntry& entry : bench.bus->takeTrace()) {
+                if (entry.kind == TraceKind::Sent && entry.bytes == off)
+                    sent = entry.at;
+            }
+            return sent.has_value();
+        }());
+        QVERIFY(*sent >= called && *sent - called < 30s);
+    }
+
+    /// Asked for before, and begun after: not even its first frame goes out.
+    void whatWasAskedForBeforeAnEmergencyIsNotBegun()
+    {
+        Bench bench;
+        const std::uint64_t before = bench.bus->emergencies();
+        bench.bus->emergency();
+        bench.world->takeSent();
+        const Hold late = bench.bus->hold({1}, before);
+        Transaction step = Bench::made(Request::write(1, 42, {0, 8}, Repeat::Safe));
+        step.hold = late.token();
+        QCOMPARE(bench.bus->transact(step).error().code, ErrorCode::Preempted);
+        Transaction loose = Bench::made(Request::write(2, 42, {0, 8}, Repeat::Safe));
+        loose.epoch = before;
+        QCOMPARE(bench.bus->transact(loose).error().code, ErrorCode::Preempted);
+        QVERIFY(bench.world->takeSent().empty());
+        QVERIFY2(bench.bus->transact(step), "a lock can still be closed");
+    }
+
     void emergencyWakesAnIdleBus()
     {
         Bench bench;

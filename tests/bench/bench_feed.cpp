@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window's feed makes of a paced wire: six STS servos by sync read at 1 Mbaud through Desk
+// with an event loop on the main thread, against a bare write/poll/read loop on the same
+// pseudo-terminal. Interleaved pairs; prints every ratio and the median (wanted: 0.93), what the
+// main thread spent on it, and how soon the first stop frame left after Desk::emergencyStop().
+// POSIX, since the bare loop is.
+#include "integration/raw_client.h"
+#include "protocol/codec.h"
+#include "session/desk.h"
+#include "support/own_data_folder.h"
+
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QTextStream>
+
+#include <algorithm>
+#include <ctime>
+
+using base::Duration;
+using namespace std::chrono_literals;
+
+namespace {
+constexpr int pairs = 5;
+constexpr int servos = 6;
+constexpr Duration span = 2s;
+constexpr double wanted = 0.93;
+constexpr int stops = 20;
+
+base::SystemClock wallClock;
+const QString user = QStringLiteral("bench");
+
+/// Rounds a second of the loop that every simple program has.
+double bareRate(const QString& path, int address, int count)
+{
+    std::vector<int> ids;
+    for (int id = 1; id <= servos; ++id)
+        ids.push_back(id);
+    const auto asked = protocol::Request::syncRead(address, count, ids);
+    const base::Bytes frame = protocol::feetechCodec().encode(asked).value();
+    const QByteArray request(reinterpret_cast<const char*>(frame.data()), qsizetype(frame.size()));
+    const qsizetype replyBytes =
+        servos * qsizetype(protocol::feetechCodec().expect(asked).replyBytes);
+    const raw::Client client(path, B1000000);
+    wallClock.sleepFor(50ms);
+    int rounds = 0;
+    Duration lost{}; // spent on answers that a busy machine did not let through
+    const Duration start = wallClock.now();
+    while (wallClock.now() < start + span) {
+        const Duration said = wallClock.now();
+        client.say(request);
+        if (client.hear(replyBytes).size() == replyBytes) {
+            ++rounds;
+        } else {
+            client.hear(replyBytes);
+            lost += wallClock.now() - said;
+        }
+    }
+    if (rounds == 0)
+        qFatal("no answer from the simulated bus");
+    return rounds / std::chrono::duration<double>(wallClock.now() - start - lost).count();
+}
+
+template <typename Condition>
+void runUntil(Condition&& condition)
+{
+    QEventLoop loop;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+        if (condition())
+            loop.quit();
+    });
+    look.start(5);
+    loop.exec();
+}
+
+double threadCpu()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + double(time.tv_nsec) * 1e-9;
+}
+
+struct Measured {
+    double rounds = 0; ///< a second
+    double cpu = 0;    ///< share of a core the main thread took
+    std::uint64_t missed = 0;
+};
+
+Measured feedRate(session::Desk& desk, const QStringList& keys)
+{
+    session::FeedWish wish;
+    for (const session::ServoRef ref : desk.servos())
+        wish.parts.push_back({ref, keys});
+    std::vector<Duration> answered;
+    Measured measured;
+    const session::ServoRef first = desk.servos().front();
+    const auto heard = QObject::connect(&desk, &session::Desk::readings, &desk,
+                                        [&](const std::vector<session::Reading>& batch) {
+                                            for (const session::Reading& reading : batch) {
+                                                measured.missed += reading.answered ? 0 : 1;
+                                                if (reading.answered && reading.servo == first)
+                                                    answered.push_back(reading.at);
+                                            }
+                                        });
+    desk.wish(user, wish);
+    const Duration until = desk.now() + span;
+    const double cpu = threadCpu();
+    runUntil([&] { return desk.now() >= until; });
+    measured.cpu = (threadCpu() - cpu) / std::chrono::duration<double>(span).count();
+    desk.wish(user, {});
+    QObject::disconnect(heard);
+    if (answered.size() < 2)
+        qFatal("the feed was not answered");
+    measured.rounds = double(answered.size() - 1) /
+                      std::chrono::duration<double>(answered.back() - answered.front()).count();
+    return measured;
+}
+
+bool open(session::Desk& desk, const QString& path)
+{
+    desk.connectTo({.name = path, .baud = 1'000'000});
+    runUntil([&] {
+        return desk.state() == session::LinkState::Open || desk.state() == session::LinkState::Off;
+    });
+    return desk.state() == session::LinkState::Open;
+}
+
+void close(session::Desk& desk)
+{
+    desk.disconnectFrom();
+    runUntil([&] { return desk.state() == session::LinkState::Off; });
+}
+
+/// Worst time from the call to the first byte of the broadcast, while the feed runs.
+Duration stopDelay(session::Desk& desk, const QStringList& keys)
+{
+    session::FeedWish wish;
+    for (const session::ServoRef ref : desk.servos())
+        wish.parts.push_back({ref, keys});
+    desk.wish(user, wish);
+    Duration worst{};
+    for (int i = 0; i < stops; ++i) {
+        const Duration until = desk.now() + 70ms + i * 1ms;
+        runUntil([&] { return desk.now() >= until; });
+        desk.connection()->bus().takeTrace();
+        const Duration called = desk.now();
+        desk.emergencyStop();
+        std::optional<Duration> sent;
+        runUntil([&] {
+            for (const bus::TraceEntry& entry : desk.connection()->bus().takeTrace()) {
+                const bool broadcast = entry.kind == bus::TraceKind::Sent &&
+                                       entry.bytes.size() > 2 && entry.bytes[2] == 0xFE;
+                if (broadcast && !sent)
+                    sent = entry.at;
+            }
+            return sent && !desk.busy();
+        });
+        worst = std::max(worst, *sent - called);
+    }
+    desk.wish(user, {});
+    return worst;
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    const QCoreApplication application(argc, argv);
+    QTextStream out(stdout);
+    QStringList list;
+    for (int id = 1; id <= servos; ++id)
+        list += QStringLiteral("sts3215@%1").arg(id);
+    const raw::Simulator simulator({QStringLiteral("--servos"), list.join(u','),
+                                    QStringLiteral("--baud"), QStringLiteral("1000000"),
+                                    QStringLiteral("--wire-time")});
+    const QStringList keys{QStringLiteral("present_position"),    QStringLiteral("present_speed"),
+                           QStringLiteral("present_load"),        QStringLiteral("present_voltage"),
+                           QStringLiteral("present_temperature"), QStringLiteral("moving"),
+                           QStringLiteral("present_current")};
+    constexpr int feedback = 56;
+    constexpr int feedbackBytes = 15;
+
+    support::OwnDataFolder place;
+    session::Session session;
+    session::Desk desk(session);
+    if (!open(desk, simulator.port()))
+        qFatal("the port does not open");
+    desk.search({.firstId = 1, .lastId = servos, .bauds = {}});
+    runUntil([&] { return !desk.searching() && !desk.busy(); });
+    if (desk.servos().size() != servos)
+        qFatal("not all servos were found");
+    std::vector<double> ratios;
+    for (int pair = 0; pair < pairs; ++pair) {
+        close(desk);
+        const double bare = bareRate(simulator.port(), feedback, feedbackBytes);
+        if (!open(desk, simulator.port()))
+            qFatal("the port does not open again");
+        const Measured feed = feedRate(desk, keys);
+        ratios.push_back(feed.rounds / bare);
+        out << QStringLiteral("sync read of six: bare %1/s, feed %2/s, ratio %3; main thread %4 % "
+                              "of a core, %5 missed\n")
+                   .arg(bare, 0, 'f', 0)
+                   .arg(feed.rounds, 0, 'f', 0)
+                   .arg(feed.rounds / bare, 0, 'f', 3)
+                   .arg(feed.cpu * 100, 0, 'f', 1)
+                   .arg(feed.missed);
+        out.flush();
+    }
+    std::sort(ratios.begin(), ratios.end());
+    out << QStringLiteral("median ratio %1 (wanted %2)\n")
+               .arg(ratios[pairs / 2], 0, 'f', 3)
+               .arg(wanted, 0, 'f', 2);
+    out << QStringLiteral("first stop frame after %1 ms at worst of %2 (wanted: 50)\n")
+               .arg(double(stopDelay(desk, keys).count()) / 1000, 0, 'f', 1)
+               .arg(stops);
+    close(desk);
+    return 0;
+}
