@@ -7,6 +7,7 @@
 #include <QValueAxis>
 
 #include <cmath>
+#include <utility>
 
 namespace ui {
 namespace {
@@ -36,8 +37,8 @@ QValueAxis* makeAxis(QChart* chart, Qt::Alignment side)
     axis->setTickAnchor(0);
     axis->setTickInterval(1);
     axis->setLabelsVisible(false);
+    axis->setLabelFormat(QStringLiteral(" ")); // laid out even so
     axis->setLineVisible(false);
-    axis->setGridLineVisible(false);
     chart->addAxis(axis, side);
     return axis;
 }
@@ -48,7 +49,6 @@ TrendAxes::TrendAxes(QChart* chart)
     , m_chart(chart)
     , m_timeAxis(makeAxis(chart, Qt::AlignBottom))
 {
-    m_timeAxis->setGridLineVisible(true);
     setAcceptedMouseButtons(Qt::NoButton);
     setZValue(5);
 }
@@ -79,6 +79,7 @@ TrendAxes::ValueAxis& TrendAxes::axisOf(const QString& unit)
     made.range = AutoRange(unit);
     made.axis = makeAxis(m_chart, Qt::AlignLeft);
     made.axis->setGridLinePen(QPen(m_colours.grid, 1));
+    made.axis->setVisible(false);
     return made;
 }
 
@@ -176,24 +177,23 @@ void TrendAxes::showValues()
 {
     for (ValueAxis& axis : m_values) {
         const AxisRange range = axis.range.shown();
-        const double step = axis.range.step(tall());
-        if (axis.axis->min() == range.low && axis.axis->max() == range.high &&
-            axis.axis->tickInterval() == step)
-            continue;
-        scaleAxis(axis.axis, range, step);
-        update();
+        if (std::exchange(axis.painted, range) != range)
+            update();
+        if (axis.axis->isVisible())
+            scaleAxis(axis.axis, range, axis.range.step(tall()));
     }
 }
 
-/// Lines for the first axis that is in use; the others share its divisions.
+/// Lines for the first axis that is in use; the others share its divisions, and nothing of theirs
+/// is left to Qt Charts.
 void TrendAxes::chooseGrid()
 {
     bool drawn = false;
     for (const ValueAxis& axis : m_values) {
         const bool grid = axis.used && !drawn;
         drawn = drawn || grid;
-        if (axis.axis->isGridLineVisible() != grid)
-            axis.axis->setGridLineVisible(grid);
+        if (axis.axis->isVisible() != grid)
+            axis.axis->setVisible(grid);
     }
 }
 

@@ -29,6 +29,7 @@ public:
         QColor colour{};   ///< of its only channel; invalid: several
         double edge = 0;   ///< where its texts begin, next to the plot or outside of the one before
         double width = 0;
+        AxisRange painted{};
     };
 
     explicit TrendAxes(QChart* chart);

@@ -7,6 +7,7 @@
 #include <QNativeGestureEvent>
 
 #include <cmath>
+#include <utility>
 
 namespace ui {
 namespace {
