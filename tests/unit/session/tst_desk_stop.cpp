@@ -227,10 +227,14 @@ private Q_SLOTS:
         bool moved = false;
         const auto act = [&](TaskContext& task) -> base::Result<void> {
             const auto said = say(task, protocol::Request::action());
-            // Ten looks, each some simulated time later.
+            // Ten looks; the servos live on while somebody speaks.
             for (int i = 0; said && i < 10; ++i) {
                 task.device.bus.pauseUntil(
                     task.device.bus.clock().now() + std::chrono::milliseconds(20), nullptr);
+                if (const auto read = device::readRoles(task.device, task.servo,
+                                                        {catalog::Role::PresentPosition});
+                    !read)
+                    return read;
                 moved = moved || std::abs(bench.shaft(1) - before) > 3;
             }
             return said;
