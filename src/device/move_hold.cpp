@@ -174,6 +174,7 @@ base::Result<void> transactPlain(const Context& context, protocol::Request reque
     transaction.request = std::move(request);
     transaction.priority = context.priority;
     transaction.hold = context.hold;
+    transaction.epoch = context.epoch;
     const auto outcome = context.bus.transact(transaction);
     if (!outcome)
         return tl::unexpected(outcome.error());

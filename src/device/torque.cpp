@@ -180,6 +180,7 @@ base::Result<void> sayHalt(const Context& context, Servo& servo)
         transaction.request = protocol::Request::halt(servo.id).in(servo.protocol);
         transaction.priority = context.priority;
         transaction.hold = context.hold;
+        transaction.epoch = context.epoch;
         if (const auto said = context.bus.transact(transaction); !said)
             return tl::unexpected(said.error());
     }

@@ -13,10 +13,22 @@ namespace {
 /// So often at least a drag looks whether another program has changed the settings.
 constexpr base::Duration dragTrust = std::chrono::milliseconds(900);
 
-/// The user has stopped it, and knows.
+/// The user has stopped it, and knows. Asking for more after a stop is answered ("torque-first").
 bool wasStopped(const base::Error& error)
 {
-    return error.code == ErrorCode::Preempted || error.code == ErrorCode::Stopped;
+    return (error.code == ErrorCode::Preempted && error.detail.isEmpty()) ||
+           error.code == ErrorCode::Stopped;
+}
+
+/// As the marks in charts and recordings have it: "2048 (180.0°)".
+QString goalWords(const device::Servo& servo, const device::MovePlan& plan)
+{
+    const catalog::Register* reg = servo.profile ? servo.profile->byRole(plan.goalRole) : nullptr;
+    const QString raw = QString::number(plan.goalRaw);
+    if (reg == nullptr || servo.meaning(*reg).unit.isEmpty())
+        return raw;
+    return QStringLiteral("%1 (%2)").arg(
+        raw, catalog::formatValue(plan.goalRaw, *reg, servo.meaning(*reg), false));
 }
 } // namespace
 
@@ -25,6 +37,7 @@ struct Drive::Sending {
     MoveWish wish;
     std::vector<ServoRef> servos;
     std::shared_ptr<std::vector<device::MovePlan>> plans; ///< filled on the job thread
+    bool marked = true;                                   ///< of a drag only the first
 };
 
 Drive::Drive(Desk& desk, QObject* parent)
@@ -42,7 +55,6 @@ Drive::Drive(Desk& desk, QObject* parent)
         m_lastStep.reset();
         m_held.clear();
         m_stepSums.clear();
-        m_stopped = false;
         Q_EMIT changed();
     });
 }
@@ -51,12 +63,19 @@ void Drive::deskHappened(const Event& event)
 {
     if (event.kind != Event::Kind::Stopped)
         return;
-    m_stopped = true;
     m_next.reset();
     m_lastStep.reset();
     m_dragFailed = m_dragging;
-    forgetHeldGoals();
+    m_held.clear(); // the stop takes them out of the servos
     Q_EMIT changed();
+}
+
+bool Drive::stopped() const
+{
+    return std::any_of(m_servos.begin(), m_servos.end(), [this](ServoRef ref) {
+        const ServoEntry* known = m_desk.servo(ref);
+        return known != nullptr && known->stopped;
+    });
 }
 
 void Drive::forgetGone()
@@ -125,7 +144,7 @@ void Drive::send(const MoveWish& wish)
             known != nullptr && known->servo.profile ? known->servo.mode() : nullptr;
         job.expected.push_back({mode != nullptr ? mode->key : QString(), stepSum(ref)});
     }
-    Sending sending{wish, m_servos, std::make_shared<std::vector<device::MovePlan>>()};
+    Sending sending{wish, m_servos, std::make_shared<std::vector<device::MovePlan>>(), !inDrag};
     Task task;
     task.name = QStringLiteral("move");
     task.quiet = true;
@@ -156,10 +175,18 @@ void Drive::moveEnded(const Sending& sending, const TaskEnd& end)
             m_stepSums[ref] += plan.goalRaw;
         if (plan.relative)
             m_lastStep = sending.wish;
+        if (sending.wish.how != MoveHow::Async && sending.marked)
+            noteMove(ref, plan);
     }
     tell(end);
     Q_EMIT sent(sending.wish);
     sendNext();
+}
+
+void Drive::noteMove(ServoRef ref, const device::MovePlan& plan)
+{
+    if (const ServoEntry* known = m_desk.servo(ref))
+        m_desk.noteMove(ref, goalWords(known->servo, plan));
 }
 
 void Drive::sendNext()
@@ -191,31 +218,13 @@ void Drive::execute()
                 if ((*plans)[i].relative)
                     m_stepSums[servos[i]] += (*plans)[i].goalRaw;
                 m_held.erase(servos[i]);
+                noteMove(servos[i], (*plans)[i]);
             }
         }
         tell(end);
         if (!end.error)
             Q_EMIT started();
     });
-}
-
-/// After a stop: a goal that waits in a servo must not be started by anybody's ACTION.
-void Drive::forgetHeldGoals()
-{
-    std::vector<ServoRef> servos;
-    auto plans = std::make_shared<std::vector<device::MovePlan>>();
-    for (const auto& [ref, plan] : m_held) {
-        servos.push_back(ref);
-        plans->push_back(plan);
-    }
-    m_held.clear();
-    if (servos.empty())
-        return;
-    Task task;
-    task.name = QStringLiteral("forget-held");
-    task.quiet = true;
-    task.work = [plans](TaskContext& context) { return forgetHeldGoalsOf(context, *plans); };
-    perform(servos, std::move(task), [this](const TaskEnd& end) { tell(end); });
 }
 
 void Drive::setTorque(device::Torque torque)
@@ -226,11 +235,7 @@ void Drive::setTorque(device::Torque torque)
     if (torque != device::Torque::Off)
         task.effect = Effect::Energises;
     task.work = [torque](TaskContext& context) { return torqueOfAll(context, torque); };
-    perform(m_servos, std::move(task), [this, torque](const TaskEnd& end) {
-        if (!end.error && torque != device::Torque::Off)
-            m_stopped = false;
-        tell(end);
-    });
+    perform(m_servos, std::move(task), [this](const TaskEnd& end) { tell(end); });
 }
 
 void Drive::halt()

@@ -58,8 +58,8 @@ public:
     /// The RAM register, or where there is none the EPROM row until power-off (SCS).
     void setTorqueLimit(std::int64_t raw);
 
-    /// An emergency stop has been given, and torque not been switched on since.
-    bool stopped() const { return m_stopped; }
+    /// One of the chosen servos was stopped in an emergency, and torque not switched on since.
+    bool stopped() const;
     bool busy() const { return m_running > 0; } ///< something is on its way
 
 Q_SIGNALS:
@@ -77,9 +77,9 @@ private:
     void deskHappened(const Event& event);
     void forgetGone();
     void send(const MoveWish& wish);
+    void noteMove(ServoRef ref, const device::MovePlan& plan);
     void sendNext();
     void moveEnded(const Sending& sending, const TaskEnd& end);
-    void forgetHeldGoals();
     void perform(const std::vector<ServoRef>& servos, Task task,
                  std::function<void(const TaskEnd&)> done);
     void tell(const TaskEnd& end);
@@ -89,7 +89,6 @@ private:
     std::optional<MoveWish> m_next;
     std::optional<MoveWish> m_lastStep;
     bool m_sending = false; ///< a goal is on its way
-    bool m_stopped = false;
     int m_running = 0;
 
     bool m_dragging = false;

@@ -133,14 +133,6 @@ base::Result<void> startHeldGoals(TaskContext& context, std::vector<MovePlan>& p
     return started;
 }
 
-base::Result<void> forgetHeldGoalsOf(TaskContext& context, std::vector<MovePlan>& plans)
-{
-    pointTo(plans, allOf(context));
-    const auto forgotten = device::forgetHeld(context.device, plans);
-    pointTo(plans, {});
-    return forgotten;
-}
-
 base::Result<void> torqueOfAll(TaskContext& context, device::Torque torque)
 {
     return forAll(context, [&](device::Servo& servo, std::size_t) {

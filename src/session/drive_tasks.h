@@ -21,7 +21,6 @@ struct MoveJob {
 base::Result<void> sendWish(TaskContext& context, const MoveJob& job,
                             std::vector<device::MovePlan>& plans);
 base::Result<void> startHeldGoals(TaskContext& context, std::vector<device::MovePlan>& plans);
-base::Result<void> forgetHeldGoalsOf(TaskContext& context, std::vector<device::MovePlan>& plans);
 
 /// These go on with the others when one fails, and return the first error.
 base::Result<void> torqueOfAll(TaskContext& context, device::Torque torque);

@@ -79,9 +79,7 @@ void ControlPanel::choose()
         if (unread && m_desk.state() == session::LinkState::Open)
             m_desk.readTable(ref);
     }
-    if (others() > 0 && entry() != nullptr && entry()->servo.profile &&
-        device::offers(entry()->servo, MoveHow::Sync))
-        m_how->button(static_cast<int>(MoveHow::Sync))->setChecked(true);
+    m_chosenAnew = true;
     refresh();
 }
 
@@ -179,6 +177,7 @@ void ControlPanel::showWrite()
         if (!offered && how() == one)
             m_how->button(0)->setChecked(true);
     }
+    chooseHow(*known);
     const bool async = device::offers(known->servo, MoveHow::Async);
     m_execute->setVisible(async || m_drive.held() > 0);
     m_execute->setEnabled(drives && m_drive.held() > 0);
@@ -186,6 +185,19 @@ void ControlPanel::showWrite()
     m_execute->setAccessibleName(m_execute->text());
     m_set->setVisible(!step);
     m_set->setEnabled(drives);
+}
+
+/// Several start together unless the user says otherwise; one alone goes back to the plain write.
+void ControlPanel::chooseHow(const session::ServoEntry& known)
+{
+    if (!m_chosenAnew || known.servo.mode() == nullptr)
+        return;
+    m_chosenAnew = false;
+    const bool several = others() > 0;
+    if (several && how() == MoveHow::Write && device::offers(known.servo, MoveHow::Sync))
+        m_how->button(static_cast<int>(MoveHow::Sync))->setChecked(true);
+    else if (!several && how() == MoveHow::Sync)
+        m_how->button(static_cast<int>(MoveHow::Write))->setChecked(true);
 }
 
 MoveHow ControlPanel::how() const

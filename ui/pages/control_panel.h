@@ -69,6 +69,7 @@ private:
     void refreshSoon();
     void showTitle();
     void showWrite();
+    void chooseHow(const session::ServoEntry& known);
     void showStopped();
     QString whyEmpty() const;
     bool usable() const;
@@ -109,6 +110,7 @@ private:
     ControlLimit* m_limit = nullptr;
     QLabel* m_said = nullptr;
 
+    bool m_chosenAnew = false; ///< the way of writing is not settled yet for these servos
     QTimer m_refresh;
     QTimer m_dialRest;
 };
