@@ -278,6 +278,157 @@
         <source>End the program; a running write ends first</source>
         <translation>退出程序；正在进行的写入会先完成</translation>
     </message>
+    <message>
+        <source>&amp;Operate</source>
+        <translation>操作(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Drive the servo and watch it</source>
+        <translation>驱动舵机并观察</translation>
+    </message>
+    <message>
+        <source>&amp;Memory table</source>
+        <translation>内存表(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Read and change what the servo keeps</source>
+        <translation>读取和修改舵机保存的参数</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the chart</source>
+        <translation>暂停曲线(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Let the chart stand still, or follow again; measuring goes on</source>
+        <translation>让曲线静止或继续跟随；测量不中断</translation>
+    </message>
+    <message>
+        <source>&amp;Record…</source>
+        <translation>记录(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Write what is measured to a file, or end that</source>
+        <translation>把测量值写入文件，或结束记录</translation>
+    </message>
+    <message>
+        <source>Op&amp;en a recording…</source>
+        <translation>打开记录(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Show a recording in the chart</source>
+        <translation>在曲线图中显示记录</translation>
+    </message>
+</context>
+<context>
+    <name>ControlWords</name>
+    <message>
+        <source>forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed 0 = stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed 0 = stop (phase bit 3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed 0 = maximum (phase bit 3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed 0 = the time counts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no faster than %1 (%2): the model&apos;s maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>model&apos;s maximum %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes to an angle inside its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes to an angle up to 7.5 turns either way; turns are counted from power-on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns on and on at a speed that is held under load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns on and on; the speed falls under load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each goal is a step from where it is, 7.5 turns in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns on and on like a motor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pushes with a current, that is a torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position without integral part, of newer firmware; one turn only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes to an angle and lets go there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The angle limits %1 are remembered for the way back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The angle limits %1 from before come back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No angle limits are remembered for this servo: it gets those of the factory, %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque goes off first and stays off until you switch it on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque is off and stays off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; becomes 0, so that nothing starts by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything is read back; the mode stays after power-off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The other chosen servos are switched the same way: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>EventWords</name>
@@ -368,6 +519,98 @@
     <message>
         <source>ID %1: </source>
         <translation>ID %1：</translation>
+    </message>
+    <message>
+        <source>TORQUE IS STILL ON: ID %1</source>
+        <translation>扭矩仍然打开：ID %1</translation>
+    </message>
+    <message>
+        <source>no answer: ID %1</source>
+        <translation>无应答：ID %1</translation>
+    </message>
+    <message>
+        <source>at another rate, not reached: ID %1</source>
+        <translation>波特率不同，未能到达：ID %1</translation>
+    </message>
+    <message>
+        <source>a goal may still wait for its start: ID %1</source>
+        <translation>可能仍有目标等待执行：ID %1</translation>
+    </message>
+    <message>
+        <source>Stop checked: torque is off, ID %1</source>
+        <translation>已确认停止：扭矩已关闭，ID %1</translation>
+    </message>
+    <message>
+        <source>Stop checked: %1</source>
+        <translation>停止检查：%1</translation>
+    </message>
+    <message>
+        <source>Keep clear, and switch the supply off if in doubt.</source>
+        <translation>请远离舵机，如有疑问请断开电源。</translation>
+    </message>
+</context>
+<context>
+    <name>Feedback</name>
+    <message>
+        <source>Voltage</source>
+        <translation>电压</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>扭矩</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <comment>torque limit in %</comment>
+        <translation>限制 %1</translation>
+    </message>
+    <message>
+        <source>not measured by %1</source>
+        <translation>%1 不测量此项</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>未读取</translation>
+    </message>
+    <message>
+        <source>left to go</source>
+        <translation>剩余行程</translation>
+    </message>
+    <message>
+        <source>Voltage out of range</source>
+        <translation>过压欠压</translation>
+    </message>
+    <message>
+        <source>Encoder fault</source>
+        <translation>传感器异常</translation>
+    </message>
+    <message>
+        <source>Over-temperature</source>
+        <translation>过温</translation>
+    </message>
+    <message>
+        <source>Overcurrent</source>
+        <translation>过流</translation>
+    </message>
+    <message>
+        <source>Angle fault</source>
+        <translation>角度异常</translation>
+    </message>
+    <message>
+        <source>Overload</source>
+        <translation>过载</translation>
     </message>
 </context>
 <context>
@@ -603,10 +846,6 @@
         <translation>system、light 或 dark</translation>
     </message>
     <message>
-        <source>page to show: memory</source>
-        <translation>要显示的页面：memory</translation>
-    </message>
-    <message>
         <source>ID of the servo to select</source>
         <translation>要选中的舵机 ID</translation>
     </message>
@@ -649,6 +888,10 @@
     <message>
         <source>--page: there is no &quot;%1&quot;</source>
         <translation>--page：没有“%1”</translation>
+    </message>
+    <message>
+        <source>page to show: operate, memory</source>
+        <translation>要显示的页面：operate、memory</translation>
     </message>
 </context>
 <context>
@@ -1368,6 +1611,49 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>Changes that were begun and have no end in the journal, because a cable was pulled, power failed, or the program was ended, are listed here.</source>
         <translation>因拔线、断电或程序被结束而没有写完的更改会列在这里。</translation>
+    </message>
+</context>
+<context>
+    <name>Trend</name>
+    <message>
+        <source>Goal</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Error (goal − position)</source>
+        <translation>误差（目标 − 位置）</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>扭矩</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>电压</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>ID %1 · %2</source>
+        <translation>ID %1 · %2</translation>
     </message>
 </context>
 <context>
@@ -3583,6 +3869,66 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Look at the alarm again, then decide.</source>
         <translation>请重新查看报警，再作决定。</translation>
     </message>
+    <message>
+        <source>it is in another mode than the first</source>
+        <translation>它的模式与第一个舵机不同</translation>
+    </message>
+    <message>
+        <source>One goal for all would mean something else to it.</source>
+        <translation>同一个目标对它有不同的含义。</translation>
+    </message>
+    <message>
+        <source>Bring all of them into the same mode first.</source>
+        <translation>请先把它们切换到同一模式。</translation>
+    </message>
+    <message>
+        <source>the servos do not talk at one rate</source>
+        <translation>这些舵机的波特率不一致</translation>
+    </message>
+    <message>
+        <source>Nobody on the wire can be heard at two baud rates at the same time.</source>
+        <translation>同一条总线上不能同时使用两种波特率通信。</translation>
+    </message>
+    <message>
+        <source>Choose servos of one baud rate, or set them to the same one.</source>
+        <translation>请选择波特率相同的舵机，或把它们改为同一波特率。</translation>
+    </message>
+    <message>
+        <source>the emergency stop keeps it from moving</source>
+        <translation>急停后禁止运动</translation>
+    </message>
+    <message>
+        <source>Torque was taken off the whole bus and has not been switched on again since.</source>
+        <translation>整条总线的扭矩输出已关闭，此后尚未重新打开。</translation>
+    </message>
+    <message>
+        <source>Make sure that nothing can move, switch torque on first, then start again.</source>
+        <translation>请确认不会有任何动作，先打开扭矩输出，再重新开始。</translation>
+    </message>
+    <message>
+        <source>its operating mode is another one now</source>
+        <translation>它的运行模式已经改变</translation>
+    </message>
+    <message>
+        <source>Something else has switched it. In the new mode this goal would mean something else.</source>
+        <translation>模式已被其他程序切换，这个目标在新模式下含义不同。</translation>
+    </message>
+    <message>
+        <source>Look at the mode shown now, then give a goal for it.</source>
+        <translation>请先查看现在的模式，再给出相应的目标。</translation>
+    </message>
+    <message>
+        <source>this step would lead beyond ±7.5 turns</source>
+        <translation>这一步将超出 ±7.5 圈</translation>
+    </message>
+    <message>
+        <source>The servo counts no further; the steps made since it was connected are added up here.</source>
+        <translation>舵机不能继续计数；此处累计的是连接以来的步进量。</translation>
+    </message>
+    <message>
+        <source>Step back the other way.</source>
+        <translation>请向相反方向步进。</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -3646,6 +3992,108 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Bit %1, adds %2; the sheet gives it no name, so it is kept as it is</source>
         <translation>位 %1，加 %2；资料中没有命名，因此保持原样</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ChannelList</name>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Channels of the chart</source>
+        <translation>曲线图的通道</translation>
+    </message>
+    <message>
+        <source>Tick what is to be drawn. Drawn is value × scale + offset; readings stay those of the value.</source>
+        <translation>勾选要绘制的通道。绘制的是 数值 × 比例 + 偏移；读数仍为原始数值。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ChannelsDialog</name>
+    <message>
+        <source>The selected servo</source>
+        <translation>所选舵机</translation>
+    </message>
+    <message>
+        <source>ID %1 · %2</source>
+        <translation>ID %1 · %2</translation>
+    </message>
+    <message>
+        <source>by its place</source>
+        <translation>按顺序自动</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Find a register</source>
+        <translation>查找寄存器</translation>
+    </message>
+    <message>
+        <source>Part of its name</source>
+        <translation>名称的一部分</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>What is ticked is read and shown</source>
+        <translation>勾选的项目会被读取并显示</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>The colour of the chosen curve</source>
+        <translation>所选曲线的颜色</translation>
+    </message>
+    <message>
+        <source>Drawn times</source>
+        <translation>绘制倍数</translation>
+    </message>
+    <message>
+        <source>The curve is drawn as value × this + offset; cursors show the value itself</source>
+        <translation>曲线按“数值 × 倍数 + 偏移”绘制；游标显示原值</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Added to the drawn value, in its unit</source>
+        <translation>加到绘制值上，单位相同</translation>
+    </message>
+    <message>
+        <source>As at first</source>
+        <translation>恢复默认</translation>
+    </message>
+    <message>
+        <source>Goal, position, speed and current of the selected servo</source>
+        <translation>所选舵机的目标、位置、速度和电流</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close this list; the curves stay</source>
+        <translation>关闭列表，曲线保留</translation>
     </message>
 </context>
 <context>
@@ -3774,6 +4222,389 @@ Asked more than once: %9</source>
     <message>
         <source>These servos exist in the computer only</source>
         <translation>这些舵机只存在于电脑中</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ControlFields</name>
+    <message>
+        <source>Current 0 = no torque at all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time (ms)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::ControlGoal</name>
+    <message>
+        <source>Since connecting: %1 steps. Left: %2 %3, %4 %5 (±7.5 turns in all)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>PWM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>− %1    ·    + %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag, or arrows, Page Up/Down, Home and End. The wheel turns it once it has been clicked (Ctrl: fine, Shift: wide).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step this way from where the last one ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation type="unfinished">再来一次</translation>
+    </message>
+    <message>
+        <source>The last step once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>■ Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop turning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the motion of this servo; torque stays on</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::ControlHint</name>
+    <message>
+        <source>Before the first torque of this session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>• No bracket or horn that could catch or jam
+• Fingers and cables away from the shaft
+• Polarity and voltage of the supply checked
+• Thick leads above 12 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not show this again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also not in later sessions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Leave the servo as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checked, go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do what was asked for; the hint stays away until the program is started again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::ControlLimit</name>
+    <message>
+        <source>Torque limit (until power-off)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>≈ %1 kg·cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the stall torque; Enter sends it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest output; sent when the knob is let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stall torque of this model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not entered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the data sheet at your supply voltage; remembered for this model, written nowhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gripping: set the share of the stall torque the part can take (10 % of 10 kg·cm is about 1 kg·cm). The servo also gets slower. Only for parts of equal mass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::ControlMode</name>
+    <message>
+        <source>%1. A click says first what the switch will change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Operating mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::ControlPanel</name>
+    <message>
+        <source>Choose a servo at the left. Choosing it moves nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This servo answers, but does not say what it is, so nobody knows how to move it. Search again, or check whether two servos share the ID.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The firmware of this servo is not known. Its measurements are shown; moving it could do damage. A model file makes it possible.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The settings of this servo could not be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the settings of this servo…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion — ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ %1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Execute (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Execute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch ID %1 to &quot;%2&quot;?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped. Switch torque on to go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation type="unfinished">写入</translation>
+    </message>
+    <message>
+        <source>One servo after the other, each acknowledged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sync write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One packet for all chosen servos: they start together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Async write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The goal waits in the servo until Execute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts all goals that wait in servos</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends goal and changed fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::ControlTorque</name>
+    <message>
+        <source>Damping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holds nothing, but brakes the shaft when it is turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque: not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● Torque on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>◐ Damping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ Torque off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On: the servo holds where it stands now, whatever its mode. Off: the shaft is free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More of torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damping and centring</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::CursorTable</name>
+    <message>
+        <source>Copy readings</source>
+        <translation>复制读数</translation>
+    </message>
+    <message>
+        <source>Copy the whole table, for a spreadsheet</source>
+        <translation>复制整个表格，可粘贴到电子表格</translation>
+    </message>
+    <message>
+        <source>Readings at the cursors</source>
+        <translation>光标读数</translation>
+    </message>
+    <message>
+        <source>Values at the cursors A and B and of the samples between them</source>
+        <translation>光标 A、B 处的数值，以及两者之间各采样的统计</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>A 处</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>B 处</translation>
+    </message>
+    <message>
+        <source>Δ</source>
+        <translation>Δ</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>斜率</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>σ</source>
+        <translation>σ</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>Of the least-squares line through the samples, per second</source>
+        <translation>采样点最小二乘直线的斜率，每秒</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the samples themselves</source>
+        <translation>采样本身的标准差</translation>
+    </message>
+    <message>
+        <source>Samples between A and B; ≈: part of them is kept as extremes only</source>
+        <translation>A、B 之间的采样数；≈：其中一部分只保留了极值</translation>
+    </message>
+    <message>
+        <source>No cursors. C in the chart shows them; drag A and B.</source>
+        <translation>未显示光标。在曲线图中按 C 显示，拖动 A 和 B。</translation>
+    </message>
+    <message>
+        <source>A %1 · B %2 · Δt %3</source>
+        <translation>A %1 · B %2 · Δt %3</translation>
     </message>
 </context>
 <context>
@@ -4039,6 +4870,14 @@ Asked more than once: %9</source>
         <source>Theme</source>
         <translation>主题</translation>
     </message>
+    <message>
+        <source>Operate</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Drive the servo and watch it</source>
+        <translation>驱动舵机并观察</translation>
+    </message>
 </context>
 <context>
     <name>ui::MemoryOutput</name>
@@ -4262,6 +5101,120 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::OperatePage</name>
+    <message>
+        <source>turns: %1</source>
+        <translation>圈数：%1</translation>
+    </message>
+    <message>
+        <source>turns since connecting: %1</source>
+        <translation>连接后圈数：%1</translation>
+    </message>
+    <message>
+        <source>turns since connecting: %1 (not certain)</source>
+        <translation>连接后圈数：%1（不确定）</translation>
+    </message>
+    <message>
+        <source>Operate</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Position and goal</source>
+        <translation>位置和目标</translation>
+    </message>
+</context>
+<context>
+    <name>ui::OperateStatus</name>
+    <message>
+        <source>Not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>Answers: %1 · time-outs: %2 · wrong checksums: %3</source>
+        <translation>应答：%1 · 超时：%2 · 校验错误：%3</translation>
+    </message>
+    <message>
+        <source>Time-out</source>
+        <translation>通信超时</translation>
+    </message>
+    <message>
+        <source>Communication fine</source>
+        <translation>通信正常</translation>
+    </message>
+    <message>
+        <source>no moving flag</source>
+        <translation>无移动标志</translation>
+    </message>
+    <message>
+        <source>moving: not read</source>
+        <translation>移动：未读取</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>移动中</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source> — over</source>
+        <translation> — 已解除</translation>
+    </message>
+    <message>
+        <source>First seen %1, %2 times</source>
+        <translation>首次出现 %1，共 %2 次</translation>
+    </message>
+    <message>
+        <source>Worked out from its limits: it reports no faults</source>
+        <translation>由限值推算：该舵机不上报故障</translation>
+    </message>
+    <message>
+        <source>no alarm</source>
+        <translation>无报警</translation>
+    </message>
+    <message>
+        <source>alarms: not read</source>
+        <translation>报警：未读取</translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation>尚未读取</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 毫秒</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>value age %1 · %2 Hz</source>
+        <translation>数据 %1前 · %2 Hz</translation>
+    </message>
+    <message>
+        <source> · missed: %1</source>
+        <translation> · 丢失：%1</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>Faults that are over go from here; the others stay</source>
+        <translation>已解除的故障从此处消失，其余保留</translation>
+    </message>
+    <message>
+        <source>How old the newest value is, and how many readings came in the last second</source>
+        <translation>最新数据的时间，以及最近一秒的读取次数</translation>
+    </message>
+    <message>
+        <source>Age and rate</source>
+        <translation>数据时间和频率</translation>
+    </message>
+</context>
+<context>
     <name>ui::PortDialog</name>
     <message>
         <source>Another port</source>
@@ -4367,6 +5320,93 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::RecordDialog</name>
+    <message>
+        <source>Name a file first.</source>
+        <translation>请先指定文件。</translation>
+    </message>
+    <message>
+        <source>Table, for spreadsheets (*.csv)</source>
+        <translation>表格，用于电子表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>JSON lines, for programs (*.jsonl)</source>
+        <translation>JSON 行，用于程序 (*.jsonl)</translation>
+    </message>
+    <message>
+        <source>Record to</source>
+        <translation>记录到</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>*.csv: a table; *.jsonl: one JSON object a line</source>
+        <translation>*.csv：表格；*.jsonl：每行一个 JSON 对象</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose folder and name</source>
+        <translation>选择文件夹和名称</translation>
+    </message>
+    <message>
+        <source>The curves of the chart</source>
+        <translation>图中的曲线</translation>
+    </message>
+    <message>
+        <source>Only what is shown is written</source>
+        <translation>只写入显示的内容</translation>
+    </message>
+    <message>
+        <source>Everything that is read</source>
+        <translation>所有读取的数据</translation>
+    </message>
+    <message>
+        <source>Also what the chart does not show</source>
+        <translation>包括图中未显示的内容</translation>
+    </message>
+    <message>
+        <source>End by itself after</source>
+        <translation>自动结束于</translation>
+    </message>
+    <message>
+        <source>Otherwise it goes on until it is stopped</source>
+        <translation>否则一直记录到停止为止</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Seconds from the first row</source>
+        <translation>从第一行起的秒数</translation>
+    </message>
+    <message>
+        <source>Begin now</source>
+        <translation>现在开始</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Record nothing</source>
+        <translation>不记录</translation>
+    </message>
+</context>
+<context>
     <name>ui::RegisterDelegate</name>
     <message>
         <source>“%1” was not written: the cell was left without Enter.</source>
@@ -4414,6 +5454,41 @@ Asked more than once: %9</source>
     <message>
         <source>Try the value: the lock stays closed, and it is lost at power-off</source>
         <translation>试用该值：不解锁，断电后丢失</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ReplayBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Stand still</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>Play the recording</source>
+        <translation>播放记录</translation>
+    </message>
+    <message>
+        <source>Place in the recording</source>
+        <translation>记录中的位置</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>How fast it is played</source>
+        <translation>播放速度</translation>
+    </message>
+    <message>
+        <source>Time in the recording</source>
+        <translation>记录中的时间</translation>
     </message>
 </context>
 <context>
@@ -4479,10 +5554,6 @@ Asked more than once: %9</source>
         <translation>舵机</translation>
     </message>
     <message>
-        <source>Servos that have answered; choosing one reads it and writes nothing</source>
-        <translation>已应答的舵机；点选后只读取，不写入</translation>
-    </message>
-    <message>
         <source>No servo in the list yet. Search the bus.</source>
         <translation>列表中还没有舵机，请搜索总线。</translation>
     </message>
@@ -4505,6 +5576,10 @@ Asked more than once: %9</source>
     <message>
         <source>What to look at when servos are missing</source>
         <translation>缺少舵机时应检查什么</translation>
+    </message>
+    <message>
+        <source>Servos that have answered; choosing one reads it and writes nothing. With Ctrl or Shift several are chosen, to move together</source>
+        <translation>有应答的舵机；选择只读取，不写入。按住 Ctrl 或 Shift 可选择多个，一起运动</translation>
     </message>
 </context>
 <context>
@@ -4638,6 +5713,13 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::ServoStrip</name>
+    <message>
+        <source>All servos</source>
+        <translation>所有舵机</translation>
+    </message>
+</context>
+<context>
     <name>ui::ShortcutList</name>
     <message>
         <source>Keyboard shortcuts</source>
@@ -4670,6 +5752,379 @@ Asked more than once: %9</source>
     <message>
         <source>Takes torque off the whole bus at once, whatever is open</source>
         <translation>无论打开了什么，立即让整条总线卸力</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TrendChart</name>
+    <message>
+        <source>Trend chart</source>
+        <translation>曲线图</translation>
+    </message>
+    <message>
+        <source>Drag: zoom into a box. Ctrl+drag or middle button: move. Wheel: zoom time; with Shift values. Double click or Backspace: back. Arrows, +, -, Y, Home, End, Space, F, C, brackets and digits do the same from the keyboard.</source>
+        <translation>拖动：框选放大。Ctrl+拖动或中键：平移。滚轮：缩放时间；按住 Shift：缩放数值。双击或退格键：返回上一视图。方向键、+、-、Y、Home、End、空格、F、C、方括号和数字键可用键盘完成同样操作。</translation>
+    </message>
+    <message>
+        <source>Whole recording</source>
+        <translation>全部记录</translation>
+    </message>
+    <message>
+        <source>Everything there is. Drag the frame to look elsewhere, its edges to see more or less.</source>
+        <translation>全部数据。拖动方框查看别处，拖动其边缘显示更多或更少。</translation>
+    </message>
+    <message>
+        <source>No channels chosen</source>
+        <translation>未选择通道</translation>
+    </message>
+    <message>
+        <source>All channels are hidden</source>
+        <translation>所有通道均已隐藏</translation>
+    </message>
+    <message>
+        <source>No file name was given.</source>
+        <translation>未指定文件名。</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2</source>
+        <translation>无法写入 %1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TrendPanel</name>
+    <message>
+        <source>Waiting — cancel</source>
+        <translation>等待中 — 取消</translation>
+    </message>
+    <message>
+        <source>Triggered …</source>
+        <translation>已触发…</translation>
+    </message>
+    <message>
+        <source>%1 · %2 rows</source>
+        <comment>time, number</comment>
+        <translation>%1 · %2 行</translation>
+    </message>
+    <message>
+        <source>The recording has ended: %1</source>
+        <translation>记录已结束：%1</translation>
+    </message>
+    <message>
+        <source>%1 rows are safe in %2. %3</source>
+        <translation>%1 行已安全保存在 %2。%3</translation>
+    </message>
+    <message>
+        <source>%1 rows found no room and are missing: the disk was too slow.</source>
+        <translation>%1 行未能写入而丢失：磁盘太慢。</translation>
+    </message>
+    <message>
+        <source>%1 rows recorded in %2</source>
+        <translation>已记录 %1 行：%2</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.jsonl)</source>
+        <translation>记录 (*.csv *.jsonl)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Recording %1: %2 rows</source>
+        <translation>记录 %1：%2 行</translation>
+    </message>
+    <message>
+        <source>Its last line is cut off: what was measured before is shown.</source>
+        <translation>最后一行不完整：显示此前测量的数据。</translation>
+    </message>
+    <message>
+        <source>Lines that could not be understood: %1</source>
+        <translation>无法理解的行：%1</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg)</source>
+        <translation>矢量图 (*.svg)</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>The picture could not be saved: %1</source>
+        <translation>图片无法保存：%1</translation>
+    </message>
+    <message>
+        <source>Check the folder and the space on the disk.</source>
+        <translation>请检查文件夹和磁盘空间。</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>已保存为 %1</translation>
+    </message>
+    <message>
+        <source>Keep this view</source>
+        <translation>保留此视图</translation>
+    </message>
+    <message>
+        <source>Its name:</source>
+        <translation>名称：</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TrendToolbar</name>
+    <message>
+        <source>Trigger…</source>
+        <translation>触发…</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>停止记录</translation>
+    </message>
+    <message>
+        <source>Record…</source>
+        <translation>记录…</translation>
+    </message>
+    <message>
+        <source>Save the &amp;picture…</source>
+        <translation>保存图片(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a recording…</source>
+        <translation>打开记录(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the history</source>
+        <translation>清除历史(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this view as…</source>
+        <translation>保留此视图为(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove a view</source>
+        <translation>删除视图(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Let the picture stand still; measuring goes on (Space)</source>
+        <translation>让画面静止；测量不中断（空格键）</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Show everything that was measured</source>
+        <translation>显示全部测量数据</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>The view before the last zoom (double click)</source>
+        <translation>上次缩放之前的视图（双击）</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>游标</translation>
+    </message>
+    <message>
+        <source>Measure between two cursors</source>
+        <translation>在两个游标之间测量</translation>
+    </message>
+    <message>
+        <source>Curves…</source>
+        <translation>曲线…</translation>
+    </message>
+    <message>
+        <source>Choose which registers of which servos are shown</source>
+        <translation>选择显示哪些舵机的哪些寄存器</translation>
+    </message>
+    <message>
+        <source>Let the picture stand when something happens</source>
+        <translation>当某事发生时让画面静止</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>Pictures, recordings, kept views</source>
+        <translation>图片、记录、保留的视图</translation>
+    </message>
+    <message>
+        <source>Back to the servos</source>
+        <translation>回到舵机</translation>
+    </message>
+    <message>
+        <source>Leave the recording and show what is measured now</source>
+        <translation>离开记录，显示当前测量</translation>
+    </message>
+    <message>
+        <source>Write what is measured to a file</source>
+        <translation>把测量值写入文件</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>正在记录</translation>
+    </message>
+    <message>
+        <source>Time shown</source>
+        <translation>显示时长</translation>
+    </message>
+    <message>
+        <source>How much time the chart shows</source>
+        <translation>曲线图显示的时间长度</translation>
+    </message>
+    <message>
+        <source>Readings per second</source>
+        <translation>每秒读取次数</translation>
+    </message>
+    <message>
+        <source>How often the servos are read</source>
+        <translation>读取舵机的频率</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 小时</translation>
+    </message>
+    <message>
+        <source>fastest</source>
+        <translation>最快</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TriggerDialog</name>
+    <message>
+        <source>The chart stands still when it has happened</source>
+        <translation>发生后曲线静止</translation>
+    </message>
+    <message>
+        <source>Nothing is read that could tell</source>
+        <translation>没有读取可判断的数据</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>触发</translation>
+    </message>
+    <message>
+        <source>The value rises through a level</source>
+        <translation>数值上升穿过电平</translation>
+    </message>
+    <message>
+        <source>The value falls through a level</source>
+        <translation>数值下降穿过电平</translation>
+    </message>
+    <message>
+        <source>The value is above a level</source>
+        <translation>数值高于电平</translation>
+    </message>
+    <message>
+        <source>The value is below a level</source>
+        <translation>数值低于电平</translation>
+    </message>
+    <message>
+        <source>The servo begins to move</source>
+        <translation>舵机开始移动</translation>
+    </message>
+    <message>
+        <source>The servo has stopped</source>
+        <translation>舵机停止移动</translation>
+    </message>
+    <message>
+        <source>A fault appears</source>
+        <translation>出现故障</translation>
+    </message>
+    <message>
+        <source>Something is written</source>
+        <translation>有写入操作</translation>
+    </message>
+    <message>
+        <source>A servo stops answering</source>
+        <translation>舵机停止应答</translation>
+    </message>
+    <message>
+        <source>Wait until</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>What the chart is to wait for</source>
+        <translation>曲线图要等待的事件</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>The curve that is watched</source>
+        <translation>被监视的曲线</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>电平</translation>
+    </message>
+    <message>
+        <source>In the unit of the curve</source>
+        <translation>以曲线的单位</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>迟滞</translation>
+    </message>
+    <message>
+        <source>The value must first be so far on the other side: noise at the level counts once</source>
+        <translation>数值必须先到另一侧这么远：电平附近的噪声只算一次</translation>
+    </message>
+    <message>
+        <source>Seconds before</source>
+        <translation>之前秒数</translation>
+    </message>
+    <message>
+        <source>So much is shown before the moment</source>
+        <translation>显示触发前的时间</translation>
+    </message>
+    <message>
+        <source>Seconds after</source>
+        <translation>之后秒数</translation>
+    </message>
+    <message>
+        <source>And so much after it; then the chart stands still</source>
+        <translation>以及触发后的时间，然后曲线静止</translation>
+    </message>
+    <message>
+        <source>Wait for it</source>
+        <translation>开始等待</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Close without a trigger</source>
+        <translation>不触发并关闭</translation>
     </message>
 </context>
 <context>

@@ -122,24 +122,33 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("language");
         QTest::addColumn<QString>("port");
-        QTest::newRow("English, no port") << "en"
-                                          << "";
-        QTest::newRow("Chinese, no port") << "zh_CN"
-                                          << "";
-        QTest::newRow("English, STS") << "en"
-                                      << "sim:demo";
-        QTest::newRow("Chinese, STS") << "zh_CN"
-                                      << "sim:demo";
-        QTest::newRow("English, LX") << "en"
-                                     << "sim:lx";
-        QTest::newRow("Chinese, Modbus") << "zh_CN"
-                                         << "sim:modbus";
+        QTest::addColumn<QString>("page");
+        const QString english = QStringLiteral("en");
+        const QString chinese = QStringLiteral("zh_CN");
+        const QString memory = QStringLiteral("memory");
+        const QString operate = QStringLiteral("operate");
+        QTest::newRow("English, no port") << english << QString() << memory;
+        QTest::newRow("Chinese, no port") << chinese << QString() << memory;
+        for (const QString& page : {memory, operate}) {
+            const auto row = [&](const char* what, const QString& language, const char* port) {
+                QTest::addRow("%s, %s", what, qPrintable(page))
+                    << language << QString::fromLatin1(port) << page;
+            };
+            row("English, STS", english, "sim:demo");
+            row("Chinese, STS", chinese, "sim:demo");
+            row("English, SCS", english, "sim:scs15@1");
+            row("Chinese, HLS", chinese, "sim:hls3625@1");
+            row("English, LX", english, "sim:lx");
+            row("Chinese, Modbus", chinese, "sim:modbus");
+        }
     }
     void nothingIsCutOff()
     {
         QFETCH(QString, language);
         QFETCH(QString, port);
+        QFETCH(QString, page);
         gui::WindowBench bench(language);
+        bench.page = page;
         bench.window->resize(1024, 700);
         if (!port.isEmpty())
             QVERIFY(bench.ready(1, port));

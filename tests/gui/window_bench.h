@@ -38,6 +38,8 @@ public:
     ui::Selection& selection() { return bench.selection; }
     QAction* action(ui::Command command) { return bench.commands.action(command); }
 
+    QString page = QStringLiteral("memory"); ///< shown after connecting
+
     /// Connected, searched, and `id` selected and read.
     bool ready(int id, const QString& port = QStringLiteral("sim:demo"))
     {
@@ -45,7 +47,7 @@ public:
     }
     bool connectTo(const QString& port)
     {
-        window->start({.port = session::PortRequest{.name = port}});
+        window->start({.port = session::PortRequest{.name = port}, .page = page});
         return QTest::qWaitFor(
             [this] { return desk().lastSearch().has_value() && !desk().searching(); }, 30000);
     }

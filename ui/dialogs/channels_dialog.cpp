@@ -68,9 +68,9 @@ void ChannelsDialog::build()
     };
     m_scale = number("channelScale");
     m_offset = number("channelOffset");
-    look->addRow(QString(), m_colour);
-    look->addRow(QString(), m_scale);
-    look->addRow(QString(), m_offset);
+    look->addRow(new QLabel(this), m_colour);
+    look->addRow(new QLabel(this), m_scale);
+    look->addRow(new QLabel(this), m_offset);
     for (QWidget* field : std::initializer_list<QWidget*>{m_colour, m_scale, m_offset})
         static_cast<QLabel*>(look->labelForField(field))->setBuddy(field);
     auto* buttons = new QHBoxLayout;

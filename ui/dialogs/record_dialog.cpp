@@ -81,10 +81,10 @@ void RecordDialog::build()
     m_trouble = named(new QLabel(this), "recordTrouble");
     m_trouble->setWordWrap(true);
     m_trouble->hide();
-    m_form->addRow(QString(), file);
-    m_form->addRow(QString(), m_shown);
-    m_form->addRow(QString(), m_all);
-    m_form->addRow(QString(), length);
+    m_form->addRow(new QLabel(this), file);
+    m_form->addRow(new QLabel(this), m_shown);
+    m_form->addRow(new QLabel(this), m_all);
+    m_form->addRow(new QLabel(this), length);
     auto* buttons = new QHBoxLayout;
     m_start = named(new QPushButton(this), "recordStart");
     m_start->setProperty("mainAction", true);

@@ -53,7 +53,7 @@ void TriggerDialog::build()
     const auto combo = [this](const char* name) {
         auto* box = new QComboBox(this);
         box->setObjectName(QString::fromLatin1(name));
-        m_form->addRow(QString(), box);
+        m_form->addRow(new QLabel(this), box);
         connect(box, &QComboBox::currentIndexChanged, this, &TriggerDialog::refresh);
         return box;
     };
@@ -62,7 +62,7 @@ void TriggerDialog::build()
         box->setObjectName(QString::fromLatin1(name));
         box->setRange(low, high);
         box->setDecimals(2);
-        m_form->addRow(QString(), box);
+        m_form->addRow(new QLabel(this), box);
         return box;
     };
     m_kind = combo("triggerKind");

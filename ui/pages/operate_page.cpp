@@ -18,9 +18,9 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr auto lookInterval = 50ms; ///< numbers that change faster cannot be read
-constexpr int leastControl = 300;
-constexpr int mostControl = 380;
-constexpr int controlPercent = 34;
+constexpr int leastControl = 350;
+constexpr int mostControl = 400;
+constexpr int controlPercent = 36;
 const QString wishName = QStringLiteral("operate");
 
 QString turnWords(const session::ServoEntry& entry)

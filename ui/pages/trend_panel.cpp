@@ -2,7 +2,9 @@
 #include "ui/pages/trend_panel.h"
 
 #include "text/error_words.h"
+#include "ui/charts/cursor_table.h"
 #include "ui/charts/trend_chart.h"
+#include "ui/charts/trend_preset.h"
 #include "ui/dialogs/channels_dialog.h"
 #include "ui/dialogs/record_dialog.h"
 #include "ui/dialogs/trigger_dialog.h"
@@ -68,6 +70,7 @@ TrendPanel::TrendPanel(session::Desk& desk, session::Scope& scope, Selection& se
     build();
     connectToolbar();
     connectScope();
+    showPresets();
     showCurves();
     showTrigger();
 }
@@ -84,12 +87,16 @@ void TrendPanel::build()
     m_toolbar = new TrendToolbar(this);
     m_chart = new TrendChart(this);
     m_chart->setObjectName(QStringLiteral("trendChart"));
+    m_cursors = new CursorTable(m_chart, this);
+    m_cursors->setObjectName(QStringLiteral("cursorTable"));
+    m_cursors->setVisible(false);
     m_replayBar = new ReplayBar(this);
     m_replayBar->setVisible(false);
     column->addWidget(m_banner);
     column->addWidget(m_toolbar);
     column->addWidget(m_chart, 1);
     column->addWidget(m_replayBar);
+    column->addWidget(m_cursors);
     m_chart->setStore(&m_scope.store());
     m_chart->setMarks(&m_scope.marks());
     m_chart->setWidth(std::chrono::seconds(m_settings.choice(widthKey, usualWidth).toInt()));
@@ -109,6 +116,12 @@ void TrendPanel::connectToolbar()
     connect(m_toolbar, &TrendToolbar::liveWished, this, &TrendPanel::leaveReplay);
     connect(m_toolbar, &TrendToolbar::saveImageWished, this, &TrendPanel::saveImage);
     connect(m_toolbar, &TrendToolbar::clearWished, &m_scope, &session::Scope::clear);
+    connect(m_toolbar, &TrendToolbar::presetWished, this, &TrendPanel::usePreset);
+    connect(m_toolbar, &TrendToolbar::presetSaveWished, this, &TrendPanel::keepPreset);
+    connect(m_toolbar, &TrendToolbar::presetRemoveWished, this, [this](const QString& name) {
+        deletePreset(m_settings, name);
+        showPresets();
+    });
     connect(m_toolbar, &TrendToolbar::widthWished, this, [this](Duration width) {
         m_chart->setWidth(width);
         m_settings.setChoice(widthKey, int(width.count() / 1'000'000));

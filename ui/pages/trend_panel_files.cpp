@@ -4,6 +4,7 @@
 #include "text/error_words.h"
 #include "ui/charts/palette.h"
 #include "ui/charts/trend_chart.h"
+#include "ui/charts/trend_preset.h"
 #include "ui/dialogs/record_dialog.h"
 #include "ui/pages/trend_panel.h"
 #include "ui/pages/trend_toolbar.h"
@@ -213,4 +214,48 @@ void TrendPanel::writeImage(const QString& path)
     m_banner->present([path] { return BannerWords{Tone::Good, tr("Saved as %1").arg(path)}; });
 }
 
+void TrendPanel::showPresets()
+{
+    m_toolbar->setPresets(presetNames(m_settings));
+}
+
+void TrendPanel::keepPreset()
+{
+    auto* dialog = new QInputDialog(this);
+    dialog->setObjectName(QStringLiteral("presetDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Keep this view"));
+    dialog->setLabelText(tr("Its name:"));
+    connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& typed) {
+        const QString name = typed.trimmed();
+        if (name.isEmpty())
+            return;
+        TrendPreset preset;
+        preset.width = m_chart->width();
+        for (const TrendChoice& choice : m_choices)
+            preset.channels.push_back(
+                {choice.id(), choice.visible, choice.colour, choice.scale, choice.offset});
+        savePreset(m_settings, name, preset);
+        showPresets();
+    });
+    dialog->open();
+}
+
+void TrendPanel::usePreset(const QString& name)
+{
+    const auto preset = loadPreset(m_settings, name);
+    if (!preset)
+        return;
+    std::vector<TrendChoice> choices;
+    for (const auto& curve : preset->channels) {
+        TrendChoice choice = TrendChoice::fromId(curve.key);
+        choice.visible = curve.visible;
+        choice.colour = curve.colour;
+        choice.scale = curve.scale;
+        choice.offset = curve.offset;
+        choices.push_back(choice);
+    }
+    setChoices(choices);
+    m_chart->setWidth(preset->width);
+}
 } // namespace ui

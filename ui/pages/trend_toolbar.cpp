@@ -52,6 +52,9 @@ TrendToolbar::TrendToolbar(QWidget* parent)
     m_menu->setObjectName(QStringLiteral("trendMenu"));
     m_more->setMenu(m_menu);
     m_more->setPopupMode(QToolButton::InstantPopup);
+    // Little room: these speak by their icons, tooltips and names.
+    for (QToolButton* button : {m_pause, m_fit, m_back, m_cursors, m_more})
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     connect(m_pause, &QToolButton::clicked, this, [this](bool on) { Q_EMIT followWished(!on); });
     connect(m_width, &QComboBox::activated, this,
             [this](int index) { Q_EMIT widthWished(widths.at(static_cast<std::size_t>(index))); });
@@ -166,7 +169,7 @@ void TrendToolbar::retranslate()
 {
     const auto set = [](QToolButton* button, const QString& text, const QString& tip) {
         button->setText(text);
-        button->setToolTip(tip);
+        button->setToolTip(text + QStringLiteral(": ") + tip);
         button->setAccessibleName(text);
         button->setAccessibleDescription(tip);
     };

@@ -24,6 +24,10 @@ struct ScopeBench : Bench {
     {
         if (!search())
             return false;
+        for (const ServoRef ref : desk.servos())
+            desk.readTable(ref); // modes and units
+        if (!settle())
+            return false;
         session::FeedWish wish;
         for (const ServoRef ref : desk.servos())
             wish.parts.push_back({ref, keys, {}});

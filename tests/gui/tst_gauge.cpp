@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gauge and dial: what they say of a value and its limits, and that the dial asks for goals only
+// when it may, within the limits, by mouse, wheel and keys.
+#include "gui/desk_bench.h"
+#include "ui/widgets/gauge.h"
+#include "ui/widgets/position_dial.h"
+
+#include <QSignalSpy>
+
+using ui::DialView;
+using ui::Gauge;
+using ui::PositionDial;
+
+namespace {
+DialView halfTurn()
+{
+    DialView view;
+    view.position = 2048;
+    view.goal = 2048;
+    view.minGoal = 1024;
+    view.maxGoal = 3072;
+    view.goalMovable = true;
+    return view;
+}
+
+/// A place on the face: degrees clockwise from the top.
+QPoint at(const PositionDial& dial, double degrees)
+{
+    const double angle = degrees / 180 * 3.14159265358979;
+    const double radius = 60;
+    return dial.rect().center() +
+           QPoint(qRound(std::sin(angle) * radius), qRound(-std::cos(angle) * radius));
+}
+} // namespace
+
+class TestGauge : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { gui::failOnWarnings(); }
+
+    void itKnowsNearFromBeyond_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<int>("standing");
+        QTest::newRow("middle") << 6.0 << int(Gauge::Standing::Fine);
+        QTest::newRow("near the upper") << 7.9 << int(Gauge::Standing::Near);
+        QTest::newRow("at the upper") << 8.0 << int(Gauge::Standing::Near);
+        QTest::newRow("above") << 8.1 << int(Gauge::Standing::Beyond);
+        QTest::newRow("below") << 3.9 << int(Gauge::Standing::Beyond);
+    }
+    void itKnowsNearFromBeyond()
+    {
+        QFETCH(double, value);
+        QFETCH(int, standing);
+        Gauge gauge;
+        gauge.setScale({.min = 2, .max = 10, .low = 4, .high = 8, .decimals = 1});
+        gauge.setValue(value, {}, false);
+        QCOMPARE(int(gauge.standing()), standing);
+    }
+
+    void bothDirectionsHaveOneLimit()
+    {
+        Gauge gauge;
+        gauge.setScale({.min = -100, .max = 100, .high = 80});
+        gauge.setValue(-85, {}, false);
+        QCOMPARE(gauge.standing(), Gauge::Standing::Beyond);
+        gauge.setValue(85, {}, false);
+        QCOMPARE(gauge.standing(), Gauge::Standing::Beyond);
+        gauge.setValue(-20, {}, false);
+        QCOMPARE(gauge.standing(), Gauge::Standing::Fine);
+    }
+
+    void whatIsNotMeasuredSaysSo()
+    {
+        Gauge gauge;
+        gauge.setTitle(QStringLiteral("Current"));
+        gauge.setValue(12, QStringLiteral("≤ 3"), false);
+        QVERIFY(gauge.accessibleDescription().contains(QLatin1String("12")));
+        gauge.setUnmeasured(QStringLiteral("not measured by SCS15"));
+        QCOMPARE(gauge.valueText(), QStringLiteral("—"));
+        QVERIFY(gauge.accessibleDescription().contains(QLatin1String("SCS15")));
+        gauge.setValue(std::nan(""), {}, false);
+        QCOMPARE(gauge.valueText(), QStringLiteral("—"));
+        gauge.setValue(3, {}, false);
+        QCOMPARE(gauge.valueText(), QStringLiteral("3"));
+    }
+
+    void theDialAsksOnlyWhenItMay()
+    {
+        PositionDial dial;
+        dial.resize(240, 220);
+        DialView view = halfTurn();
+        view.goalMovable = false;
+        dial.show(view);
+        QSignalSpy wished(&dial, &PositionDial::goalWished);
+        QTest::mouseClick(&dial, Qt::LeftButton, {}, at(dial, 30));
+        QTest::keyClick(&dial, Qt::Key_Up);
+        QCOMPARE(wished.size(), 0);
+        view.goalMovable = true;
+        dial.show(view);
+        QTest::mouseClick(&dial, Qt::LeftButton, {}, at(dial, 45));
+        QCOMPARE(wished.size(), 1);
+        // The middle of the range is at the top, clockwise is more.
+        const auto goal = wished.front().front().value<std::int64_t>();
+        QVERIFY(std::abs(goal - (2048 + 512)) < 25);
+    }
+
+    void theDialStaysWithinTheLimits()
+    {
+        PositionDial dial;
+        dial.resize(240, 220);
+        dial.show(halfTurn());
+        QSignalSpy wished(&dial, &PositionDial::goalWished);
+        QTest::mouseClick(&dial, Qt::LeftButton, {}, at(dial, 130));
+        QCOMPARE(wished.back().front().value<std::int64_t>(), 3072);
+        QTest::keyClick(&dial, Qt::Key_Home);
+        QCOMPARE(wished.back().front().value<std::int64_t>(), 1024);
+        QTest::keyClick(&dial, Qt::Key_Up);
+        QCOMPARE(wished.back().front().value<std::int64_t>(), 2049);
+    }
+
+    /// In multi-turn the knob follows the pointer round and round.
+    void theDialGoesOverSeveralTurns()
+    {
+        PositionDial dial;
+        dial.resize(240, 220);
+        DialView view = halfTurn();
+        view.minGoal = -30719;
+        view.maxGoal = 30719;
+        dial.show(view);
+        QSignalSpy wished(&dial, &PositionDial::goalWished);
+        QTest::mousePress(&dial, Qt::LeftButton, {}, at(dial, 0));
+        for (int angle = 0; angle <= 720; angle += 30)
+            QTest::mouseMove(&dial, at(dial, angle));
+        QTest::mouseRelease(&dial, Qt::LeftButton, {}, at(dial, 0));
+        QVERIFY(std::abs(wished.back().front().value<std::int64_t>() - (2048 + 8192)) < 40);
+    }
+
+    void theWheelNeedsTheFocus()
+    {
+        QWidget window;
+        auto* dial = new PositionDial(&window);
+        dial->resize(240, 220);
+        dial->show(halfTurn());
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        dial->clearFocus();
+        QSignalSpy wished(dial, &PositionDial::goalWished);
+        const auto turn = [&] {
+            QWheelEvent event(QPointF(50, 50), dial->mapToGlobal(QPointF(50, 50)), {}, {0, 120},
+                              Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(dial, &event);
+        };
+        turn();
+        QCOMPARE(wished.size(), 0);
+        dial->setFocus();
+        turn();
+        QCOMPARE(wished.size(), 1);
+        QCOMPARE(wished.front().front().value<std::int64_t>(), 2058);
+    }
+};
+
+QTEST_MAIN(TestGauge)
+#include "tst_gauge.moc"
