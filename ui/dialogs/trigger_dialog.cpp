@@ -54,7 +54,6 @@ void TriggerDialog::build()
         auto* box = new QComboBox(this);
         box->setObjectName(QString::fromLatin1(name));
         m_form->addRow(new QLabel(this), box);
-        connect(box, &QComboBox::currentIndexChanged, this, &TriggerDialog::refresh);
         return box;
     };
     const auto number = [this](const char* name, double low, double high) {
@@ -85,6 +84,8 @@ void TriggerDialog::build()
     buttons->addWidget(m_arm);
     column->addLayout(m_form);
     column->addLayout(buttons);
+    for (QComboBox* box : {m_kind, m_curve})
+        connect(box, &QComboBox::currentIndexChanged, this, &TriggerDialog::refresh);
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::close);
     connect(m_arm, &QPushButton::clicked, this, [this] {
         Q_EMIT armed(spec());
