@@ -106,19 +106,19 @@ std::int64_t Drive::stepSum(ServoRef ref) const
     return sum != m_stepSums.end() ? sum->second : 0;
 }
 
-void Drive::move(const MoveWish& wish)
+bool Drive::move(const MoveWish& wish)
 {
     if (m_servos.empty())
-        return;
+        return false;
     if (!wish.dragged)
         endDrag();
     if (m_dragFailed)
-        return;
-    if (m_sending) {
+        return false;
+    if (m_sending)
         m_next = wish;
-        return;
-    }
-    send(wish);
+    else
+        send(wish);
+    return true;
 }
 
 void Drive::endDrag()

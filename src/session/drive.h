@@ -37,8 +37,9 @@ public:
     const std::vector<ServoRef>& servos() const { return m_servos; }
 
     /// Several servos go by sync write or by held writes; by plain writes one after the other.
-    /// Async only leaves the goals in the servos: execute() starts them.
-    void move(const MoveWish& wish);
+    /// Async only leaves the goals in the servos: execute() starts them. False: the rest of a drag
+    /// that has failed, and not taken.
+    bool move(const MoveWish& wish);
     void endDrag();
     /// Step mode: the last step once more.
     void again();

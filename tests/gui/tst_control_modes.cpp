@@ -330,7 +330,8 @@ void TestControlModes::resolutionFactorIsHonoured()
     QCOMPARE(bench.complaint(), QString());
     QVERIFY(bench.atRest(1));
     QVERIFY(std::abs(bench.degrees(1) - 1200 * stepDegrees) < 1.5);
-    QVERIFY(bench.text("goalPhysical").startsWith(text("105")));
+    QVERIFY2(bench.text("goalPhysical").startsWith(text("105")),
+             qPrintable(bench.text("goalPhysical") + bench.box("goal")->text()));
 }
 
 QTEST_MAIN(TestControlModes)

@@ -174,13 +174,13 @@ void ControlField::showPhysical()
 {
     const auto raw = value();
     const bool wrong = edited() && !raw;
-    const QString words = wrong ? QStringLiteral("✗ ") + complaint()
+    const QString words = wrong ? QStringLiteral("✗ ") + tr("not accepted")
                           : raw && m_editor != nullptr
                               ? physicalWords(*raw, *m_reg, m_editor->context().meaning)
                               : QString();
     if (m_physical->text() != words)
         m_physical->setText(words);
-    m_physical->setWordWrap(wrong);
+    m_physical->setToolTip(wrong ? complaint() : QString());
     QPalette colours = palette();
     colours.setColor(QPalette::WindowText, tone(wrong ? Tone::Bad : Tone::Quiet, palette()));
     if (m_physical->palette() != colours)

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include <cmath>
+#include <utility>
 
 namespace ui {
 using catalog::Role;
@@ -191,8 +192,25 @@ QString ControlGoal::complaint() const
     return m_field->complaint();
 }
 
+void ControlGoal::isSending(std::int64_t raw)
+{
+    // What is read before the goal goes out is the old one, whenever that is.
+    m_sending = raw;
+    if (m_kind != GoalKind::Step)
+        m_field->wasSent(raw, base::Duration::max());
+}
+
+void ControlGoal::endSending()
+{
+    if (std::exchange(m_sending, std::nullopt))
+        forgetSent();
+}
+
 void ControlGoal::wasSent(std::int64_t raw, base::Duration at)
 {
+    if (m_sending && m_sending != raw)
+        return; // a newer one is on its way
+    m_sending.reset();
     if (m_kind != GoalKind::Step)
         m_field->wasSent(raw, at);
 }

@@ -36,7 +36,10 @@ public:
     QString complaint() const;
     /// The goal as the servo has it, or as it is being dragged.
     std::optional<std::int64_t> shown() const { return m_shown; }
-    /// It is on its way, and shown from now on until a newer reading.
+    /// It is on its way: shown until it is there or given up. Nothing is on its way any more.
+    void isSending(std::int64_t raw);
+    void endSending();
+    /// It is there, and shown until a newer reading.
     void wasSent(std::int64_t raw, base::Duration at);
     void forgetSent();
     /// As if it had been typed: nothing is sent.
@@ -78,5 +81,6 @@ private:
     session::ServoRef m_servo = 0;
     std::optional<std::int64_t> m_shown;
     bool m_dialDrag = false;
+    std::optional<std::int64_t> m_sending; ///< on its way
 };
 } // namespace ui

@@ -2,6 +2,7 @@
 #include "ui/pages/control_panel.h"
 
 #include "text/error_words.h"
+#include "text/language.h"
 #include "text/notice_words.h"
 #include "ui/app/theme.h"
 #include "ui/dialogs/ask.h"
@@ -128,6 +129,8 @@ void ControlPanel::refresh()
         return;
     }
     const bool drives = usable() && !m_drive.stopped();
+    if (!m_drive.busy())
+        m_goal->endSending();
     m_mode->showServo(known, usable());
     m_goal->showServo(*known, {m_drive.stepSum(known->ref), m_drive.canRepeat()});
     m_fields->showServo(*known);
@@ -203,6 +206,22 @@ void ControlPanel::chooseHow(const session::ServoEntry& known)
 MoveHow ControlPanel::how() const
 {
     return static_cast<MoveHow>(std::max(0, m_how->checkedId()));
+}
+
+void ControlPanel::goalArrived(const session::MoveWish& wish)
+{
+    const session::ServoEntry* known = entry();
+    const catalog::Register* reg =
+        known != nullptr && known->servo.profile ? device::goalRegister(known->servo) : nullptr;
+    if (reg == nullptr)
+        return;
+    const base::Duration now = m_desk.now();
+    m_fields->wasSent(wish, now);
+    const auto raw = catalog::parseValue(wish.goal, *reg, known->servo.meaning(*reg));
+    if (raw && wish.how != MoveHow::Async)
+        m_goal->wasSent(*raw, now);
+    m_banner->clear();
+    refreshSoon();
 }
 
 std::optional<std::int64_t> ControlPanel::placeGoal() const
@@ -294,9 +313,8 @@ void ControlPanel::order(std::int64_t raw, bool dragged)
     m_fields->fill(wish);
     wish.how = how();
     wish.dragged = dragged;
-    if (wish.how != MoveHow::Async)
-        m_goal->wasSent(raw, m_desk.now());
-    m_drive.move(wish);
+    if (m_drive.move(wish) && wish.how != MoveHow::Async)
+        m_goal->isSending(raw);
 }
 
 void ControlPanel::orderTorque(device::Torque torque)
@@ -338,8 +356,18 @@ void ControlPanel::showError(const base::Error& error)
     refreshSoon();
 }
 
-void ControlPanel::showNotices(const device::Notices& notices)
+void ControlPanel::showNotices(const device::Notices& told)
 {
+    // Registers are called by their names, not by their keys.
+    device::Notices notices = told;
+    const session::ServoEntry* known = entry();
+    for (device::Notice& notice : notices) {
+        const catalog::Register* reg = known != nullptr && known->servo.profile
+                                           ? known->servo.profile->find(notice.key)
+                                           : nullptr;
+        if (reg != nullptr)
+            notice.key = reg->name.in(text::inChinese());
+    }
     if (!linesOf(notices, true).isEmpty()) {
         m_banner->present([notices] { return BannerWords{Tone::Warn, linesOf(notices, true)}; });
     }
@@ -359,10 +387,9 @@ void ControlPanel::retranslate()
     m_stopped->setText(QStringLiteral("■ ") + tr("Stopped. Switch torque on to go on."));
     static const std::array words{
         std::pair{QT_TR_NOOP("Write"), QT_TR_NOOP("One servo after the other, each acknowledged")},
-        std::pair{QT_TR_NOOP("Sync write"),
+        std::pair{QT_TR_NOOP("Sync"),
                   QT_TR_NOOP("One packet for all chosen servos: they start together")},
-        std::pair{QT_TR_NOOP("Async write"),
-                  QT_TR_NOOP("The goal waits in the servo until Execute")}};
+        std::pair{QT_TR_NOOP("Async"), QT_TR_NOOP("The goal waits in the servo until Execute")}};
     for (int i = 0; i < 3; ++i) {
         auto* button = m_how->button(i);
         button->setText(tr(words[static_cast<std::size_t>(i)].first));

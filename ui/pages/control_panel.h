@@ -79,6 +79,7 @@ private:
     void set();
     void order(std::int64_t raw, bool dragged);
     void step(std::int64_t raw);
+    void goalArrived(const session::MoveWish& wish);
     void orderTorque(device::Torque torque);
     void askForMode(const device::ModePlan& plan);
     void showError(const base::Error& error);

@@ -193,11 +193,7 @@ void ControlPanel::connectDesk()
     connect(&m_drive, &session::Drive::modePlanned, this, &ControlPanel::askForMode);
     connect(&m_drive, &session::Drive::failed, this, &ControlPanel::showError);
     connect(&m_drive, &session::Drive::noted, this, &ControlPanel::showNotices);
-    connect(&m_drive, &session::Drive::sent, this, [this](const session::MoveWish& wish) {
-        m_fields->wasSent(wish, m_desk.now());
-        m_banner->clear();
-        refreshSoon();
-    });
+    connect(&m_drive, &session::Drive::sent, this, &ControlPanel::goalArrived);
 }
 
 void ControlPanel::setDial(QWidget* dial)

@@ -38,6 +38,8 @@ QString physicalWords(std::int64_t raw, const catalog::Register& reg,
 {
     if (meaning.unit.isEmpty())
         return {};
+    if (reg.role == catalog::Role::Acceleration && raw == 0)
+        return translate("ControlWords", "0 = the strongest");
     const double value = catalog::toPhysical(raw, meaning);
     const QString words = physicalWord(raw, reg, meaning);
     if (meaning.unit != QLatin1StringView("rpm"))
