@@ -323,111 +323,115 @@
     <name>ControlWords</name>
     <message>
         <source>forward</source>
-        <translation type="unfinished"></translation>
+        <translation>正转</translation>
     </message>
     <message>
         <source>reverse</source>
-        <translation type="unfinished"></translation>
+        <translation>反转</translation>
     </message>
     <message>
         <source>clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>顺时针</translation>
     </message>
     <message>
         <source>counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>逆时针</translation>
     </message>
     <message>
         <source>Speed 0 = stop</source>
-        <translation type="unfinished"></translation>
+        <translation>速度 0 = 停止</translation>
     </message>
     <message>
         <source>Speed 0 = stop (phase bit 3)</source>
-        <translation type="unfinished"></translation>
+        <translation>速度 0 = 停止（相位 bit 3）</translation>
     </message>
     <message>
         <source>Speed 0 = maximum (phase bit 3)</source>
-        <translation type="unfinished"></translation>
+        <translation>速度 0 = 最大（相位 bit 3）</translation>
     </message>
     <message>
         <source>Speed 0 = the time counts</source>
-        <translation type="unfinished"></translation>
+        <translation>速度 0 = 按时间运行</translation>
     </message>
     <message>
         <source>no faster than %1 (%2): the model&apos;s maximum</source>
-        <translation type="unfinished"></translation>
+        <translation>不会快于 %1（%2）：此型号的最大值</translation>
     </message>
     <message>
         <source>model&apos;s maximum %1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>型号最大值 %1（%2）</translation>
     </message>
     <message>
         <source>Goes to an angle inside its limits</source>
-        <translation type="unfinished"></translation>
+        <translation>转到限位内的角度</translation>
     </message>
     <message>
         <source>Goes to an angle up to 7.5 turns either way; turns are counted from power-on</source>
-        <translation type="unfinished"></translation>
+        <translation>可转到正反各 7.5 圈内的角度；圈数从上电开始计</translation>
     </message>
     <message>
         <source>Turns on and on at a speed that is held under load</source>
-        <translation type="unfinished"></translation>
+        <translation>持续转动，带载时保持速度</translation>
     </message>
     <message>
         <source>Turns on and on; the speed falls under load</source>
-        <translation type="unfinished"></translation>
+        <translation>持续转动；带载时速度下降</translation>
     </message>
     <message>
         <source>Each goal is a step from where it is, 7.5 turns in all</source>
-        <translation type="unfinished"></translation>
+        <translation>每个目标都是从当前位置走一步，总共 7.5 圈</translation>
     </message>
     <message>
         <source>Turns on and on like a motor</source>
-        <translation type="unfinished"></translation>
+        <translation>像电机一样持续转动</translation>
     </message>
     <message>
         <source>Pushes with a current, that is a torque</source>
-        <translation type="unfinished"></translation>
+        <translation>按电流（即扭矩）输出</translation>
     </message>
     <message>
         <source>Position without integral part, of newer firmware; one turn only</source>
-        <translation type="unfinished"></translation>
+        <translation>新固件的位置 PD 模式，无积分；仅限一圈</translation>
     </message>
     <message>
         <source>Goes to an angle and lets go there</source>
-        <translation type="unfinished"></translation>
+        <translation>转到角度后卸力</translation>
     </message>
     <message>
         <source>The angle limits %1 are remembered for the way back.</source>
-        <translation type="unfinished"></translation>
+        <translation>角度限制 %1 已记住，切换回来时恢复。</translation>
     </message>
     <message>
         <source>The angle limits %1 from before come back.</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复之前的角度限制 %1。</translation>
     </message>
     <message>
         <source>No angle limits are remembered for this servo: it gets those of the factory, %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有记住此舵机的角度限制：使用出厂值 %1。</translation>
     </message>
     <message>
         <source>Torque goes off first and stays off until you switch it on.</source>
-        <translation type="unfinished"></translation>
+        <translation>先关闭扭矩，并保持关闭直到您打开。</translation>
     </message>
     <message>
         <source>Torque is off and stays off.</source>
-        <translation type="unfinished"></translation>
+        <translation>扭矩已关闭并保持关闭。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; becomes 0, so that nothing starts by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”置 0，避免自行启动。</translation>
     </message>
     <message>
         <source>Everything is read back; the mode stays after power-off.</source>
-        <translation type="unfinished"></translation>
+        <translation>全部读回核对；断电后模式保持不变。</translation>
     </message>
     <message>
         <source>The other chosen servos are switched the same way: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>其他选中的舵机同样切换：%1</translation>
+    </message>
+    <message>
+        <source>0 = the strongest</source>
+        <translation>0 = 最大</translation>
     </message>
 </context>
 <context>
@@ -547,6 +551,30 @@
     <message>
         <source>Keep clear, and switch the supply off if in doubt.</source>
         <translation>请远离舵机，如有疑问请断开电源。</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>start the goals that wait</source>
+        <translation>异步执行</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>扭矩</translation>
+    </message>
+    <message>
+        <source>halt</source>
+        <translation>停止运动</translation>
+    </message>
+    <message>
+        <source>switch the mode</source>
+        <translation>切换模式</translation>
+    </message>
+    <message>
+        <source>look at the mode</source>
+        <translation>查看模式</translation>
     </message>
 </context>
 <context>
@@ -1654,6 +1682,22 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>ID %1 · %2</source>
         <translation>ID %1 · %2</translation>
+    </message>
+    <message>
+        <source>over: %1</source>
+        <translation>已解除：%1</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>无应答</translation>
+    </message>
+    <message>
+        <source>answers again</source>
+        <translation>恢复应答</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>紧急停止</translation>
     </message>
 </context>
 <context>
@@ -4225,10 +4269,17 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::ControlField</name>
+    <message>
+        <source>not accepted</source>
+        <translation>不接受</translation>
+    </message>
+</context>
+<context>
     <name>ui::ControlFields</name>
     <message>
         <source>Current 0 = no torque at all</source>
-        <translation type="unfinished"></translation>
+        <translation>电流 0 = 完全没有扭矩</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -4236,22 +4287,22 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>Acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>加速度</translation>
     </message>
     <message>
         <source>Time (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>时间 (ms)</translation>
     </message>
     <message>
         <source>Current limit</source>
-        <translation type="unfinished"></translation>
+        <translation>电流限制</translation>
     </message>
 </context>
 <context>
     <name>ui::ControlGoal</name>
     <message>
         <source>Since connecting: %1 steps. Left: %2 %3, %4 %5 (±7.5 turns in all)</source>
-        <translation type="unfinished"></translation>
+        <translation>连接以来：%1 步。剩余：%2 %3，%4 %5（总共 ±7.5 圈）</translation>
     </message>
     <message>
         <source>Goal</source>
@@ -4259,7 +4310,7 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished"></translation>
+        <translation>步长</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -4267,7 +4318,7 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>PWM</source>
-        <translation type="unfinished"></translation>
+        <translation>PWM</translation>
     </message>
     <message>
         <source>Current</source>
@@ -4275,57 +4326,60 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>− %1    ·    + %2</source>
-        <translation type="unfinished"></translation>
+        <translation>− %1    ·    + %2</translation>
     </message>
     <message>
         <source>Drag, or arrows, Page Up/Down, Home and End. The wheel turns it once it has been clicked (Ctrl: fine, Shift: wide).</source>
-        <translation type="unfinished"></translation>
+        <translation>拖动，或用方向键、Page Up/Down、Home 和 End。点击之后滚轮才起作用（Ctrl：微调，Shift：大步）。</translation>
     </message>
     <message>
         <source>One step this way from where the last one ends</source>
-        <translation type="unfinished"></translation>
+        <translation>从上一步的终点朝这个方向再走一步</translation>
     </message>
     <message>
         <source>Again</source>
-        <translation type="unfinished">再来一次</translation>
+        <translation>再来一次</translation>
     </message>
     <message>
         <source>The last step once more</source>
-        <translation type="unfinished"></translation>
+        <translation>重复上一步</translation>
     </message>
     <message>
         <source>■ Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>■ 停止</translation>
     </message>
     <message>
         <source>Stop turning</source>
-        <translation type="unfinished"></translation>
+        <translation>停止转动</translation>
     </message>
     <message>
         <source>Ends the motion of this servo; torque stays on</source>
-        <translation type="unfinished"></translation>
+        <translation>结束此舵机的运动；扭矩保持打开</translation>
     </message>
 </context>
 <context>
     <name>ui::ControlHint</name>
     <message>
         <source>Before the first torque of this session</source>
-        <translation type="unfinished"></translation>
+        <translation>本次首次打开扭矩之前</translation>
     </message>
     <message>
         <source>• No bracket or horn that could catch or jam
 • Fingers and cables away from the shaft
 • Polarity and voltage of the supply checked
 • Thick leads above 12 V</source>
-        <translation type="unfinished"></translation>
+        <translation>• 没有安装会卡住的支架或舵盘
+• 手指和线缆远离输出轴
+• 已检查电源极性和电压
+• 高于 12 V 时使用粗导线</translation>
     </message>
     <message>
         <source>Do not show this again</source>
-        <translation type="unfinished"></translation>
+        <translation>不再显示</translation>
     </message>
     <message>
         <source>Also not in later sessions</source>
-        <translation type="unfinished"></translation>
+        <translation>以后启动也不显示</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -4333,199 +4387,199 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>Leave the servo as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>保持舵机现状</translation>
     </message>
     <message>
         <source>Checked, go on</source>
-        <translation type="unfinished"></translation>
+        <translation>已检查，继续</translation>
     </message>
     <message>
         <source>Do what was asked for; the hint stays away until the program is started again</source>
-        <translation type="unfinished"></translation>
+        <translation>执行所请求的操作；本次运行不再提示</translation>
     </message>
 </context>
 <context>
     <name>ui::ControlLimit</name>
     <message>
         <source>Torque limit (until power-off)</source>
-        <translation type="unfinished"></translation>
+        <translation>扭矩限制（断电前有效）</translation>
     </message>
     <message>
         <source>Torque limit</source>
-        <translation type="unfinished"></translation>
+        <translation>扭矩限制</translation>
     </message>
     <message>
         <source>≈ %1 kg·cm</source>
-        <translation type="unfinished"></translation>
+        <translation>≈ %1 kg·cm</translation>
     </message>
     <message>
         <source>Share of the stall torque; Enter sends it</source>
-        <translation type="unfinished"></translation>
+        <translation>堵转扭矩的百分比；按回车发送</translation>
     </message>
     <message>
         <source>Largest output; sent when the knob is let go</source>
-        <translation type="unfinished"></translation>
+        <translation>最大输出；松开滑块时发送</translation>
     </message>
     <message>
         <source>Stall torque of this model</source>
-        <translation type="unfinished"></translation>
+        <translation>此型号的堵转扭矩</translation>
     </message>
     <message>
         <source>not entered</source>
-        <translation type="unfinished"></translation>
+        <translation>未输入</translation>
     </message>
     <message>
         <source>From the data sheet at your supply voltage; remembered for this model, written nowhere</source>
-        <translation type="unfinished"></translation>
+        <translation>取自对应供电电压的规格书；按型号记住，不写入舵机</translation>
     </message>
     <message>
         <source>Gripping: set the share of the stall torque the part can take (10 % of 10 kg·cm is about 1 kg·cm). The servo also gets slower. Only for parts of equal mass.</source>
-        <translation type="unfinished"></translation>
+        <translation>夹持：按物体能承受的程度设置堵转扭矩的百分比（10 kg·cm 的 10 % 约 1 kg·cm）。速度会变慢；仅适合质量相同的物品。</translation>
     </message>
 </context>
 <context>
     <name>ui::ControlMode</name>
     <message>
         <source>%1. A click says first what the switch will change.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1。点击后先说明切换会改变什么。</translation>
     </message>
     <message>
         <source>Operating mode</source>
-        <translation type="unfinished"></translation>
+        <translation>工作模式</translation>
     </message>
 </context>
 <context>
     <name>ui::ControlPanel</name>
     <message>
         <source>Choose a servo at the left. Choosing it moves nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>请在左侧选择舵机。选择不会使其运动。</translation>
     </message>
     <message>
         <source>This servo answers, but does not say what it is, so nobody knows how to move it. Search again, or check whether two servos share the ID.</source>
-        <translation type="unfinished"></translation>
+        <translation>此舵机有应答，但未说明自己是什么，因此不知道如何驱动。请重新搜索，或检查是否有两个舵机共用此 ID。</translation>
     </message>
     <message>
         <source>The firmware of this servo is not known. Its measurements are shown; moving it could do damage. A model file makes it possible.</source>
-        <translation type="unfinished"></translation>
+        <translation>此舵机的固件未知。只显示其测量值；驱动它可能造成损坏。提供型号文件后即可操作。</translation>
     </message>
     <message>
         <source>The settings of this servo could not be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取此舵机的设置。</translation>
     </message>
     <message>
         <source>Reading the settings of this servo…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取此舵机的设置…</translation>
     </message>
     <message>
         <source>Motion</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机操作</translation>
     </message>
     <message>
         <source>Motion — ID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机操作 — ID %1</translation>
     </message>
     <message>
         <source>+ %1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>及另外 %1 个</translation>
     </message>
     <message>
         <source>Execute (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>异步执行 (%1)</translation>
     </message>
     <message>
         <source>Execute</source>
-        <translation type="unfinished"></translation>
+        <translation>异步执行</translation>
     </message>
     <message>
         <source>Switch ID %1 to &quot;%2&quot;?</source>
-        <translation type="unfinished"></translation>
+        <translation>将 ID %1 切换到“%2”？</translation>
     </message>
     <message>
         <source>Switch</source>
-        <translation type="unfinished"></translation>
+        <translation>切换</translation>
     </message>
     <message>
         <source>Control</source>
-        <translation type="unfinished"></translation>
+        <translation>控制</translation>
     </message>
     <message>
         <source>Stopped. Switch torque on to go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>已停止。打开扭矩后继续。</translation>
     </message>
     <message>
         <source>Write</source>
-        <translation type="unfinished">写入</translation>
+        <translation>普通写</translation>
     </message>
     <message>
         <source>One servo after the other, each acknowledged</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sync write</source>
-        <translation type="unfinished"></translation>
+        <translation>逐个舵机写入，每个都有应答</translation>
     </message>
     <message>
         <source>One packet for all chosen servos: they start together</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Async write</source>
-        <translation type="unfinished"></translation>
+        <translation>所有选中的舵机共用一个数据包：同时启动</translation>
     </message>
     <message>
         <source>The goal waits in the servo until Execute</source>
-        <translation type="unfinished"></translation>
+        <translation>目标保存在舵机中，等待异步执行</translation>
     </message>
     <message>
         <source>Starts all goals that wait in servos</source>
-        <translation type="unfinished"></translation>
+        <translation>启动所有在舵机中等待的目标</translation>
     </message>
     <message>
         <source>Set</source>
-        <translation type="unfinished"></translation>
+        <translation>设置</translation>
     </message>
     <message>
         <source>Sends goal and changed fields</source>
-        <translation type="unfinished"></translation>
+        <translation>发送目标和已修改的参数</translation>
+    </message>
+    <message>
+        <source>Sync</source>
+        <translation>同步写</translation>
+    </message>
+    <message>
+        <source>Async</source>
+        <translation>异步写</translation>
     </message>
 </context>
 <context>
     <name>ui::ControlTorque</name>
     <message>
         <source>Damping</source>
-        <translation type="unfinished"></translation>
+        <translation>阻尼</translation>
     </message>
     <message>
         <source>Holds nothing, but brakes the shaft when it is turned</source>
-        <translation type="unfinished"></translation>
+        <translation>不保持位置，但转动输出轴时有阻力</translation>
     </message>
     <message>
         <source>Torque: not read</source>
-        <translation type="unfinished"></translation>
+        <translation>扭矩：未读取</translation>
     </message>
     <message>
         <source>● Torque on</source>
-        <translation type="unfinished"></translation>
+        <translation>● 扭矩输出</translation>
     </message>
     <message>
         <source>◐ Damping</source>
-        <translation type="unfinished"></translation>
+        <translation>◐ 阻尼</translation>
     </message>
     <message>
         <source>○ Torque off</source>
-        <translation type="unfinished"></translation>
+        <translation>○ 扭矩关闭</translation>
     </message>
     <message>
         <source>On: the servo holds where it stands now, whatever its mode. Off: the shaft is free.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开：无论何种模式，舵机都保持在当前位置。关闭：输出轴自由。</translation>
     </message>
     <message>
         <source>More of torque</source>
-        <translation type="unfinished"></translation>
+        <translation>更多扭矩选项</translation>
     </message>
     <message>
         <source>Damping and centring</source>
-        <translation type="unfinished"></translation>
+        <translation>阻尼与中位校准</translation>
     </message>
 </context>
 <context>

@@ -90,11 +90,21 @@ void CursorTable::retranslate()
     refresh();
 }
 
+/// As high as its rows, but no more than a few.
+void CursorTable::fitHeight()
+{
+    constexpr int mostRows = 6;
+    const int rows = std::clamp(m_table->rowCount(), 1, mostRows);
+    m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() +
+                            rows * m_table->verticalHeader()->defaultSectionSize() + 4);
+}
+
 void CursorTable::refresh()
 {
     const auto places = m_chart->cursors();
     const std::vector<CursorReading> readings = m_chart->cursorReadings();
     m_table->setRowCount(int(readings.size()));
+    fitHeight();
     if (!places) {
         m_times->setText(tr("No cursors. C in the chart shows them; drag A and B."));
         return;

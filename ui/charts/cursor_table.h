@@ -29,6 +29,7 @@ protected:
 private:
     void retranslate();
     void refresh();
+    void fitHeight();
     void fillRow(int row, const TrendChannel& channel, const CursorReading& reading);
 
     TrendChart* m_chart;

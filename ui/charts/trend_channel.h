@@ -2,10 +2,12 @@
 // One curve of a trend chart: which samples, and how they look. A value; main thread.
 #pragma once
 
-#include "record/sample_store.h"
+#include "record/trigger.h"
 
 #include <QColor>
 #include <QString>
+
+#include <functional>
 
 namespace ui {
 struct TrendChannel {
@@ -19,4 +21,7 @@ struct TrendChannel {
     double scale = 1.0; ///< drawn as value × scale + offset; cursors show the value itself
     double offset = 0.0;
 };
+
+/// What a chart writes beside a mark, in the language of the moment.
+using MarkWords = std::function<QString(const record::Mark&)>;
 } // namespace ui

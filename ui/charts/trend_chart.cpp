@@ -59,6 +59,12 @@ void TrendChart::setMarks(const std::vector<record::Mark>* marks)
     m_private->frameSoon();
 }
 
+void TrendChart::setMarkWords(MarkWords words)
+{
+    m_private->state().markWords = std::move(words);
+    m_private->frameSoon();
+}
+
 void TrendChart::setOrigin(Duration instant)
 {
     m_private->state().origin = instant;

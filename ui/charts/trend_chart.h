@@ -34,6 +34,7 @@ public:
     void setChannels(std::vector<TrendChannel> channels);
     const std::vector<TrendChannel>& channels() const;
     void setMarks(const std::vector<record::Mark>* marks); ///< borrowed, in time order
+    void setMarkWords(MarkWords words);                    ///< without: the mark's own text
     /// Times on the axis count from here: 0 s is `instant` while not following; while following the
     /// right edge is 0 s.
     void setOrigin(base::Duration instant);

@@ -97,10 +97,17 @@ void TrendOverlay::setView(const TimeView& view)
     update();
 }
 
-void TrendOverlay::setMarks(const std::vector<Mark>* marks)
+void TrendOverlay::setMarks(const std::vector<Mark>* marks, const MarkWords& words)
 {
     m_marks = marks;
+    m_words = words;
     update();
+}
+
+QString TrendOverlay::words(std::size_t mark) const
+{
+    const Mark& one = (*m_marks)[mark];
+    return m_words ? m_words(one) : one.text;
 }
 
 void TrendOverlay::setCursors(const std::optional<std::pair<base::Duration, base::Duration>>& pair)
@@ -196,7 +203,7 @@ QString TrendOverlay::marksAt(const QPointF& place) const
         if (x < group.x - reach || x > group.x + (group.count > 1 ? apart : flagSize))
             continue;
         for (std::size_t i = 0; i < group.count && lines.size() < mostListed; ++i)
-            lines << (*m_marks)[group.first + i].text;
+            lines << words(group.first + i);
         if (group.count > mostListed)
             lines << QStringLiteral("\u2026 +%1").arg(group.count - mostListed);
     }
@@ -275,7 +282,7 @@ void TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double r
     painter->setPen(m_colours.ground);
     painter->drawText(flag, Qt::AlignCenter, signOf(group.gravest));
     const QFontMetricsF metrics(m_font);
-    QString text = (*m_marks)[group.first].text;
+    QString text = words(group.first);
     if (group.count > 1)
         text = QStringLiteral("+%1").arg(group.count - 1);
     const bool fits = metrics.horizontalAdvance(text) <= room;

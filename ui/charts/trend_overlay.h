@@ -3,8 +3,8 @@
 // drawn, the frame of the focus. Owned by the QChart; main thread.
 #pragma once
 
-#include "record/trigger.h"
 #include "ui/charts/time_view.h"
+#include "ui/charts/trend_channel.h"
 #include "ui/charts/trend_colours.h"
 
 #include <QFont>
@@ -29,7 +29,7 @@ public:
     void setColours(const TrendColours& colours);
     void setFont(const QFont& font);
     void setView(const TimeView& view);
-    void setMarks(const std::vector<record::Mark>* marks); ///< borrowed
+    void setMarks(const std::vector<record::Mark>* marks, const MarkWords& words); ///< borrowed
     void setCursors(const std::optional<std::pair<base::Duration, base::Duration>>& cursors);
     void setActive(std::optional<Cursor> cursor); ///< held by the mouse, or under it
     void setBox(const QRectF& box);               ///< empty: none
@@ -45,6 +45,7 @@ public:
 
 private:
     std::vector<MarkGroup> groups() const;
+    QString words(std::size_t mark) const;
     void paintMarks(QPainter* painter) const;
     void paintMark(QPainter* painter, const MarkGroup& group, double room) const;
     void paintCursor(QPainter* painter, Cursor which, base::Duration at) const;
@@ -55,6 +56,7 @@ private:
     QFont m_font;
     TimeView m_view;
     const std::vector<record::Mark>* m_marks = nullptr;
+    MarkWords m_words;
     std::optional<std::pair<base::Duration, base::Duration>> m_cursors;
     std::optional<Cursor> m_active;
     QRectF m_box;

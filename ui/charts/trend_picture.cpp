@@ -218,7 +218,7 @@ void TrendPicture::showTraces(double ratio)
 void TrendPicture::refreshOverlay()
 {
     m_overlay->setView(m_state.view);
-    m_overlay->setMarks(m_state.marks);
+    m_overlay->setMarks(m_state.marks, m_state.markWords);
     m_overlay->setCursors(m_state.cursors);
 }
 } // namespace ui

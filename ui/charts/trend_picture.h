@@ -19,6 +19,7 @@ namespace ui {
 struct TrendState {
     const record::SampleStore* store = nullptr;
     const std::vector<record::Mark>* marks = nullptr;
+    MarkWords markWords{};
     std::vector<TrendChannel> channels{};
     TimeView view{};
     base::Duration origin{};

@@ -238,8 +238,10 @@ DialView dialView(const session::ServoEntry& entry)
         view.value = QStringLiteral("—");
         view.below = translate("Feedback", "not read");
     }
-    if (steps)
+    if (steps) { // 56 is what is left of the step: no place on the dial
+        view.position.reset();
         view.turns = translate("Feedback", "left to go");
+    }
     const catalog::Register* goal = profile.byRole(
         profile.byRole(Role::ActiveGoal) != nullptr ? Role::ActiveGoal : Role::GoalPosition);
     const auto goalRaw = goal != nullptr ? entry.shown(*goal) : std::nullopt;

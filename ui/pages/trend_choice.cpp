@@ -5,6 +5,7 @@
 #include "text/language.h"
 #include "text/translate.h"
 #include "ui/charts/palette.h"
+#include "ui/models/feedback.h"
 
 #include <algorithm>
 #include <array>
@@ -112,6 +113,20 @@ std::vector<TrendChoice> defaultChoices()
     return choices;
 }
 
+namespace {
+/// The register's key at the beginning becomes its name.
+QString writtenName(const session::Desk& desk, const QString& text)
+{
+    const QString key = text.section(QLatin1Char(' '), 0, 0);
+    for (const session::ServoRef ref : desk.servos()) {
+        const catalog::ProfilePtr& profile = desk.servo(ref)->servo.profile;
+        if (profile && profile->find(key) != nullptr)
+            return nameOf(*profile, key) + text.mid(key.size());
+    }
+    return text;
+}
+} // namespace
+
 QString recordedName(const session::Desk& desk, const record::RecordingChannel& column)
 {
     QString name = column.key;
@@ -123,6 +138,26 @@ QString recordedName(const session::Desk& desk, const record::RecordingChannel& 
             name = nameOf(*profile, column.key);
     }
     return translate("Trend", "ID %1 · %2").arg(column.servoId).arg(name);
+}
+
+QString markWords(const session::Desk& desk, const record::Mark& mark)
+{
+    using record::MarkKind;
+    QString words = mark.text;
+    if (mark.kind == MarkKind::Fault)
+        words = faultWord(mark.text);
+    else if (mark.kind == MarkKind::FaultOver)
+        words = translate("Trend", "over: %1").arg(faultWord(mark.text));
+    else if (mark.kind == MarkKind::LinkError)
+        words = translate("Trend", "no answer");
+    else if (mark.kind == MarkKind::LinkBack)
+        words = translate("Trend", "answers again");
+    else if (mark.kind == MarkKind::Stop)
+        words = translate("Trend", "emergency stop");
+    else if (mark.kind == MarkKind::Write) // "position_p 32 → 40"
+        words = writtenName(desk, mark.text);
+    return mark.servoId >= 0 ? translate("Trend", "ID %1 · %2").arg(mark.servoId).arg(words)
+                             : words;
 }
 
 session::ServoRef TrendResolver::servoOf(const TrendChoice& choice) const

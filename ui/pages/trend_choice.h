@@ -33,6 +33,9 @@ std::vector<TrendChoice> defaultChoices();
 /// Of a recording's column: the register's name as far as a servo here has it, else its key.
 QString recordedName(const session::Desk& desk, const record::RecordingChannel& column);
 
+/// A mark as the chart says it: "ID 1 · Over-temperature".
+QString markWords(const session::Desk& desk, const record::Mark& mark);
+
 class TrendResolver {
 public:
     TrendResolver(const session::Desk& desk, const session::Scope& scope,

@@ -88,7 +88,7 @@ void TrendPanel::build()
     m_chart = new TrendChart(this);
     m_chart->setObjectName(QStringLiteral("trendChart"));
     m_cursors = new CursorTable(m_chart, this);
-    m_cursors->setObjectName(QStringLiteral("cursorTable"));
+    m_cursors->setObjectName(QStringLiteral("cursorPanel"));
     m_cursors->setVisible(false);
     m_replayBar = new ReplayBar(this);
     m_replayBar->setVisible(false);
@@ -99,6 +99,7 @@ void TrendPanel::build()
     column->addWidget(m_cursors);
     m_chart->setStore(&m_scope.store());
     m_chart->setMarks(&m_scope.marks());
+    m_chart->setMarkWords([this](const record::Mark& mark) { return markWords(m_desk, mark); });
     m_chart->setWidth(std::chrono::seconds(m_settings.choice(widthKey, usualWidth).toInt()));
     m_toolbar->setWidthShown(m_chart->width());
 }

@@ -55,6 +55,9 @@ CardView cardView(const session::ServoEntry& entry)
 ServoCard::ServoCard(QWidget* parent)
     : QAbstractButton(parent)
 {
+    constexpr int fewest = 21;
+    setMinimumWidth(fontMetrics().averageCharWidth() * fewest);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);
 }
@@ -73,7 +76,7 @@ void ServoCard::show(const CardView& view, bool selected)
 
 QSize ServoCard::sizeHint() const
 {
-    constexpr int letters = 30;
+    constexpr int letters = 32;
     return {fontMetrics().averageCharWidth() * letters, fontMetrics().height() * 2 + 26};
 }
 

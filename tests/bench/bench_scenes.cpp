@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of the operate page at work: every mode of every family, moved through the page's own
+// widgets, in both languages and themes. Usage: bench_scenes FOLDER [FILTER]; packaging/pictures.sh
+// takes the best for README and help. It measures nothing; it stands here because it drives the
+// window as the benches do.
+#include "gui/window_bench.h"
+#include "session/drive.h"
+#include "ui/charts/trend_chart.h"
+
+#include <QDir>
+#include <QTextStream>
+
+using namespace std::chrono_literals;
+
+namespace {
+struct Scene {
+    const char* name;
+    const char* port;
+    int id;
+    const char* mode;     ///< empty: as it is
+    const char* goals[3]; ///< one after the other
+    const char* speed;    ///< empty: as it is
+};
+constexpr Scene scenes[] = {
+    {"sts-position", "sim:demo", 1, "", {"1200", "2900", "1800"}, "1500"},
+    {"sts-multiturn", "sim:sts3215@1,sts3215@2", 1, "multiturn", {"8192", "0", "4096"}, ""},
+    {"sts-speed", "sim:sts3215@1,sts3215@2", 1, "speed", {"15rpm", "-15rpm", "10rpm"}, ""},
+    {"sts-pwm", "sim:sts3215@1", 1, "pwm", {"20%", "-20%", "30%"}, ""},
+    {"sts-step", "sim:sts3215@1", 1, "step", {"1024", "1024", "-512"}, ""},
+    {"scs-position", "sim:scs15@1,scs15@2", 1, "", {"300", "800", "500"}, ""},
+    {"scs-motor", "sim:scs15@1", 1, "motor", {"-200", "300", "-400"}, ""},
+    {"hls-current", "sim:hls3625@1", 1, "current", {"200mA", "-200mA", "150mA"}, ""},
+    {"lx-position", "sim:lx", 1, "", {"300", "700", "450"}, ""},
+    {"lx-motor", "sim:lx", 3, "motor", {"300", "-300", "200"}, ""},
+    {"modbus-position", "sim:modbus", 1, "", {"1200", "2900", "1800"}, ""},
+};
+
+void letRun(int ms)
+{
+    QEventLoop loop;
+    QTimer::singleShot(ms, &loop, &QEventLoop::quit);
+    loop.exec();
+}
+
+void show(const Scene& scene, const QString& language, session::Theme look, QSize size,
+          const QString& path)
+{
+    gui::WindowBench bench(language, look);
+    bench.page = QStringLiteral("operate");
+    bench.window->resize(size);
+    if (!bench.ready(scene.id, QString::fromLatin1(scene.port))) {
+        QTextStream(stderr) << scene.name << ": no servo\n";
+        return;
+    }
+    session::Drive& drive = bench.bench.drive;
+    const auto settle = [&] {
+        return QTest::qWaitFor([&] { return !drive.busy() && !bench.desk().busy(); }, 5000);
+    };
+    QObject::connect(&drive, &session::Drive::failed, &drive, [&](const base::Error& error) {
+        QTextStream(stderr) << scene.name << ": " << base::errorName(error.code) << ' '
+                            << error.detail << '\n';
+    });
+    if (*scene.mode != '\0') {
+        drive.switchMode(QString::fromLatin1(scene.mode));
+        settle();
+    }
+    drive.setTorque(device::Torque::On);
+    settle();
+    for (const char* goal : scene.goals) {
+        session::MoveWish wish;
+        wish.goal = QString::fromLatin1(goal);
+        if (*scene.speed != '\0')
+            wish.speed = QString::fromLatin1(scene.speed);
+        drive.move(wish);
+        settle();
+        letRun(1500);
+    }
+    if (size.width() > 1500)
+        bench.find<ui::TrendChart>("trendChart")->setCursorsShown(true);
+    letRun(300);
+    if (!bench.window->grab().save(path, "PNG"))
+        QTextStream(stderr) << path << ": cannot be written\n";
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    const QTemporaryDir place; // the user's settings and journal are nobody's business here
+    qputenv("SERVODESK_DATA_DIR", place.path().toLocal8Bit());
+    qputenv("XDG_CONFIG_HOME", place.path().toLocal8Bit());
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication app(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("servodesk-scenes"));
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.size() < 2) {
+        QTextStream(stderr) << "usage: bench_scenes FOLDER [FILTER]\n";
+        return 2;
+    }
+    const QDir folder(arguments[1]);
+    for (const Scene& scene : scenes) {
+        for (const char* language : {"en", "zh_CN"}) {
+            for (const auto look : {session::Theme::Light, session::Theme::Dark}) {
+                for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+                    const QString name =
+                        QStringLiteral("%1-%2-%3-%4.png")
+                            .arg(QLatin1String(scene.name), QLatin1String(language),
+                                 look == session::Theme::Dark ? QStringLiteral("dark")
+                                                              : QStringLiteral("light"))
+                            .arg(size.width());
+                    if (arguments.size() < 3 || name.contains(QRegularExpression(arguments[2])))
+                        show(scene, QString::fromLatin1(language), look, size,
+                             folder.filePath(name));
+                }
+            }
+        }
+    }
+    return 0;
+}
