@@ -10,6 +10,9 @@
 namespace ui {
 namespace {
 constexpr double penWidth = 1.5; ///< logical pixels
+constexpr int partWidth = 768;   ///< device pixels made anew in one go while there is haste
+constexpr int coarseColumn = 2;  ///< pixels
+constexpr int wide = TraceRaster::reach + 1;
 
 /// Moves the picture, to the left if positive. What comes in is empty.
 void scrollImage(QImage& image, int by)
@@ -19,14 +22,6 @@ void scrollImage(QImage& image, int by)
     for (int y = 0; y < image.height(); ++y) {
         auto* const row = reinterpret_cast<QRgb*>(image.scanLine(y));
         std::memmove(row + std::max(-by, 0), row + std::max(by, 0), kept * sizeof(QRgb));
-    }
-}
-
-void clear(QImage& image, PixelRange part)
-{
-    for (int y = 0; y < image.height(); ++y) {
-        auto* const row = reinterpret_cast<QRgb*>(image.scanLine(y));
-        std::fill(row + part.from, row + part.to, 0U);
     }
 }
 
@@ -142,14 +137,17 @@ void TraceItem::setPlot(const QRectF& plot)
 void TraceItem::forget()
 {
     m_image.pixels = {};
+    m_image.valid = {};
+    m_coarse = false;
     m_traces.clear();
     update();
 }
 
 void TraceItem::show(const record::SampleStore* store, const std::vector<TraceLook>& looks,
-                     const record::TimeSpan& span, double ratio)
+                     const record::TimeSpan& span, double ratio, bool hasty)
 {
     m_span = span;
+    m_ratio = ratio;
     m_traces.resize(looks.size());
     for (std::size_t i = 0; i < looks.size(); ++i)
         m_traces[i].look = looks[i];
@@ -163,69 +161,119 @@ void TraceItem::show(const record::SampleStore* store, const std::vector<TraceLo
         fetch(*store, span, m_plot.width());
         return;
     }
-    m_ratio = ratio;
-    if (m_image.pixels.size() != size) {
-        m_image.pixels = QImage(size, QImage::Format_ARGB32_Premultiplied);
-        m_image.perPixel = 0;
-    }
-    const double perPixel = double((span.to - span.from).count()) / size.width();
-    const auto end = std::int64_t(std::ceil(double(span.to.count()) / perPixel));
-    const PixelRange part = shift(*store, looks, end - size.width(), perPixel);
-    if (part.empty())
-        return;
-    const auto at = [&](int x) {
-        return base::Duration(std::int64_t(std::floor(double(m_image.first + x) * perPixel)));
-    };
-    const int wide = TraceRaster::reach + 1;
-    fetch(*store, {at(part.from - wide), at(part.to + wide)},
-          (part.to - part.from + 2 * wide) / ratio);
-    clear(m_image.pixels, part);
-    m_raster.paint(m_image.pixels, m_traces, {at(0), at(size.width())}, penWidth * ratio, part);
+    shift(*store, looks, span, size);
+    m_coarse = (hasty || m_coarse) && m_image.missing() > partWidth / 4;
+    if (m_coarse)
+        paintCoarse(*store);
+    else
+        complete(*store, size.width());
 }
 
-/// What has to be painted once the rest has been moved to its place.
-PixelRange TraceItem::shift(const record::SampleStore& store, const std::vector<TraceLook>& looks,
-                            std::int64_t first, double perPixel)
+void TraceItem::sharpen(const record::SampleStore& store)
 {
-    const int width = m_image.pixels.width();
-    const std::int64_t by = first - m_image.first;
-    PixelRange part{0, width};
-    const bool same = m_image.perPixel == perPixel && m_image.looks == looks;
-    m_image.first = first;
-    if (same && std::abs(by) < width) {
-        if (by != 0)
-            scrollImage(m_image.pixels, int(by));
-        part = unpainted(store);
-        if (by > 0)
-            part = {std::min(part.from, int(width - by) - TraceRaster::reach), width};
-        if (by < 0)
-            part = {0, part.empty() ? int(-by) + TraceRaster::reach : part.to};
-        part = {std::max(part.from, 0), std::min(part.to, width)};
+    complete(store, partWidth);
+    m_coarse = m_image.missing() > 0;
+    if (!m_coarse)
+        update();
+}
+
+base::Duration TraceItem::Image::at(int x) const
+{
+    return base::Duration(std::int64_t(std::floor(double(first + x) * perPixel)));
+}
+
+/// Moves what has been painted to its place and sees how much of it still holds.
+void TraceItem::shift(const record::SampleStore& store, const std::vector<TraceLook>& looks,
+                      const record::TimeSpan& span, const QSize& size)
+{
+    const int width = size.width();
+    if (m_image.pixels.size() != size) {
+        m_image.pixels = QImage(size, QImage::Format_ARGB32_Premultiplied);
+        m_image.valid = {};
     }
+    const double perPixel = double((span.to - span.from).count()) / width;
+    const std::int64_t first = std::int64_t(std::ceil(double(span.to.count()) / perPixel)) - width;
+    const std::int64_t by = first - m_image.first;
+    PixelRange& valid = m_image.valid;
+    if (m_image.perPixel != perPixel || m_image.looks != looks || std::abs(by) >= width)
+        valid = {};
+    m_image.first = first;
     m_image.perPixel = perPixel;
     m_image.looks = looks;
+    if (!valid.empty() && by != 0) {
+        scrollImage(m_image.pixels, int(by));
+        const int from = by < 0 ? TraceRaster::reach : 0; // its neighbours were not known
+        const int to = by > 0 ? width - TraceRaster::reach : width;
+        valid = {std::max(valid.from, from) - int(by), std::min(valid.to, to) - int(by)};
+        valid = {std::max(valid.from, 0), std::min(valid.to, width)};
+    }
+    if (!valid.empty())
+        valid.to = std::min(valid.to, upToDate(store));
+    if (valid.empty())
+        valid = {width, width};
     m_image.latest.resize(looks.size());
     for (std::size_t i = 0; i < looks.size(); ++i)
         m_image.latest[i] = store.latest(looks[i].id);
-    return part;
 }
 
-/// From the sample on that was the latest of its channel when the picture was made.
-PixelRange TraceItem::unpainted(const record::SampleStore& store) const
+/// The pixels before the sample that was the latest of its channel when the picture was made.
+int TraceItem::upToDate(const record::SampleStore& store) const
 {
     const int width = m_image.pixels.width();
-    PixelRange part{width, width};
+    int to = width;
     for (std::size_t i = 0; i < m_image.looks.size(); ++i) {
         const auto latest = store.latest(m_image.looks[i].id);
-        if (latest == m_image.latest[i])
+        const auto& before = m_image.latest[i];
+        if (latest == before)
             continue;
-        const double from = m_image.latest[i] && latest && latest->at >= m_image.latest[i]->at
-                                ? double(m_image.latest[i]->at.count()) / m_image.perPixel -
+        const double from = before && latest && latest->at >= before->at
+                                ? double(before->at.count()) / m_image.perPixel -
                                       double(m_image.first) - TraceRaster::reach
                                 : 0;
-        part.from = std::min(part.from, int(std::clamp(from, 0.0, double(width))));
+        to = std::min(to, int(std::clamp(from, 0.0, double(width))));
     }
-    return part;
+    return to;
+}
+
+/// What is missing at the right, where time goes on, and then at the left.
+void TraceItem::complete(const record::SampleStore& store, int most)
+{
+    const int width = m_image.pixels.width();
+    PixelRange& valid = m_image.valid;
+    const int right = std::min(width - valid.to, most);
+    paintPart(store, {valid.to, valid.to + right});
+    valid.to += right;
+    const int left = std::min(valid.from, most - right);
+    paintPart(store, {valid.from - left, valid.from});
+    valid.from -= left;
+}
+
+void TraceItem::paintPart(const record::SampleStore& store, PixelRange part)
+{
+    if (part.empty())
+        return;
+    fetch(store, {m_image.at(part.from - wide), m_image.at(part.to + wide)},
+          (part.to - part.from + 2 * wide) / m_ratio);
+    m_raster.paint(m_image.pixels, m_traces, {m_image.at(0), m_image.at(m_image.pixels.width())},
+                   {.width = penWidth * m_ratio}, part);
+}
+
+/// A picture for a moment: at most one pixel a logical one, of whole pixels and columns of two.
+/// The lowest and highest value of each are in it all the same.
+void TraceItem::paintCoarse(const record::SampleStore& store)
+{
+    const double ratio = std::min(m_ratio, 1.0);
+    const QSize size = (m_plot.size() * ratio).toSize();
+    if (m_coarseImage.size() != size)
+        m_coarseImage = QImage(size, QImage::Format_ARGB32_Premultiplied);
+    Image grid; // of its own pixels, counted from instant 0 as in the fine one
+    grid.perPixel = double((m_span.to - m_span.from).count()) / size.width();
+    grid.first = std::int64_t(std::ceil(double(m_span.to.count()) / grid.perPixel)) - size.width();
+    const int from = -wide - int((grid.first - wide) % coarseColumn != 0);
+    const int columns = (size.width() + wide - from + coarseColumn - 1) / coarseColumn;
+    fetch(store, {grid.at(from), grid.at(from + columns * coarseColumn)}, columns);
+    m_raster.paint(m_coarseImage, m_traces, {grid.at(0), grid.at(size.width())},
+                   {.width = penWidth * ratio, .smooth = false}, {0, size.width()});
 }
 
 void TraceItem::fetch(const record::SampleStore& store, const record::TimeSpan& span, double pixels)
@@ -240,11 +288,13 @@ void TraceItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
         return;
     if (m_paper) {
         paintLines(painter);
-    } else if (!m_image.pixels.isNull()) {
-        painter->save(); // pixel to pixel, which no scaling needs to be done for
+    } else if (const QImage& pixels = m_coarse ? m_coarseImage : m_image.pixels; !pixels.isNull()) {
+        const double ratio = m_coarse ? std::min(m_ratio, 1.0) : m_ratio;
+        painter->save(); // the fine one pixel to pixel, which no scaling needs to be done for
+        painter->setRenderHint(QPainter::SmoothPixmapTransform, false);
         painter->translate(m_plot.topLeft());
-        painter->scale(1 / m_ratio, 1 / m_ratio);
-        painter->drawImage(QPoint(0, 0), m_image.pixels);
+        painter->scale(1 / ratio, 1 / ratio);
+        painter->drawImage(QPoint(0, 0), pixels);
         painter->restore();
     }
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one item of the chart that paints all curves, clipped to the plot's rectangle. On the screen
 // from an image: while only time goes on it is shifted, and nothing but the new stretch is asked
-// for and painted; a cursor being dragged costs nothing here. On paper as lines. Owned by the
-// QChart; main thread.
+// for and painted; a cursor being dragged costs nothing here. Where all of it changes while
+// somebody zooms or pans, a coarse image takes its place, and the fine one is made a part at a time
+// once there is leisure. On paper as lines. Owned by the QChart; main thread.
 #pragma once
 
 #include "ui/charts/trace_raster.h"
@@ -18,9 +19,14 @@ public:
     void setPaper(bool on) { m_paper = on; } ///< lines instead of an image
     void forget();                           ///< another store: nothing is kept
 
-    /// Looks into the store. `ratio`: device pixels a logical one.
+    /// Looks into the store. `ratio`: device pixels a logical one. `hasty`: the next change is
+    /// expected at once.
     void show(const record::SampleStore* store, const std::vector<TraceLook>& looks,
-              const record::TimeSpan& span, double ratio);
+              const record::TimeSpan& span, double ratio, bool hasty);
+    /// What is seen is the coarse image; sharpen() is wanted.
+    bool coarse() const { return m_coarse; }
+    /// Makes a part of the fine image, of the samples and the view of the latest show().
+    void sharpen(const record::SampleStore& store);
 
     QRectF boundingRect() const override { return m_plot; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -28,15 +34,22 @@ public:
 private:
     struct Image {
         QImage pixels;
+        PixelRange valid;       ///< painted, and as the samples are
         double perPixel = 0;    ///< µs
         std::int64_t first = 0; ///< pixel at its left, counted from instant 0
         std::vector<TraceLook> looks;
         std::vector<std::optional<record::SamplePoint>> latest; ///< when it was painted
+
+        int missing() const { return pixels.width() - (valid.to - valid.from); }
+        base::Duration at(int x) const;
     };
 
-    PixelRange shift(const record::SampleStore& store, const std::vector<TraceLook>& looks,
-                     std::int64_t first, double perPixel);
-    PixelRange unpainted(const record::SampleStore& store) const;
+    void shift(const record::SampleStore& store, const std::vector<TraceLook>& looks,
+               const record::TimeSpan& span, const QSize& size);
+    int upToDate(const record::SampleStore& store) const;
+    void complete(const record::SampleStore& store, int most);
+    void paintPart(const record::SampleStore& store, PixelRange part);
+    void paintCoarse(const record::SampleStore& store);
     void fetch(const record::SampleStore& store, const record::TimeSpan& span, double pixels);
     void paintLines(QPainter* painter) const;
 
@@ -44,8 +57,10 @@ private:
     record::TimeSpan m_span;
     std::vector<Trace> m_traces; ///< what was fetched last; its memory is used again
     Image m_image;
+    QImage m_coarseImage;
     TraceRaster m_raster;
     double m_ratio = 1;
+    bool m_coarse = false;
     bool m_paper = false;
 };
 } // namespace ui

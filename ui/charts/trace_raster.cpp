@@ -9,7 +9,8 @@
 namespace ui {
 namespace {
 constexpr float nothing = 1e30F;
-constexpr int block = 64; ///< columns filled together where they are tall: rows lie in the cache
+constexpr int block = 64; ///< columns painted together: what all curves need of the image stays in
+                          ///< the cache
 constexpr double farAway = 1e7; ///< pixels; more is not drawn either
 
 QRgb blend(QRgb below, QRgb over, int coverage)
@@ -30,7 +31,7 @@ bool finite(const record::SampleColumn& column)
 } // namespace
 
 void TraceRaster::paint(QImage& image, const std::vector<Trace>& traces,
-                        const record::TimeSpan& span, double penWidth, PixelRange part)
+                        const record::TimeSpan& span, Pen pen, PixelRange part)
 {
     m_part = {std::max(part.from, 0), std::min(part.to, image.width())};
     m_wide = {std::max(m_part.from - reach, 0), std::min(m_part.to + reach, image.width())};
@@ -42,15 +43,29 @@ void TraceRaster::paint(QImage& image, const std::vector<Trace>& traces,
         reset(m_runs[i]);
         collect(m_runs[i], traces[i],
                 {span, look.low, look.high, double(image.width()), double(image.height())});
-        widen(m_runs[i], int(penWidth - 1) / 2);
-        roundOff(m_runs[i], penWidth / 2, image.height());
+        widen(m_runs[i], int(pen.width - 1) / 2);
+        roundOff(m_runs[i], pen, image.height());
     }
     coverUp(traces.size());
-    for (std::size_t i = 0; i < traces.size(); ++i) {
-        blendEnds(image, traces[i].look.colour, m_runs[i]);
-        fill(image, traces[i].look.colour, m_runs[i].upper);
-        fill(image, traces[i].look.colour, m_runs[i].lower);
+    for (int from = m_part.from; from < m_part.to; from += block) {
+        const PixelRange range{from, std::min(from + block, m_part.to)};
+        clear(image, range);
+        for (std::size_t i = 0; i < traces.size(); ++i) {
+            const QRgb colour = traces[i].look.colour;
+            if (pen.smooth)
+                blendEnds(image, colour, m_runs[i], range);
+            fill(image, colour, m_runs[i].upper, range);
+            fill(image, colour, m_runs[i].lower, range);
+        }
     }
+}
+
+void TraceRaster::clear(QImage& image, PixelRange range)
+{
+    const auto stride = image.bytesPerLine() / qsizetype(sizeof(QRgb));
+    QRgb* const pixels = reinterpret_cast<QRgb*>(image.bits());
+    for (int y = 0; y < image.height(); ++y)
+        std::fill(pixels + y * stride + range.from, pixels + y * stride + range.to, 0U);
 }
 
 void TraceRaster::reset(Runs& runs) const
@@ -145,13 +160,18 @@ void TraceRaster::widen(Runs& runs, int by)
 }
 
 /// Gives the lines their thickness, and says which rows are covered entirely.
-void TraceRaster::roundOff(Runs& runs, double halfPen, int height)
+void TraceRaster::roundOff(Runs& runs, Pen pen, int height)
 {
+    const auto halfPen = float(pen.width / 2);
     for (std::size_t x = 0; x < runs.top.size(); ++x) {
         float& top = runs.top[x];
         float& bottom = runs.bottom[x];
-        top = std::max(top - float(halfPen), 0.0F);
-        bottom = std::min(bottom + float(halfPen), float(height));
+        top = std::max(top - halfPen, 0.0F);
+        bottom = std::min(bottom + halfPen, float(height));
+        if (top < bottom && !pen.smooth) { // never thinner than one
+            top = std::min(std::round(top), float(height - 1));
+            bottom = std::max(std::round(bottom), top + 1);
+        }
         if (top < bottom) {
             runs.upper.first[x] = int(std::ceil(top));
             runs.upper.end[x] = int(bottom);
@@ -196,14 +216,8 @@ void TraceRaster::coverUp(std::size_t count)
     }
 }
 
-void TraceRaster::fill(QImage& image, QRgb colour, const Rows& rows) const
-{
-    for (int from = m_part.from; from < m_part.to; from += block)
-        fillBlock(image, colour, rows, {from, std::min(from + block, m_part.to)});
-}
-
 /// Row by row, which the memory likes, unless there is little to fill.
-void TraceRaster::fillBlock(QImage& image, QRgb colour, const Rows& rows, PixelRange range) const
+void TraceRaster::fill(QImage& image, QRgb colour, const Rows& rows, PixelRange range) const
 {
     std::array<int, block> first;
     std::array<int, block> end;
@@ -259,7 +273,7 @@ void TraceRaster::fillBlock(QImage& image, QRgb colour, const Rows& rows, PixelR
     ragged(innerBottom, bottom);
 }
 
-void TraceRaster::blendEnds(QImage& image, QRgb colour, const Runs& runs) const
+void TraceRaster::blendEnds(QImage& image, QRgb colour, const Runs& runs, PixelRange range) const
 {
     const auto stride = image.bytesPerLine() / qsizetype(sizeof(QRgb));
     auto* const pixels = reinterpret_cast<QRgb*>(image.bits());
@@ -269,7 +283,7 @@ void TraceRaster::blendEnds(QImage& image, QRgb colour, const Runs& runs) const
         QRgb& pixel = pixels[y * stride + x];
         pixel = blend(pixel, colour, int(coverage * 256));
     };
-    for (int x = m_part.from; x < m_part.to; ++x) {
+    for (int x = range.from; x < range.to; ++x) {
         const auto i = std::size_t(x - m_wide.from);
         const float top = runs.top[i];
         const float bottom = runs.bottom[i];

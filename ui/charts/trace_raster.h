@@ -21,10 +21,15 @@ public:
     /// Columns of pixels that the neighbours of a part must be known for.
     static constexpr int reach = 4;
 
-    /// Over what is in these columns of an ARGB32_Premultiplied image, in the order of the traces.
-    /// `span` is the time the whole image covers.
+    struct Pen {
+        double width = 1;   ///< pixels of the image
+        bool smooth = true; ///< false: whole pixels, in about a third of the time less
+    };
+
+    /// These columns of an ARGB32_Premultiplied image anew, in the order of the traces. `span` is
+    /// the time the whole image covers.
     void paint(QImage& image, const std::vector<Trace>& traces, const record::TimeSpan& span,
-               double penWidth, PixelRange part);
+               Pen pen, PixelRange part);
 
 private:
     struct Rows { ///< fully covered ones
@@ -44,11 +49,11 @@ private:
     void run(Runs& runs, double x0, double x1, double y0, double y1) const;
     static void extend(Runs& runs, int x, double y0, double y1);
     void widen(Runs& runs, int by);
-    static void roundOff(Runs& runs, double halfPen, int height);
+    static void roundOff(Runs& runs, Pen pen, int height);
     void coverUp(std::size_t count);
-    void fill(QImage& image, QRgb colour, const Rows& rows) const;
-    void fillBlock(QImage& image, QRgb colour, const Rows& rows, PixelRange range) const;
-    void blendEnds(QImage& image, QRgb colour, const Runs& runs) const;
+    static void clear(QImage& image, PixelRange range);
+    void fill(QImage& image, QRgb colour, const Rows& rows, PixelRange range) const;
+    void blendEnds(QImage& image, QRgb colour, const Runs& runs, PixelRange range) const;
 
     std::vector<Runs> m_runs;
     Rows m_cover;

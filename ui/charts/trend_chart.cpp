@@ -76,14 +76,13 @@ void TrendChart::advance(Duration now)
     if (m_private->state().view.advance(now))
         m_private->frameSoon();
     else if (isVisible() && !following())
-        m_private->overview->advance(); // recording goes on
+        m_private->advanceOverview(); // recording goes on
     m_private->cursorsGrow();
 }
 
 void TrendChart::flush()
 {
-    if (m_private->frameWaits())
-        m_private->frame();
+    m_private->flush();
 }
 
 bool TrendChart::following() const

@@ -42,7 +42,8 @@ public:
     void advance(base::Duration now);
 
     using QWidget::show;
-    /// A frame that waits for its turn is made now.
+    /// A frame that waits for its turn is made now, and as fine as can be: while the view is being
+    /// changed curves are painted coarsely, all extremes in, and fine ones follow a moment later.
     void flush();
 
     bool following() const;

@@ -9,6 +9,8 @@
 namespace ui {
 namespace {
 constexpr int frameMs = 33;
+constexpr int leisureMs = 120;  ///< after the last change of the view the picture becomes fine
+constexpr int partMs = 10;      ///< between its parts
 constexpr int readingsMs = 400; ///< of cursors whose stretch still fills
 } // namespace
 
@@ -23,13 +25,15 @@ TrendChart::Private::Private(TrendChart* chart)
     overview->setObjectName(QStringLiteral("trendOverview"));
     m_later.setSingleShot(true);
     m_later.setTimerType(Qt::PreciseTimer);
+    m_leisure.setSingleShot(true);
 }
 
 void TrendChart::Private::connectAll()
 {
     QObject::connect(&m_later, &QTimer::timeout, q, [this] { frame(); });
+    QObject::connect(&m_leisure, &QTimer::timeout, q, [this] { sharpen(); });
     QObject::connect(&control, &TrendControl::viewChanged, q, [this] {
-        m_atOnce = true;
+        m_atOnce = m_hasty = true;
         frameSoon();
         Q_EMIT q->viewChanged();
     });
@@ -149,9 +153,31 @@ void TrendChart::Private::frame()
     m_later.stop();
     m_sinceFrame.start();
     plot->picture().refresh(m_atOnce ? TrendPicture::Axes::AtOnce : TrendPicture::Axes::Calm,
-                            plot->devicePixelRatioF());
-    m_atOnce = false;
-    overview->advance();
+                            plot->devicePixelRatioF(), m_hasty);
+    if (m_hasty || (plot->picture().coarse() && !m_leisure.isActive()))
+        m_leisure.start(leisureMs);
+    advanceOverview();
+    m_atOnce = m_hasty = false;
+}
+
+void TrendChart::Private::advanceOverview()
+{
+    overview->advance(m_leisure.isActive());
+}
+
+void TrendChart::Private::sharpen()
+{
+    plot->picture().sharpen();
+    if (plot->picture().coarse())
+        m_leisure.start(partMs);
+}
+
+void TrendChart::Private::flush()
+{
+    if (m_later.isActive())
+        frame();
+    while (plot->picture().coarse())
+        plot->picture().sharpen();
 }
 
 /// What is read between the cursors changes while samples still come in there.

@@ -27,7 +27,9 @@ public:
     /// Now if the last one is long enough ago, otherwise as soon as it is.
     void frameSoon();
     void frame();
-    bool frameWaits() const { return m_later.isActive(); }
+    /// What waits for its turn, and the fine picture, now.
+    void flush();
+    void advanceOverview(); ///< it can wait while somebody zooms or pans
     void cursorsGrow();
 
     TrendChart* const q;
@@ -37,13 +39,16 @@ public:
 
 private:
     void connectPlot();
+    void sharpen();
     void showTip(const QPointF& scene, const QPoint& screen);
     void nudge(Cursor which, double pixels);
     QString valuesAt(base::Duration at) const;
 
     QTimer m_later;
+    QTimer m_leisure; ///< the view has not been changed for a moment
     QElapsedTimer m_sinceFrame;
     QElapsedTimer m_sinceReadings;
     bool m_atOnce = true; ///< the next frame ranges the axes without patience
+    bool m_hasty = false; ///< somebody zooms or pans
 };
 } // namespace ui

@@ -77,7 +77,7 @@ std::optional<TimeSpan> TrendOverview::history() const
 }
 
 /// One channel a call; when all are there, the picture changes at once.
-void TrendOverview::advance()
+void TrendOverview::advance(bool busy)
 {
     const bool due = !m_sinceImage.isValid() || m_sinceImage.elapsed() > renewEvery;
     if (m_stale || (!m_shownHistory && history())) {
@@ -85,6 +85,8 @@ void TrendOverview::advance()
             while (m_fetching)
                 fetchNext();
         }
+    } else if (busy) {
+        // the stretch that is shown changes all the time: the handle only
     } else if (m_fetching) {
         fetchNext();
     } else if (due && history() != m_shownHistory) {
@@ -138,10 +140,9 @@ void TrendOverview::finish()
     const double ratio = devicePixelRatioF();
     m_image = QImage((QSizeF(width(), height() - 2 * border) * ratio).toSize(),
                      QImage::Format_ARGB32_Premultiplied);
-    m_image.fill(Qt::transparent);
     for (Trace& trace : m_traces)
         fillHeight(trace);
-    m_raster.paint(m_image, m_traces, m_nextHistory, ratio, {0, m_image.width()});
+    m_raster.paint(m_image, m_traces, m_nextHistory, {.width = ratio}, {0, m_image.width()});
     m_image.setDevicePixelRatio(ratio);
     m_shownHistory = m_nextHistory;
     m_sinceImage.start();

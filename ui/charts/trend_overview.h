@@ -19,8 +19,8 @@ public:
     TrendOverview(const TrendState& state, QWidget* parent);
 
     void setColours(const TrendColours& colours);
-    void rebuild(); ///< other channels, another store
-    void advance(); ///< once a frame
+    void rebuild();                  ///< other channels, another store
+    void advance(bool busy = false); ///< once a frame; busy: another time, if it can wait
     QRectF handle() const;
     std::optional<record::TimeSpan> history() const;
 

@@ -170,12 +170,12 @@ bool TrendPicture::layOutPlot()
     return true;
 }
 
-void TrendPicture::refresh(Axes axes, double ratio)
+void TrendPicture::refresh(Axes axes, double ratio, bool hasty)
 {
     rangeAxes(axes);
     layOutPlot(); // the texts may have become longer
     m_axes->show(m_state.view, m_state.origin);
-    showTraces(ratio);
+    showTraces(ratio, hasty);
     refreshOverlay();
 }
 
@@ -202,7 +202,7 @@ void TrendPicture::rangeAxes(Axes how)
     }
 }
 
-void TrendPicture::showTraces(double ratio)
+void TrendPicture::showTraces(double ratio, bool hasty)
 {
     std::vector<TraceLook> looks;
     for (const TrendChannel& channel : m_state.channels) {
@@ -212,7 +212,13 @@ void TrendPicture::showTraces(double ratio)
         looks.push_back({channel.id, trendColourOn(channel.colour, m_colours.ground).rgb(),
                          channel.steps, channel.scale, channel.offset, range.low, range.high});
     }
-    m_traces->show(m_state.store, looks, m_state.view.span(), ratio);
+    m_traces->show(m_state.store, looks, m_state.view.span(), ratio, hasty);
+}
+
+void TrendPicture::sharpen()
+{
+    if (m_state.store != nullptr && coarse())
+        m_traces->sharpen(*m_state.store);
 }
 
 void TrendPicture::refreshOverlay()

@@ -43,8 +43,11 @@ public:
     void storeChanged() { m_traces->forget(); }
     void channelsChanged(); ///< other ones, or other names, colours, visibility
     void layOut();          ///< the chart's size has changed
-    /// Fetches what is in view; `ratio`: columns a logical pixel.
-    void refresh(Axes axes, double ratio);
+    /// Fetches what is in view; `ratio`: device pixels a logical one. `hasty`: curves may be
+    /// coarse, as the next change is expected at once.
+    void refresh(Axes axes, double ratio, bool hasty = false);
+    bool coarse() const { return m_traces->coarse(); }
+    void sharpen(); ///< a part at a time, while coarse()
     /// Marks and cursors only.
     void refreshOverlay();
 
@@ -60,7 +63,7 @@ private:
     void styleLegend();
     double layOutLegend(double width);
     void rangeAxes(Axes axes);
-    void showTraces(double ratio);
+    void showTraces(double ratio, bool hasty);
     bool layOutPlot();
 
     QChart* m_chart;
