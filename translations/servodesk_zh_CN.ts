@@ -3973,6 +3973,30 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Step back the other way.</source>
         <translation>请向相反方向步进。</translation>
     </message>
+    <message>
+        <source>nothing is being read</source>
+        <translation>没有正在读取的数据</translation>
+    </message>
+    <message>
+        <source>There is nothing that could be recorded.</source>
+        <translation>没有可记录的内容。</translation>
+    </message>
+    <message>
+        <source>Connect, select a servo and choose curves first.</source>
+        <translation>请先连接、选择舵机并选择曲线。</translation>
+    </message>
+    <message>
+        <source>a goal that waits in the servo could not be removed</source>
+        <translation>舵机中等待的目标无法清除</translation>
+    </message>
+    <message>
+        <source>The next Execute would start it, whoever sends it.</source>
+        <translation>下一次“异步执行”会启动它，无论由谁发送。</translation>
+    </message>
+    <message>
+        <source>Switch the servo off and on, then it has forgotten the goal.</source>
+        <translation>请断电再上电，舵机就会忘记该目标。</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>

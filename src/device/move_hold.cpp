@@ -151,9 +151,12 @@ base::Result<void> overwriteHeld(const Context& context, Servo& servo)
     auto request = protocol::Request::regWrite(
         servo.id, torque->writeOffset, wireBytes(servo, *torque, 0), protocol::Repeat::Safe);
     request.acknowledged = servo.answersWrites();
+    const bool proven = request.acknowledged;
     const auto held = transactPlain(context, std::move(request));
-    if (!held && !answerLost(held.error()))
-        return held;
+    if (!held)
+        return held; // it may not have arrived, and then ACTION would start the goal
+    if (!proven)
+        return base::fail(ErrorCode::Refused, QStringLiteral("forget-held"), {}, servo.id);
     const auto acted = transactPlain(context, protocol::Request::action(servo.id));
     if (!acted && !answerLost(acted.error()))
         return acted;

@@ -80,6 +80,12 @@ constexpr std::array notSupported{
                  QT_TRANSLATE_NOOP("text", "Widen the limits, or switch its supply off and on.")},
 };
 
+constexpr std::array badArgument{
+    RefusalWords{"nothing-read", QT_TRANSLATE_NOOP("text", "nothing is being read"),
+                 QT_TRANSLATE_NOOP("text", "There is nothing that could be recorded."),
+                 QT_TRANSLATE_NOOP("text", "Connect, select a servo and choose curves first.")},
+};
+
 constexpr std::array preempted{
     RefusalWords{"torque-first",
                  QT_TRANSLATE_NOOP("text", "the emergency stop keeps it from moving"),
@@ -117,6 +123,11 @@ constexpr std::array refused{
                  QT_TRANSLATE_NOOP("text", "Something else has switched it. In the new mode this "
                                            "goal would mean something else."),
                  QT_TRANSLATE_NOOP("text", "Look at the mode shown now, then give a goal for it.")},
+    RefusalWords{"forget-held",
+                 QT_TRANSLATE_NOOP("text", "a goal that waits in the servo could not be removed"),
+                 QT_TRANSLATE_NOOP("text", "The next Execute would start it, whoever sends it."),
+                 QT_TRANSLATE_NOOP("text", "Switch the servo off and on, then it has forgotten "
+                                           "the goal.")},
     RefusalWords{"too-many-turns",
                  QT_TRANSLATE_NOOP("text", "this step would lead beyond ±7.5 turns"),
                  QT_TRANSLATE_NOOP("text", "The servo counts no further; the steps made since it "
@@ -145,6 +156,8 @@ const RefusalWords* refusalWords(const base::Error& error)
         return findIn(refused, error.detail);
     if (error.code == base::ErrorCode::Preempted)
         return findIn(preempted, error.detail);
+    if (error.code == base::ErrorCode::BadArgument)
+        return findIn(badArgument, error.detail);
     return nullptr;
 }
 } // namespace text

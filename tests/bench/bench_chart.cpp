@@ -149,6 +149,33 @@ struct Bench {
         report(what, times, cpu, wanted);
     }
 
+    /// What comes when the hand rests: the parts of the fine picture and its frame, the longest
+    /// turn of the event loop of each.
+    void measureRest(double wanted)
+    {
+        if (!QByteArray("fine picture").contains(only))
+            return;
+        std::vector<double> times;
+        std::vector<double> cpu;
+        for (int i = 0; i < 24; ++i) {
+            wheel(i % 2 == 0 ? 120 : -120);
+            QCoreApplication::processEvents();
+            double longest = 0;
+            double dearest = 0;
+            for (const auto until = Clock::now() + 300ms; Clock::now() < until;) {
+                const auto start = Clock::now();
+                const double spent = cpuMs();
+                QCoreApplication::processEvents();
+                longest = std::max(longest, since(start));
+                dearest = std::max(dearest, cpuMs() - spent);
+                std::this_thread::sleep_for(1ms);
+            }
+            times.push_back(longest);
+            cpu.push_back(dearest);
+        }
+        report("the fine picture after zooming 60 min", times, cpu, wanted);
+    }
+
     void wheel(int delta)
     {
         const QPointF place(plot->width() / 2.0, plot->height() / 2.0);
@@ -223,6 +250,8 @@ void benchAll(double wanted)
     chart.show({0min, length});
     bench.measure("zooming with the wheel, 60 min to 50 ms and back", wanted,
                   [&](int i) { bench.wheel((i + 10) % 100 < 50 ? 120 : -120); });
+    chart.show({0min, length});
+    bench.measureRest(16);
 }
 } // namespace
 

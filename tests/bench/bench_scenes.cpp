@@ -28,7 +28,7 @@ constexpr Scene scenes[] = {
     {"sts-pwm", "sim:sts3215@1", 1, "pwm", {"20%", "-20%", "30%"}, ""},
     {"sts-step", "sim:sts3215@1", 1, "step", {"1024", "1024", "-512"}, ""},
     {"scs-position", "sim:scs15@1,scs15@2", 1, "", {"300", "800", "500"}, ""},
-    {"scs-motor", "sim:scs15@1", 1, "motor", {"-200", "300", "-400"}, ""},
+    {"scs-motor", "sim:scs15@1", 1, "motor", {"-20%", "30%", "-40%"}, ""},
     {"hls-current", "sim:hls3625@1", 1, "current", {"200mA", "-200mA", "150mA"}, ""},
     {"lx-position", "sim:lx", 1, "", {"300", "700", "450"}, ""},
     {"lx-motor", "sim:lx", 3, "motor", {"300", "-300", "200"}, ""},

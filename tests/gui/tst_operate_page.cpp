@@ -18,6 +18,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
+#include <QTableWidget>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -198,6 +199,20 @@ private Q_SLOTS:
         QCOMPARE(chart->shown(), shown);
         bench.action(ui::Command::PauseTrend)->trigger();
         QTRY_VERIFY(chart->shown().to > shown.to);
+    }
+
+    void cursorsComeWithTheirTable()
+    {
+        OperateBench bench;
+        QVERIFY(bench.ready(1));
+        QTRY_VERIFY(bench.bench.scope.store().count() > 50);
+        QVERIFY(!bench.find<QWidget>("cursorPanel")->isVisible());
+        bench.click("trendCursors");
+        QVERIFY(bench.find<QWidget>("cursorPanel")->isVisible());
+        QVERIFY(bench.find<QTableWidget>("cursorTable")->rowCount() >= 3);
+        QVERIFY(bench.find<QTableWidget>("cursorTable")->height() > 40);
+        bench.click("trendCursors");
+        QVERIFY(!bench.find<QWidget>("cursorPanel")->isVisible());
     }
 
     void aTickedRegisterIsReadAndShown()

@@ -8,6 +8,7 @@
 #include "ui/pages/control_panel.h"
 #include "ui/pages/control_torque.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/flow_layout.h"
 #include "ui/widgets/segment_button.h"
 
 #include <QButtonGroup>
@@ -70,27 +71,36 @@ QWidget* ControlPanel::buildWrite(QWidget* body)
 {
     auto* box = new QWidget(body);
     box->setObjectName(QStringLiteral("controlWrite"));
-    auto* row = new QHBoxLayout(box);
-    row->setContentsMargins({});
-    row->setSpacing(2);
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    box->setSizePolicy(policy);
+    auto* row = new FlowLayout(box, 6); // where words are long, what sends stands below
+    const auto group = [&] {
+        auto* one = new QWidget(box);
+        auto* buttons = new QHBoxLayout(one);
+        buttons->setContentsMargins({});
+        buttons->setSpacing(2);
+        row->addWidget(one);
+        return one;
+    };
+    QWidget* ways = group();
     m_how = new QButtonGroup(this);
     static const char* const names[] = {"howWrite", "howSync", "howAsync"};
     for (int i = 0; i < 3; ++i) {
-        auto* button = new SegmentButton(box);
+        auto* button = new SegmentButton(ways);
         button->setObjectName(QString::fromLatin1(names[i]));
         m_how->addButton(button, i);
-        row->addWidget(button);
+        ways->layout()->addWidget(button);
     }
     m_how->button(0)->setChecked(true);
-    row->addStretch(1);
-    m_execute = new QPushButton(box);
+    QWidget* deeds = group();
+    m_execute = new QPushButton(deeds);
     m_execute->setObjectName(QStringLiteral("execute"));
-    m_set = new QPushButton(box);
+    m_set = new QPushButton(deeds);
     m_set->setObjectName(QStringLiteral("setGoal"));
     m_set->setProperty("mainAction", true);
-    row->addWidget(m_execute);
-    row->addSpacing(4);
-    row->addWidget(m_set);
+    deeds->layout()->addWidget(m_execute);
+    deeds->layout()->addWidget(m_set);
     return box;
 }
 

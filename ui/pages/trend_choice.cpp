@@ -156,8 +156,10 @@ QString markWords(const session::Desk& desk, const record::Mark& mark)
         words = translate("Trend", "emergency stop");
     else if (mark.kind == MarkKind::Write) // "position_p 32 → 40"
         words = writtenName(desk, mark.text);
-    return mark.servoId >= 0 ? translate("Trend", "ID %1 · %2").arg(mark.servoId).arg(words)
-                             : words;
+    const bool alone = desk.servos().size() < 2;
+    return mark.servoId >= 0 && !alone
+               ? translate("Trend", "ID %1 · %2").arg(mark.servoId).arg(words)
+               : words;
 }
 
 session::ServoRef TrendResolver::servoOf(const TrendChoice& choice) const
