@@ -136,8 +136,10 @@ void TrendPanel::connectToolbar()
         m_toolbar->setFollowing(m_chart->following());
         m_toolbar->setWidthShown(m_chart->width());
     });
-    connect(m_chart, &TrendChart::cursorsChanged, this,
-            [this] { m_toolbar->setCursorsShown(m_chart->cursorsShown()); });
+    connect(m_chart, &TrendChart::cursorsChanged, this, [this] {
+        m_toolbar->setCursorsShown(m_chart->cursorsShown());
+        m_cursors->setVisible(m_chart->cursorsShown());
+    });
     connect(m_chart, &TrendChart::channelsChanged, this, &TrendPanel::takeLegend);
     connect(m_replayBar, &ReplayBar::moved, this, &TrendPanel::followReplay);
 }
