@@ -4,8 +4,7 @@
 // pseudo-terminal. Interleaved pairs; prints every ratio and the median (wanted: 0.93), what the
 // main thread spent on it, and how soon the first stop frame left after Desk::emergencyStop().
 // POSIX, since the bare loop is.
-#include "integration/raw_client.h"
-#include "protocol/codec.h"
+#include "bench/bare_sync.h"
 #include "session/desk.h"
 #include "support/own_data_folder.h"
 
@@ -28,37 +27,6 @@ constexpr int stops = 20;
 
 base::SystemClock wallClock;
 const QString user = QStringLiteral("bench");
-
-/// Rounds a second of the loop that every simple program has.
-double bareRate(const QString& path, int address, int count)
-{
-    std::vector<int> ids;
-    for (int id = 1; id <= servos; ++id)
-        ids.push_back(id);
-    const auto asked = protocol::Request::syncRead(address, count, ids);
-    const base::Bytes frame = protocol::feetechCodec().encode(asked).value();
-    const QByteArray request(reinterpret_cast<const char*>(frame.data()), qsizetype(frame.size()));
-    const qsizetype replyBytes =
-        servos * qsizetype(protocol::feetechCodec().expect(asked).replyBytes);
-    const raw::Client client(path, B1000000);
-    wallClock.sleepFor(50ms);
-    int rounds = 0;
-    Duration lost{}; // spent on answers that a busy machine did not let through
-    const Duration start = wallClock.now();
-    while (wallClock.now() < start + span) {
-        const Duration said = wallClock.now();
-        client.say(request);
-        if (client.hear(replyBytes).size() == replyBytes) {
-            ++rounds;
-        } else {
-            client.hear(replyBytes);
-            lost += wallClock.now() - said;
-        }
-    }
-    if (rounds == 0)
-        qFatal("no answer from the simulated bus");
-    return rounds / std::chrono::duration<double>(wallClock.now() - start - lost).count();
-}
 
 template <typename Condition>
 void runUntil(Condition&& condition)
@@ -191,7 +159,8 @@ int main(int argc, char* argv[])
     std::vector<double> ratios;
     for (int pair = 0; pair < pairs; ++pair) {
         close(desk);
-        const double bare = bareRate(simulator.port(), feedback, feedbackBytes);
+        const double bare =
+            bench::bareSyncRate(simulator.port(), servos, feedback, feedbackBytes, span);
         if (!open(desk, simulator.port()))
             qFatal("the port does not open again");
         const Measured feed = feedRate(desk, keys);

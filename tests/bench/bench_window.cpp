@@ -4,6 +4,7 @@
 // the time its bytes need on the paced 1 Mbaud wire; the longest time the main thread was busy
 // while a dead port is searched, a servo polled as fast as the wire allows and a register edited;
 // memory after that. Wanted: 250 ms, 100 ms, p99 16 ms, 150 MB.
+#include "bench/stall_probe.h"
 #include "gui/window_bench.h"
 
 #include <QProcess>
@@ -13,20 +14,10 @@
 
 using namespace std::chrono_literals;
 
+using namespace bench;
+
 namespace {
 QTextStream out(stdout);
-
-using Clock = std::chrono::steady_clock;
-double since(Clock::time_point start)
-{
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return values.empty() ? 0 : values[values.size() / 2];
-}
 
 double runProgram(const QStringList& arguments)
 {
@@ -78,43 +69,6 @@ void benchTable()
         << *std::max_element(times.begin(), times.end()) << " ms (wanted <= 100)\n";
 }
 
-/// An event loop as the program has it; QTest::qWait sleeps in between.
-void letRun(int ms)
-{
-    QEventLoop loop;
-    QTimer::singleShot(ms, &loop, &QEventLoop::quit);
-    loop.exec();
-}
-
-/// Notes how late each tick of a busy timer comes.
-class Probe : public QObject {
-public:
-    Probe()
-    {
-        m_timer.setTimerType(Qt::PreciseTimer);
-        m_timer.setInterval(1ms);
-        connect(&m_timer, &QTimer::timeout, this, [this] {
-            m_gaps.push_back(since(m_last));
-            m_last = Clock::now();
-        });
-        m_last = Clock::now();
-        m_timer.start();
-    }
-    void report(const char* what)
-    {
-        m_timer.stop();
-        std::sort(m_gaps.begin(), m_gaps.end());
-        out << what << ": main thread busy p50 " << m_gaps[m_gaps.size() / 2] << " ms, p99 "
-            << m_gaps[m_gaps.size() * 99 / 100] << " ms, longest " << m_gaps.back()
-            << " ms (wanted p99 <= 16)\n";
-    }
-
-private:
-    QTimer m_timer;
-    Clock::time_point m_last;
-    std::vector<double> m_gaps;
-};
-
 void benchDeadPort()
 {
     gui::WindowBench bench;
@@ -130,7 +84,7 @@ void benchDeadPort()
     letRun(5000);
     bench.desk().stopSearch();
     bench.settled();
-    probe.report("searching where nobody is");
+    probe.report(out, "searching where nobody is");
 }
 
 double residentMb()
@@ -162,7 +116,7 @@ void benchLive()
         bench.desk().write(ref, {{{QStringLiteral("position_p"), 30 + i % 10}}, true, false});
         letRun(100);
     }
-    probe.report("polling the whole table at full speed, a write every 100 ms");
+    probe.report(out, "polling the whole table at full speed, a write every 100 ms");
     out << "memory: " << residentMb() << " MB, grown by " << residentMb() - before
         << " MB in 6 s of polling at full speed (wanted <= 150 MB)\n";
 }
