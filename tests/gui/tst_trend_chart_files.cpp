@@ -4,7 +4,6 @@
 #include "gui/trend_bench.h"
 #include "ui/charts/auto_range.h"
 #include "ui/charts/axis_ticks.h"
-#include "ui/charts/channel_list.h"
 #include "ui/charts/cursor_table.h"
 #include "ui/charts/trend_preset.h"
 
@@ -12,7 +11,6 @@
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
-#include <QTreeWidget>
 #include <QXmlStreamReader>
 
 #include <cmath>
@@ -39,7 +37,6 @@ private Q_SLOTS:
     void presets();
     void brokenPresets();
     void cursorTable();
-    void channelList();
     void coloursStandOut();
     void timeTexts_data();
     void timeTexts();
@@ -128,12 +125,8 @@ void TrendFilesTest::presets()
 {
     const QTemporaryDir folder;
     const QString file = folder.filePath(q("s.ini"));
-    gui::TrendBench bench;
-    std::vector<ui::TrendChannel> channels = bench.channels;
-    channels[1].visible = false;
-    channels[1].scale = -2.5;
-    channels[1].offset = 100;
-    const ui::TrendPreset preset = ui::presetOf(channels, 42s);
+    const ui::TrendPreset preset{
+        42s, {{q("1/a"), true, Qt::blue, 1, 0}, {q("1/b"), false, Qt::red, -2.5, 100}}};
     {
         session::Settings settings(file);
         QVERIFY(ui::presetNames(settings).isEmpty());
@@ -145,13 +138,6 @@ void TrendFilesTest::presets()
     QCOMPARE(ui::presetNames(settings), QStringList({q("Alone"), q("夹持 grip")}));
     QVERIFY(ui::loadPreset(settings, q("夹持 grip")) == preset);
     QVERIFY(!ui::loadPreset(settings, q("other")));
-    const auto set = ui::withPreset(bench.channels, *ui::loadPreset(settings, q("Alone")));
-    QCOMPARE(set.size(), std::size_t(2));
-    QCOMPARE(set[0].key, q("1/b"));
-    QCOMPARE(set[0].id, bench.ids[1]);
-    QCOMPARE(set[0].colour, QColor(Qt::red));
-    QVERIFY(set[0].visible);
-    QVERIFY(!set[1].visible);
     ui::deletePreset(settings, q("Alone"));
     QCOMPARE(ui::presetNames(settings), QStringList({q("夹持 grip")}));
 }
@@ -201,28 +187,6 @@ void TrendFilesTest::cursorTable()
     QCOMPARE(cells->rowCount(), 1);
     bench.chart.setCursorsShown(false);
     QCOMPARE(cells->rowCount(), 0);
-}
-
-void TrendFilesTest::channelList()
-{
-    gui::TrendBench bench;
-    ui::ChannelList list(&bench.chart);
-    list.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&list));
-    auto* const tree = list.findChild<QTreeWidget*>(q("channelList"));
-    QCOMPARE(tree->topLevelItemCount(), 2);
-    tree->setCurrentItem(tree->topLevelItem(1));
-    QTest::keyClick(tree, Qt::Key_Space);
-    QVERIFY(!bench.chart.channels()[1].visible);
-    QTest::keyClick(tree, Qt::Key_Space);
-    QVERIFY(bench.chart.channels()[1].visible);
-    tree->topLevelItem(0)->setText(1, q("2.5"));
-    QCOMPARE(bench.chart.channels()[0].scale, 2.5);
-    tree->topLevelItem(0)->setText(1, q("0"));
-    QCOMPARE(bench.chart.channels()[0].scale, 2.5);
-    QCOMPARE(tree->topLevelItem(0)->text(1), q("2.5"));
-    bench.chart.setChannelVisible(0, false); // at the legend
-    QCOMPARE(tree->topLevelItem(0)->checkState(0), Qt::Unchecked);
 }
 
 void TrendFilesTest::coloursStandOut()

@@ -16,6 +16,8 @@ private Q_SLOTS:
     void stepsStayLevel();
     void curveIsWhereItsValueIs();
     void movingPictureIsAsAFreshOne();
+    void hastyPictureLosesNothing();
+    void finePictureFollows();
     void themeRepaints();
     void nothingToShow();
     void constantSignal();
@@ -107,6 +109,55 @@ void TrendPaintTest::movingPictureIsAsAFreshOne()
             different += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
     }
     QVERIFY2(different < a.width() / 2, qPrintable(QString::number(different)));
+}
+
+/// While the wheel turns curves are coarse; a single sample far out and a gap are seen all the
+/// same.
+void TrendPaintTest::hastyPictureLosesNothing()
+{
+    gui::TrendBench bench;
+    for (int i = 0; i < 60000; ++i) {
+        if (i == 20000)
+            bench.store.gap(bench.ids[0]);
+        if (i < 20000 || i > 24000)
+            bench.put(0, i * 10ms, i == 37001 ? 100 : std::abs(std::sin(i * 0.01)));
+    }
+    bench.chart.show({0s, 600s});
+    for (const int turn : {120, -120, 240, -360}) {
+        bench.settle();
+        QVERIFY(!bench.plot->picture().coarse());
+        bench.wheel({0.5, 0.5}, turn);
+        QTRY_VERIFY(bench.plot->picture().coarse());
+        const record::TimeSpan shown = bench.chart.shown();
+        const auto share = [&](Duration at) {
+            return double((at - shown.from).count()) / double((shown.to - shown.from).count());
+        };
+        const double spike = share(370010ms);
+        QVERIFY(bench.paintedIn({spike - 0.005, 0.9, 0.01, 0.09}, 0)); // its tip
+        QVERIFY(bench.paintedIn({spike - 0.005, 0.3, 0.01, 0.4}, 0));  // and the way there
+        QVERIFY(!bench.paintedIn({spike + 0.01, 0.3, 0.2, 0.69}, 0));
+        QVERIFY(!bench.paintedIn({share(203s), 0, share(237s) - share(203s), 1}, 0));
+        QVERIFY(bench.paintedIn({share(195s), 0, share(199s) - share(195s), 0.2}, 0));
+    }
+}
+
+void TrendPaintTest::finePictureFollows()
+{
+    const auto wave = [](double t) { return std::sin(t) * 50 + std::sin(t * 41) * 3; };
+    gui::TrendBench zoomed;
+    gui::TrendBench fresh;
+    for (gui::TrendBench* bench : {&zoomed, &fresh})
+        bench->fill(0, 300s, wave);
+    zoomed.chart.show({0s, 300s});
+    zoomed.settle();
+    for (int i = 0; i < 5; ++i)
+        zoomed.wheel({0.4, 0.5}, 120);
+    QTRY_VERIFY(zoomed.plot->picture().coarse());
+    fresh.chart.show(zoomed.chart.shown());
+    fresh.settle();
+    QVERIFY(zoomed.picture() != fresh.picture());
+    QTRY_VERIFY(!zoomed.plot->picture().coarse()); // by itself, once the wheel rests
+    QCOMPARE(zoomed.picture(), fresh.picture());
 }
 
 void TrendPaintTest::themeRepaints()

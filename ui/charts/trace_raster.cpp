@@ -47,9 +47,9 @@ void TraceRaster::paint(QImage& image, const std::vector<Trace>& traces,
         roundOff(m_runs[i], pen, image.height());
     }
     coverUp(traces.size());
+    clear(image);
     for (int from = m_part.from; from < m_part.to; from += block) {
         const PixelRange range{from, std::min(from + block, m_part.to)};
-        clear(image, range);
         for (std::size_t i = 0; i < traces.size(); ++i) {
             const QRgb colour = traces[i].look.colour;
             if (pen.smooth)
@@ -60,12 +60,12 @@ void TraceRaster::paint(QImage& image, const std::vector<Trace>& traces,
     }
 }
 
-void TraceRaster::clear(QImage& image, PixelRange range)
+void TraceRaster::clear(QImage& image) const
 {
-    const auto stride = image.bytesPerLine() / qsizetype(sizeof(QRgb));
-    QRgb* const pixels = reinterpret_cast<QRgb*>(image.bits());
-    for (int y = 0; y < image.height(); ++y)
-        std::fill(pixels + y * stride + range.from, pixels + y * stride + range.to, 0U);
+    for (int y = 0; y < image.height(); ++y) {
+        auto* const row = reinterpret_cast<QRgb*>(image.scanLine(y));
+        std::fill(row + m_part.from, row + m_part.to, 0U);
+    }
 }
 
 void TraceRaster::reset(Runs& runs) const

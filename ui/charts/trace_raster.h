@@ -51,7 +51,7 @@ private:
     void widen(Runs& runs, int by);
     static void roundOff(Runs& runs, Pen pen, int height);
     void coverUp(std::size_t count);
-    static void clear(QImage& image, PixelRange range);
+    void clear(QImage& image) const;
     void fill(QImage& image, QRgb colour, const Rows& rows, PixelRange range) const;
     void blendEnds(QImage& image, QRgb colour, const Runs& runs, PixelRange range) const;
 

@@ -2,6 +2,7 @@
 #include "ui/charts/trend_overlay.h"
 
 #include <QFontMetricsF>
+#include <QPaintEngine>
 #include <QPainter>
 
 #include <algorithm>
@@ -82,12 +83,14 @@ void TrendOverlay::setPlot(const QRectF& plot)
 void TrendOverlay::setColours(const TrendColours& colours)
 {
     m_colours = colours;
+    m_flags.clear();
     update();
 }
 
 void TrendOverlay::setFont(const QFont& font)
 {
     m_font = font;
+    m_flags.clear();
     update();
 }
 
@@ -267,6 +270,33 @@ void TrendOverlay::paintMarks(QPainter* painter) const
     }
 }
 
+/// Painted once and copied: an hour of recording may show a hundred of them in every frame.
+const QPixmap& TrendOverlay::flagOf(MarkKind kind, const QPainter& painter) const
+{
+    const double ratio = painter.device()->devicePixelRatioF();
+    QPixmap& flag = m_flags[kind];
+    if (flag.isNull() || flag.devicePixelRatio() != ratio) {
+        flag = QPixmap((QSizeF(flagSize, flagSize) * ratio).toSize());
+        flag.setDevicePixelRatio(ratio);
+        flag.fill(Qt::transparent);
+        QPainter onFlag(&flag);
+        onFlag.setFont(m_font);
+        paintFlag(&onFlag, QRectF(0, 0, flagSize, flagSize), kind);
+    }
+    return flag;
+}
+
+void TrendOverlay::paintFlag(QPainter* painter, const QRectF& place, MarkKind kind) const
+{
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(colourOf(kind));
+    painter->drawRoundedRect(place, 3, 3);
+    painter->setRenderHint(QPainter::Antialiasing, false);
+    painter->setPen(m_colours.ground);
+    painter->drawText(place, Qt::AlignCenter, signOf(kind));
+}
+
 void TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double room) const
 {
     const QColor colour = colourOf(group.gravest);
@@ -274,17 +304,13 @@ void TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double r
     painter->setPen(QPen(colour, 1));
     painter->drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
     const QRectF flag(x - flagSize / 2, m_plot.top() - flagSize, flagSize, flagSize);
-    painter->setRenderHint(QPainter::Antialiasing);
-    painter->setPen(Qt::NoPen);
-    painter->setBrush(colour);
-    painter->drawRoundedRect(flag, 3, 3);
-    painter->setRenderHint(QPainter::Antialiasing, false);
-    painter->setPen(m_colours.ground);
-    painter->drawText(flag, Qt::AlignCenter, signOf(group.gravest));
+    if (painter->paintEngine()->type() == QPaintEngine::Raster)
+        painter->drawPixmap(flag.topLeft(), flagOf(group.gravest, *painter));
+    else
+        paintFlag(painter, flag, group.gravest);
     const QFontMetricsF metrics(m_font);
-    QString text = words(group.first);
-    if (group.count > 1)
-        text = QStringLiteral("+%1").arg(group.count - 1);
+    const QString text =
+        group.count > 1 ? QStringLiteral("+%1").arg(group.count - 1) : words(group.first);
     const bool fits = metrics.horizontalAdvance(text) <= room;
     if (!fits && room < leastText)
         return;

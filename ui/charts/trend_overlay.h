@@ -9,6 +9,9 @@
 
 #include <QFont>
 #include <QGraphicsItem>
+#include <QPixmap>
+
+#include <map>
 
 namespace ui {
 enum class Cursor : std::uint8_t { A, B };
@@ -48,6 +51,8 @@ private:
     QString words(std::size_t mark) const;
     void paintMarks(QPainter* painter) const;
     void paintMark(QPainter* painter, const MarkGroup& group, double room) const;
+    const QPixmap& flagOf(record::MarkKind kind, const QPainter& painter) const;
+    void paintFlag(QPainter* painter, const QRectF& place, record::MarkKind kind) const;
     void paintCursor(QPainter* painter, Cursor which, base::Duration at) const;
     QColor colourOf(record::MarkKind kind) const;
 
@@ -62,5 +67,6 @@ private:
     QRectF m_box;
     QString m_notice;
     bool m_focused = false;
+    mutable std::map<record::MarkKind, QPixmap> m_flags; ///< painted when first needed
 };
 } // namespace ui

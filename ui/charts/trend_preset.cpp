@@ -5,7 +5,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include <algorithm>
 #include <cmath>
 
 namespace ui {
@@ -65,40 +64,6 @@ TrendPreset readPreset(const QJsonObject& object)
     return preset;
 }
 } // namespace
-
-TrendPreset presetOf(const std::vector<TrendChannel>& channels, base::Duration width)
-{
-    TrendPreset preset{width, {}};
-    for (const TrendChannel& channel : channels)
-        preset.channels.push_back(
-            {channel.key, channel.visible, channel.colour, channel.scale, channel.offset});
-    return preset;
-}
-
-std::vector<TrendChannel> withPreset(std::vector<TrendChannel> channels, const TrendPreset& preset)
-{
-    std::vector<TrendChannel> ordered;
-    for (const PresetChannel& wanted : preset.channels) {
-        const auto found =
-            std::find_if(channels.begin(), channels.end(),
-                         [&](const TrendChannel& channel) { return channel.key == wanted.key; });
-        if (found == channels.end())
-            continue;
-        TrendChannel channel = std::move(*found);
-        channels.erase(found);
-        channel.visible = wanted.visible;
-        if (wanted.colour.isValid())
-            channel.colour = wanted.colour;
-        channel.scale = wanted.scale;
-        channel.offset = wanted.offset;
-        ordered.push_back(std::move(channel));
-    }
-    for (TrendChannel& channel : channels) {
-        channel.visible = false;
-        ordered.push_back(std::move(channel));
-    }
-    return ordered;
-}
 
 QStringList presetNames(const session::Settings& settings)
 {

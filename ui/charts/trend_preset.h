@@ -25,11 +25,6 @@ struct TrendPreset {
     bool operator==(const TrendPreset&) const = default;
 };
 
-TrendPreset presetOf(const std::vector<TrendChannel>& channels, base::Duration width);
-/// Channels of the preset first, in its order and as it says; the others follow, hidden. What the
-/// preset names and is not there is passed over.
-std::vector<TrendChannel> withPreset(std::vector<TrendChannel> channels, const TrendPreset& preset);
-
 QStringList presetNames(const session::Settings& settings); ///< sorted
 std::optional<TrendPreset> loadPreset(const session::Settings& settings, const QString& name);
 /// Replaces one of the same name. False: no name.
