@@ -308,6 +308,8 @@ void TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double r
         painter->drawPixmap(flag.topLeft(), flagOf(group.gravest, *painter));
     else
         paintFlag(painter, flag, group.gravest);
+    if (room < leastText && group.count == 1)
+        return; // words do not fit; measuring them for each mark would take its time
     const QFontMetricsF metrics(m_font);
     const QString text =
         group.count > 1 ? QStringLiteral("+%1").arg(group.count - 1) : words(group.first);
