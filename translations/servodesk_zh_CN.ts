@@ -4063,29 +4063,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
 </context>
 <context>
-    <name>ui::ChannelList</name>
-    <message>
-        <source>Channel</source>
-        <translation>通道</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>比例</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>偏移</translation>
-    </message>
-    <message>
-        <source>Channels of the chart</source>
-        <translation>曲线图的通道</translation>
-    </message>
-    <message>
-        <source>Tick what is to be drawn. Drawn is value × scale + offset; readings stay those of the value.</source>
-        <translation>勾选要绘制的通道。绘制的是 数值 × 比例 + 偏移；读数仍为原始数值。</translation>
-    </message>
-</context>
-<context>
     <name>ui::ChannelsDialog</name>
     <message>
         <source>The selected servo</source>

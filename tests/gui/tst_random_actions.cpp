@@ -70,9 +70,12 @@ private:
                                 qobject_cast<QLineEdit*>(widget) != nullptr ||
                                 qobject_cast<QTabBar*>(widget) != nullptr ||
                                 widget->objectName() == QLatin1String("qt_scrollarea_viewport");
+            // Nor what writes files of the user's or leads to the system's own windows.
+            static const QRegularExpression files(
+                QStringLiteral("export|print|record|trendMore|colour"),
+                QRegularExpression::CaseInsensitiveOption);
             if (useful && widget->isVisible() && widget->isEnabled() &&
-                !widget->objectName().contains(QLatin1String("export"), Qt::CaseInsensitive) &&
-                !widget->objectName().contains(QLatin1String("print"), Qt::CaseInsensitive))
+                !widget->objectName().contains(files))
                 targets << widget;
         }
         if (targets.isEmpty())
@@ -113,7 +116,8 @@ private:
         const auto command = static_cast<Command>(m_dice.bounded(static_cast<int>(Command::Count)));
         // Those that end the program or open the system's own windows.
         if (command == Command::Quit || command == Command::PrintTable ||
-            command == Command::ExportTable)
+            command == Command::ExportTable || command == Command::Record ||
+            command == Command::OpenRecording)
             return;
         if (QApplication::activeModalWidget() == nullptr)
             m_bench.action(command)->trigger();

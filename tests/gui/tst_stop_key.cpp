@@ -2,16 +2,20 @@
 // Esc stops from anywhere: the first one in an editor, menu or dialog only cancels that, the next
 // always stops, Shift+Esc and the red button always do.
 #include "gui/window_bench.h"
+#include "sim/sim_link.h"
 #include "ui/dialogs/ask.h"
 
 #include <QComboBox>
 #include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QToolButton>
 
 namespace {
 /// Counts the stops that were sent.
@@ -121,6 +125,96 @@ private Q_SLOTS:
         QCOMPARE(stops.count, 0);
         QTest::keyClick(bench.window.get(), Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
+    }
+
+    void theFirstEscInAListOfChoicesClosesIt()
+    {
+        gui::WindowBench bench;
+        bench.page = QStringLiteral("operate");
+        QVERIFY(bench.ready(1));
+        Stops stops(bench.desk());
+        auto* choices = bench.find<QComboBox>("trendWidth");
+        choices->showPopup();
+        QTRY_VERIFY(QApplication::activePopupWidget() != nullptr);
+        QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
+        QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
+        QCOMPARE(stops.count, 0);
+        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        QCOMPARE(stops.count, 1);
+    }
+
+    /// The list of curves stands beside the window, not before it.
+    void theFirstEscInADialogBesideClosesIt()
+    {
+        gui::WindowBench bench;
+        bench.page = QStringLiteral("operate");
+        QVERIFY(bench.ready(1));
+        Stops stops(bench.desk());
+        QTest::mouseClick(bench.find<QToolButton>("trendChannels"), Qt::LeftButton);
+        QPointer<QDialog> dialog = bench.find<QDialog>("channelsDialog");
+        QVERIFY(dialog != nullptr);
+        QTest::keyClick(dialog, Qt::Key_Escape);
+        QCOMPARE(stops.count, 0);
+        QTRY_VERIFY(dialog == nullptr);
+        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        QCOMPARE(stops.count, 1);
+    }
+
+    void escInTheMiddleOfASearch()
+    {
+        gui::WindowBench bench;
+        bench.page = QStringLiteral("operate");
+        QVERIFY(bench.ready(1));
+        bench.bench.drive.setTorque(device::Torque::On);
+        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(1));
+        jobs::ScanSpec all;
+        all.bauds = {1'000'000, 500'000, 115'200};
+        bench.desk().search(all);
+        QVERIFY(bench.desk().searching());
+        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        const auto torque = [&] {
+            std::int64_t value = -1;
+            bench.desk().connection()->simulation()->with([&](sim::VirtualBus& bus) {
+                value = bus.servo(1)->raw(QStringLiteral("torque_switch"));
+            });
+            return value;
+        };
+        QTRY_COMPARE(torque(), 0);
+        bench.desk().stopSearch();
+        QVERIFY(bench.settled());
+    }
+
+    void escInTheMiddleOfADrag()
+    {
+        gui::WindowBench bench;
+        bench.page = QStringLiteral("operate");
+        QVERIFY(bench.ready(1));
+        bench.bench.drive.setTorque(device::Torque::On);
+        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(1));
+        auto* slider = bench.find<QWidget>("goalSlider");
+        QTRY_VERIFY(slider->isEnabled());
+        const auto servo = [&](const char* key) {
+            std::int64_t value = -1;
+            bench.desk().connection()->simulation()->with(
+                [&](sim::VirtualBus& bus) { value = bus.servo(1)->raw(QString::fromLatin1(key)); });
+            return value;
+        };
+        const QPoint middle = slider->rect().center();
+        QTest::mousePress(slider, Qt::LeftButton, {}, middle);
+        QTest::mouseMove(slider, middle + QPoint(30, 0));
+        QTRY_VERIFY(servo("goal_position") > 2100);
+        QTest::mouseMove(slider, middle + QPoint(60, 0));
+        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        QTRY_COMPARE(servo("torque_switch"), 0);
+        QVERIFY(bench.settled());
+        const auto goal = servo("goal_position");
+        for (int x = 65; x < 90; x += 5)
+            QTest::mouseMove(slider, middle + QPoint(x, 0));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, middle + QPoint(90, 0));
+        QVERIFY(bench.settled());
+        QCOMPARE(servo("torque_switch"), 0);
+        QCOMPARE(servo("goal_position"), goal);
+        QVERIFY(bench.find<QLabel>("controlStopped")->isVisible());
     }
 
     void shiftEscStopsWhateverIsOpen()

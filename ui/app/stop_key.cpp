@@ -3,6 +3,7 @@
 
 #include <QAbstractItemView>
 #include <QApplication>
+#include <QDialog>
 #include <QKeyEvent>
 #include <QWidget>
 
@@ -21,10 +22,12 @@ bool inCellEditor(const QWidget* focus)
     return false;
 }
 
-bool somethingToCancel()
+/// `asked`: who got the key.
+bool somethingToCancel(const QWidget& asked)
 {
     return QApplication::activePopupWidget() != nullptr ||
            QApplication::activeModalWidget() != nullptr ||
+           qobject_cast<QDialog*>(asked.window()) != nullptr ||
            inCellEditor(QApplication::focusWidget());
 }
 } // namespace
@@ -42,7 +45,7 @@ bool StopKey::eventFilter(QObject* watched, QEvent* event)
         return false;
     switch (event->type()) {
     case QEvent::KeyPress:
-        return filterKey(*static_cast<QKeyEvent*>(event));
+        return filterKey(*static_cast<QKeyEvent*>(event), *static_cast<QWidget*>(watched));
     case QEvent::KeyRelease:
         m_passing = nullptr; // the next press may have this one's address
         return false;
@@ -54,7 +57,7 @@ bool StopKey::eventFilter(QObject* watched, QEvent* event)
     }
 }
 
-bool StopKey::filterKey(const QKeyEvent& event)
+bool StopKey::filterKey(const QKeyEvent& event, const QWidget& asked)
 {
     if (event.key() != Qt::Key_Escape) {
         if (event.key() != Qt::Key_Shift)
@@ -66,7 +69,7 @@ bool StopKey::filterKey(const QKeyEvent& event)
     if (event.isAutoRepeat())
         return true;
     const bool always = event.modifiers().testFlag(Qt::ShiftModifier);
-    if (!always && !m_cancelled && somethingToCancel()) {
+    if (!always && !m_cancelled && somethingToCancel(asked)) {
         m_cancelled = true;
         m_passing = &event;
         // The address may be another event's once this one has been dealt with.

@@ -7,6 +7,7 @@
 #include <QObject>
 
 class QKeyEvent;
+class QWidget;
 
 namespace ui {
 class StopKey final : public QObject {
@@ -23,7 +24,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    bool filterKey(const QKeyEvent& event);
+    bool filterKey(const QKeyEvent& event, const QWidget& asked);
 
     bool m_cancelled = false;        ///< the latest Esc was left to an editor, menu or dialog
     const void* m_passing = nullptr; ///< an event on its way up through parents

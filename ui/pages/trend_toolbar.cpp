@@ -50,8 +50,9 @@ TrendToolbar::TrendToolbar(QWidget* parent)
     m_layout->addWidget(m_recordState);
     m_menu = new QMenu(this);
     m_menu->setObjectName(QStringLiteral("trendMenu"));
-    m_more->setMenu(m_menu);
-    m_more->setPopupMode(QToolButton::InstantPopup);
+    // Not the button's own menu: that one waits in a loop of its own.
+    connect(m_more, &QToolButton::clicked, this,
+            [this] { m_menu->popup(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
     // Little room: these speak by their icons, tooltips and names.
     for (QToolButton* button : {m_pause, m_fit, m_back, m_cursors, m_more})
         button->setToolButtonStyle(Qt::ToolButtonIconOnly);
