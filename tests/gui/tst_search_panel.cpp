@@ -272,24 +272,24 @@ void TestSearchPanel::severalAreChosenTogether()
     Bench bench(QStringLiteral("sim:demo"));
     bench.setIds(1, 6);
     QVERIFY(bench.searched());
-    const auto click = [&](int row, Qt::KeyboardModifiers keys) {
+    const auto click = [&](int id, Qt::KeyboardModifiers keys) {
         QTest::mouseClick(bench.list()->viewport(), Qt::LeftButton, keys,
-                          bench.list()->visualRect(bench.index(row)).center());
+                          bench.list()->visualRect(bench.index(id)).center());
     };
     const auto chosen = [&] { return bench.selection.chosen(); };
     using Refs = std::vector<session::ServoRef>;
-    click(2, {});
+    click(3, {});
     QSignalSpy current(&bench.selection, &ui::Selection::changed);
-    click(0, Qt::ControlModifier);
-    QCOMPARE(chosen(), (Refs{bench.ref(2), bench.ref(0)}));
+    click(1, Qt::ControlModifier);
+    QCOMPARE(chosen(), (Refs{bench.ref(3), bench.ref(1)}));
     QCOMPARE(current.count(), 0); // the page stays with the one it shows
-    click(2, Qt::ControlModifier);
-    QCOMPARE(chosen(), (Refs{bench.ref(0)}));
-    QCOMPARE(bench.selection.current(), bench.ref(0));
-    click(2, Qt::ShiftModifier);
+    click(3, Qt::ControlModifier);
+    QCOMPARE(chosen(), (Refs{bench.ref(1)}));
+    QCOMPARE(bench.selection.current(), bench.ref(1));
+    click(3, Qt::ShiftModifier);
     QCOMPARE(chosen().size(), std::size_t(3));
-    QCOMPARE(chosen().front(), bench.ref(0));
-    bench.selection.select(bench.ref(1));
+    QCOMPARE(chosen().front(), bench.ref(1));
+    bench.selection.select(bench.ref(2));
     QCOMPARE(bench.list()->selectionModel()->selectedIndexes().size(), 1);
 }
 
