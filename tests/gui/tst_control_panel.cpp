@@ -29,23 +29,30 @@ private Q_SLOTS:
     void nothingMovesUnasked();
     void emptyPanelSaysWhy();
     void hintBeforeTheFirstTorque();
+    void theHintsDeedStaysInItsMode_data();
+    void theHintsDeedStaysInItsMode();
+    void aStopForgetsTheHintsDeed();
     void torqueOnHoldsWhereItStands_data();
     void torqueOnHoldsWhereItStands();
     void torqueOnAfterThreeTurns();
     void goalsOutsideTheLimitsAreRefused();
     void draggingSendsTheLatestGoal();
-    void wheelMovesOnlyWithFocus();
+    void wheelMovesOnlyAfterAClick();
     void keysMoveToTheLimits();
     void speedAndAccelerationAreHonoured();
     void aTypedFieldIsNotOverwritten();
+    void aRefusedGoalStaysToBeCorrected();
+    void whatWasSaidGoesWithTheNextMove();
     void servoVanishesMidDrag();
     void modeChangedByAnotherProgram();
     void heldGoalsWaitForExecute();
     void aHeldGoalDoesNotSurviveAModeSwitch();
     void severalMoveTogether();
     void oneOfSeveralOutOfItsLimits();
+    void severalGetTheSpeedThatIsShown();
     void torqueLimit_data();
     void torqueLimit();
+    void torqueLimitByArrowsAndNotches();
     void stopBlocksUntilTorqueIsOn();
 };
 
@@ -96,6 +103,58 @@ void TestControlPanel::hintBeforeTheFirstTorque()
     QVERIFY(bench.torque());                  // and on, without a word
     QVERIFY(!bench.has("torqueHint"));
     QCOMPARE(bench.raw(1, "torque_switch"), std::int64_t(1));
+}
+
+void TestControlPanel::theHintsDeedStaysInItsMode_data()
+{
+    QTest::addColumn<bool>("byAnother");
+    QTest::newRow("switched here") << false;
+    QTest::newRow("by another program") << true;
+}
+
+/// 3000 is a place in one mode and a speed in another.
+void TestControlPanel::theHintsDeedStaysInItsMode()
+{
+    QFETCH(bool, byAnother);
+    ControlBench bench;
+    bench.settings.setChoice(text("operate/no_torque_hint"), false);
+    QVERIFY(bench.ready(sts, {1}));
+    const std::int64_t speed = byAnother ? bench.raw(1, "goal_speed") : 0; // a switch here ends it
+    bench.type("goal", text("3000"));
+    bench.click("setGoal");
+    QVERIFY(bench.has("torqueHint"));
+    if (byAnother) {
+        bench.poke(1, "operating_mode", 1);
+        QVERIFY(bench.read());
+    } else {
+        QVERIFY(bench.switchTo("speed"));
+    }
+    QVERIFY(!bench.has("torqueHint"));
+    // Even an answer that was on its way already does nothing.
+    bench.find<QPushButton>("torqueHintGo")->click();
+    QVERIFY(bench.settled());
+    QCOMPARE(bench.raw(1, "goal_speed"), speed);
+    QCOMPARE(bench.raw(1, "torque_switch"), std::int64_t(0));
+}
+
+void TestControlPanel::aStopForgetsTheHintsDeed()
+{
+    ControlBench bench;
+    bench.settings.setChoice(text("operate/no_torque_hint"), false);
+    QVERIFY(bench.ready(text("sim:sts3215@1,sts3215@2"), {1}));
+    bench.click("torqueSwitch");
+    QVERIFY(bench.has("torqueHint"));
+    bench.desk.emergencyStop();
+    QVERIFY(bench.settled());
+    QVERIFY(!bench.has("torqueHint"));
+    bench.click("torqueSwitch");
+    QVERIFY(bench.has("torqueHint"));
+    QVERIFY(bench.choose({2}));
+    QVERIFY(!bench.has("torqueHint"));
+    bench.find<QPushButton>("torqueHintGo")->click();
+    QVERIFY(bench.settled());
+    QCOMPARE(bench.raw(1, "torque_switch"), std::int64_t(0));
+    QCOMPARE(bench.raw(2, "torque_switch"), std::int64_t(0));
 }
 
 void TestControlPanel::torqueOnHoldsWhereItStands_data()
@@ -179,26 +238,33 @@ void TestControlPanel::draggingSendsTheLatestGoal()
     QVERIFY(std::abs(bench.degrees(1) - double(bench.raw(1, "goal_position")) * 360 / 4096) < 2);
 }
 
-void TestControlPanel::wheelMovesOnlyWithFocus()
+void TestControlPanel::wheelMovesOnlyAfterAClick()
 {
     ControlBench bench;
     QVERIFY(bench.ready(sts, {1}));
     ui::ControlSlider* slider = bench.slider();
-    bench.box("goal")->setFocus();
     const auto turn = [&](Qt::KeyboardModifiers with) {
         const QPointF middle = slider->rect().center();
         QWheelEvent event(middle, slider->mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, with,
                           Qt::NoScrollPhase, false);
         QApplication::sendEvent(slider, &event);
+        return bench.settled();
     };
-    turn({});
-    QVERIFY(bench.settled());
+    bench.box("goal")->setFocus();
+    QVERIFY(turn({}));
+    slider->setFocus(Qt::TabFocusReason); // reached with the keyboard while the page is scrolled
+    QVERIFY(turn({}));
     QCOMPARE(bench.raw(1, "torque_switch"), std::int64_t(0));
-    slider->setFocus();
+    QTest::mouseClick(slider, Qt::LeftButton, {}, slider->placeOf(2500));
+    QVERIFY(bench.settled() && bench.shown());
     const std::int64_t from = *slider->value();
-    turn({});
-    turn(Qt::ControlModifier);
-    QVERIFY(bench.settled());
+    QVERIFY(turn({}));
+    QVERIFY(turn(Qt::ControlModifier));
+    QCOMPARE(bench.raw(1, "goal_position"), from + 11);
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(slider, &leave);
+    QVERIFY(slider->hasFocus());
+    QVERIFY(turn({}));
     QCOMPARE(bench.raw(1, "goal_position"), from + 11);
 }
 
@@ -254,7 +320,10 @@ void TestControlPanel::speedAndAccelerationAreHonoured()
         return std::pair{double(servo.raw(QStringLiteral("present_speed"))),
                          (270 - servo.shaftDegrees()) * 4096 / 360};
     });
-    const QString seen = QStringLiteral("%1 step/s after %2 steps").arg(speed).arg(way);
+    const QString seen = QStringLiteral("%1 step/s after %2 steps at acceleration %3")
+                             .arg(speed)
+                             .arg(way)
+                             .arg(bench.raw(1, "acceleration"));
     QVERIFY2(speed * speed < 2 * 200 * way * 2, qPrintable(seen));
 }
 
@@ -271,6 +340,41 @@ void TestControlPanel::aTypedFieldIsNotOverwritten()
     bench.poke(1, "goal_speed", 888);
     QVERIFY(bench.read());
     QCOMPARE(bench.box("speed")->text(), text("888")); // typed no more: what it has
+}
+
+void TestControlPanel::aRefusedGoalStaysToBeCorrected()
+{
+    ControlBench bench;
+    QVERIFY(bench.connectTo(sts));
+    bench.poke(1, "max_angle_limit", 3000);
+    QVERIFY(bench.search(1, 2) && bench.choose({1}));
+    QVERIFY(bench.go(text("5000")));
+    QVERIFY(!bench.complaint().isEmpty());
+    QVERIFY(bench.shown());
+    QCOMPARE(bench.box("goal")->findChild<QLineEdit*>()->text(), text("5000"));
+    QCOMPARE(*bench.slider()->value(), std::int64_t(2048)); // where it stands
+    // What is being typed outlives whatever else fails.
+    bench.type("goal", text("2345"));
+    bench.withWire([](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
+    QSignalSpy failed(&bench.drive, &session::Drive::failed);
+    bench.click("mode_speed");
+    QTRY_COMPARE(failed.count(), 1);
+    QVERIFY(bench.settled() && bench.shown());
+    QCOMPARE(bench.box("goal")->findChild<QLineEdit*>()->text(), text("2345"));
+    bench.withWire([](sim::VirtualBus& wire) { wire.servo(1)->powerOn(); });
+    bench.click("setGoal");
+    QVERIFY(bench.settled());
+    QTRY_COMPARE(bench.raw(1, "goal_position"), std::int64_t(2345));
+}
+
+void TestControlPanel::whatWasSaidGoesWithTheNextMove()
+{
+    ControlBench bench;
+    QVERIFY(bench.ready(sts, {1}));
+    QVERIFY(bench.torque());
+    QVERIFY(!bench.text("controlSaid").isEmpty());
+    QVERIFY(bench.go(text("2100")));
+    QVERIFY2(bench.text("controlSaid").isEmpty(), qPrintable(bench.text("controlSaid")));
 }
 
 void TestControlPanel::servoVanishesMidDrag()
@@ -372,6 +476,26 @@ void TestControlPanel::oneOfSeveralOutOfItsLimits()
     QCOMPARE(bench.raw(2, "torque_switch"), std::int64_t(0));
 }
 
+/// The others may stand at speed 0, which is the fastest.
+void TestControlPanel::severalGetTheSpeedThatIsShown()
+{
+    ControlBench bench;
+    QVERIFY(bench.connectTo(text("sim:sts3215@1,sts3215@2")));
+    bench.poke(1, "goal_speed", 321);
+    bench.poke(1, "acceleration", 20);
+    bench.poke(2, "goal_speed", 0);
+    bench.poke(2, "acceleration", 0);
+    QVERIFY(bench.search(1, 3) && bench.choose({1, 2}));
+    QCOMPARE(bench.box("speed")->findChild<QLineEdit*>()->text(), text("321"));
+    QVERIFY(bench.go(text("2300")));
+    QCOMPARE(bench.complaint(), QString());
+    for (const int id : {1, 2}) {
+        QCOMPARE(bench.raw(id, "goal_position"), std::int64_t(2300));
+        QCOMPARE(bench.raw(id, "goal_speed"), std::int64_t(321));
+        QCOMPARE(bench.raw(id, "acceleration"), std::int64_t(20));
+    }
+}
+
 void TestControlPanel::torqueLimit_data()
 {
     QTest::addColumn<QString>("port");
@@ -398,6 +522,41 @@ void TestControlPanel::torqueLimit()
         bench.withWire([](sim::VirtualBus& wire) { wire.powerCycle(); });
         QCOMPARE(bench.raw(1, "max_torque"), std::int64_t(1000));
     }
+}
+
+void TestControlPanel::torqueLimitByArrowsAndNotches()
+{
+    ControlBench bench;
+    QVERIFY(bench.ready(sts, {1}));
+    const std::int64_t from = bench.raw(1, "torque_limit");
+    QCOMPARE(from, std::int64_t(1000));
+    QAbstractSpinBox* box = bench.box("torqueLimitPercent");
+    QSignalSpy written(&bench.desk, &session::Desk::happened);
+    const auto writes = [&] {
+        return std::count_if(written.begin(), written.end(), [](const QList<QVariant>& one) {
+            return one.first().value<session::Event>().kind == session::Event::Kind::Written;
+        });
+    };
+    box->setFocus();
+    box->stepDown(); // as the arrow does
+    QTest::keyClick(box, Qt::Key_Down);
+    QVERIFY(bench.read()); // a reading meanwhile takes nothing away
+    QCOMPARE(bench.raw(1, "torque_limit"), from);
+    QTest::keyClick(box, Qt::Key_Return);
+    QVERIFY(bench.settled() && bench.shown());
+    QCOMPARE(bench.raw(1, "torque_limit"), from - 20);
+    QCOMPARE(writes(), std::ptrdiff_t(1));
+    bench.box("goal")->setFocus(); // leaving the box sends nothing more
+    QVERIFY(bench.settled() && bench.shown());
+    QCOMPARE(writes(), std::ptrdiff_t(1));
+    auto* slider = bench.find<ui::ControlSlider>("torqueLimitSlider");
+    for (int notch = 0; notch < 5; ++notch) {
+        QTest::keyClick(slider, Qt::Key_PageDown);
+        QVERIFY(bench.shown()); // while the first one is on its way
+    }
+    QTRY_COMPARE(bench.raw(1, "torque_limit"), from - 20 - 250);
+    QVERIFY(bench.settled() && bench.shown());
+    QCOMPARE(*slider->value(), from - 20 - 250);
 }
 
 void TestControlPanel::stopBlocksUntilTorqueIsOn()

@@ -140,6 +140,12 @@ QString ControlField::complaint() const
     return m_editor != nullptr ? m_editor->complaint() : QString();
 }
 
+void ControlField::isSending(std::int64_t raw)
+{
+    m_sent = raw;
+    m_sentAt = base::Duration::max();
+}
+
 void ControlField::wasSent(std::int64_t raw, base::Duration at)
 {
     m_sent = raw;
@@ -161,8 +167,14 @@ void ControlField::type(std::int64_t raw)
         m_editor->type(raw);
 }
 
-/// Another servo or another mode: nothing that was shown still counts.
 void ControlField::forgetSent()
+{
+    m_sent.reset();
+    if (m_editor != nullptr && !m_editor->touched() && !m_free)
+        m_editor->setRaw(std::nullopt);
+}
+
+void ControlField::startAnew()
 {
     m_sent.reset();
     m_free = false;

@@ -39,11 +39,16 @@ public:
     bool edited() const;
     void forgetEdit();
     QString complaint() const;
+    /// On its way: newer than anything that is read. What was typed stays typed until it is there.
+    void isSending(std::int64_t raw);
     /// This is in the servo now: newer than what was read before `at`.
     void wasSent(std::int64_t raw, base::Duration at);
     /// Something was sent later than this register was read.
     bool sentAfter(const device::Servo& servo, const catalog::Register* read) const;
+    /// What was sent did not get there, or is out of date; what is being typed stays.
     void forgetSent();
+    /// Another servo or another mode: nothing that was shown still counts.
+    void startAnew();
     void type(std::int64_t raw); ///< as if somebody had typed it
     /// What the servo is to have, whatever is being typed.
     std::optional<std::int64_t> standing(const device::Servo& servo) const;

@@ -10,6 +10,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace ui {
 using catalog::Role;
 
@@ -43,7 +45,7 @@ ControlFields::ControlFields(QWidget* parent)
     retranslate();
 }
 
-void ControlFields::showServo(const session::ServoEntry& entry)
+void ControlFields::showServo(const session::ServoEntry& entry, bool several)
 {
     const device::MoveFieldSet set = device::moveFields(entry.servo);
     const catalog::Mode* mode = entry.servo.mode();
@@ -51,32 +53,35 @@ void ControlFields::showServo(const session::ServoEntry& entry)
     const bool other = entry.ref != m_ref || key != m_mode;
     m_ref = entry.ref;
     m_mode = key;
+    m_several = several;
     const std::array has{set.speed, set.acceleration, set.time, set.current};
     for (std::size_t i = 0; i < Count; ++i) {
         const auto& profile = entry.servo.profile;
         m_fields[i]->setRegister(profile, has[i] ? profile->byRole(roles[i]) : nullptr);
         if (other)
-            m_fields[i]->forgetSent();
+            m_fields[i]->startAnew();
         m_fields[i]->follow(entry.servo);
     }
     m_servo = entry.servo;
-    arrange();
+    if (std::exchange(m_has, has) != has)
+        arrange();
+    setVisible(has != decltype(has){});
     showHint();
 }
 
 void ControlFields::arrange()
 {
     int shown = 0;
+    int i = 0;
     for (ControlField* field : m_fields) {
         m_grid->removeWidget(field);
-        if (field->reg() == nullptr)
+        if (!m_has[static_cast<std::size_t>(i++)])
             continue;
         m_grid->addWidget(field, shown / columns, shown % columns, Qt::AlignTop);
         ++shown;
     }
     for (int column = 0; column < columns; ++column)
         m_grid->setColumnStretch(column, 1);
-    setVisible(shown > 0);
 }
 
 /// Speed and time exclude each other: the one typed last counts.
@@ -87,6 +92,23 @@ void ControlFields::typed(Which which)
     if (which == Time && m_fields[Speed]->reg() != nullptr)
         m_fields[Speed]->forgetEdit();
     showHint();
+}
+
+/// Not changed, but seen. Of speed and time only the one that counts, as typed() has it.
+bool ControlFields::forAll(Which which) const
+{
+    const bool byTime = device::zeroSpeed(m_servo) == device::ZeroSpeed::ByTime &&
+                        m_fields[Speed]->value() == 0 && m_fields[Time]->reg() != nullptr;
+    switch (which) {
+    case Speed:
+        return m_several && !byTime && !m_fields[Time]->edited();
+    case Acceleration:
+        return m_several;
+    case Time:
+        return m_several && byTime && !m_fields[Speed]->edited();
+    default:
+        return false;
+    }
 }
 
 std::optional<QString> ControlFields::wished(Which which) const
@@ -100,7 +122,7 @@ std::optional<QString> ControlFields::wished(Which which) const
     const catalog::Register* goal = device::goalRegister(m_servo);
     const bool travels =
         which == Time && goal != nullptr && reg->block && reg->block == goal->block;
-    if (!field.edited() && !travels)
+    if (!field.edited() && !travels && !forAll(which))
         return std::nullopt;
     return device::exactText(*raw, m_servo.meaning(*reg));
 }

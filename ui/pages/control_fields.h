@@ -21,10 +21,13 @@ class ControlFields final : public QWidget {
 public:
     explicit ControlFields(QWidget* parent);
 
-    void showServo(const session::ServoEntry& entry);
+    /// `several`: others are to get the same; what is shown is sent to all of them, whatever they
+    /// had. One alone gets only what was changed.
+    void showServo(const session::ServoEntry& entry, bool several);
     void retranslate();
 
-    /// Adds to the wish what the user has changed, and what goes out with every goal.
+    /// Adds to the wish what the user has changed (several servos: what he sees), and what goes out
+    /// with every goal.
     void fill(session::MoveWish& wish) const;
     /// Why a changed field makes no sense; empty: all is well.
     QString complaint() const;
@@ -42,6 +45,7 @@ private:
     void typed(Which which);
     void showHint();
     std::optional<QString> wished(Which which) const;
+    bool forAll(Which which) const;
 
     std::array<ControlField*, Count> m_fields{};
     QGridLayout* m_grid;
@@ -49,5 +53,7 @@ private:
     device::Servo m_servo; ///< as shown
     session::ServoRef m_ref = 0;
     QString m_mode;
+    bool m_several = false;
+    std::array<bool, Count> m_has{}; ///< as they are laid out
 };
 } // namespace ui

@@ -121,7 +121,7 @@ void ControlGoal::showServo(const session::ServoEntry& entry, const Steps& steps
     m_positive = device::positiveGoal(servo);
     m_field->setRegister(servo.profile, device::goalRegister(servo));
     if (fresh)
-        m_field->forgetSent();
+        m_field->startAnew();
     const bool step = kind == GoalKind::Step;
     m_slider->setVisible(kind && !step);
     m_steps->setVisible(step);
@@ -146,6 +146,12 @@ void ControlGoal::showServo(const session::ServoEntry& entry, const Steps& steps
     retranslate();
 }
 
+/// The words have a sign already where no sheet names the sense of rotation.
+QString ControlGoal::turning(const QString& sign, const QString& words) const
+{
+    return m_positive == device::Positive::Forward ? words : sign + QLatin1Char(' ') + words;
+}
+
 void ControlGoal::fillSlider(const session::ServoEntry& entry)
 {
     const auto span = device::goalSpan(entry.servo);
@@ -155,7 +161,7 @@ void ControlGoal::fillSlider(const session::ServoEntry& entry)
     const bool centred = *m_kind != GoalKind::Position;
     const auto end = [&](std::int64_t raw, bool plus) {
         const QString number = QString::number(raw);
-        return turnsOn(m_kind) ? turnSign(m_positive, plus) + QLatin1Char(' ') + number : number;
+        return turnsOn(m_kind) ? turning(turnSign(m_positive, plus), number) : number;
     };
     m_slider->setScale({scale->min, scale->max, span->min, span->max, centred,
                         end(span->min, false), end(span->max, true)});
@@ -197,7 +203,7 @@ void ControlGoal::isSending(std::int64_t raw)
     // What is read before the goal goes out is the old one, whenever that is.
     m_sending = raw;
     if (m_kind != GoalKind::Step)
-        m_field->wasSent(raw, base::Duration::max());
+        m_field->isSending(raw);
 }
 
 void ControlGoal::endSending()
@@ -229,7 +235,6 @@ void ControlGoal::type(std::int64_t raw)
 void ControlGoal::giveUp()
 {
     m_dialDrag = false;
-    m_field->forgetEdit();
 }
 
 void ControlGoal::put(std::int64_t raw)
@@ -264,7 +269,9 @@ void ControlGoal::retranslate()
     else if (m_kind == GoalKind::Current)
         title = tr("Current");
     m_field->setTitle(title);
-    m_way->setText(tr("− %1    ·    + %2").arg(minus, plus));
+    m_way->setText(tr("− %1    ·    + %2")
+                       .arg(turning(turnSign(m_positive, false), turnWord(m_positive, false)),
+                            turning(turnSign(m_positive, true), turnWord(m_positive, true))));
     m_slider->setAccessibleName(title);
     m_slider->setToolTip(tr("Drag, or arrows, Page Up/Down, Home and End. The wheel turns it once "
                             "it has been clicked (Ctrl: fine, Shift: wide)."));

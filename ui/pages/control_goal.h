@@ -12,7 +12,6 @@
 
 class QLabel;
 class QPushButton;
-class QToolButton;
 
 namespace ui {
 class ControlField;
@@ -44,7 +43,7 @@ public:
     void forgetSent();
     /// As if it had been typed: nothing is sent.
     void type(std::int64_t raw);
-    /// What was being dragged or typed did not get there.
+    /// What was being dragged did not get there. What is typed stays, to be corrected.
     void giveUp();
     /// From the dial: as if the slider had been dragged there, and let go.
     void put(std::int64_t raw);
@@ -61,6 +60,7 @@ Q_SIGNALS:
 
 private:
     void buildSteps();
+    QString turning(const QString& sign, const QString& words) const;
     void fillSlider(const session::ServoEntry& entry);
     void fillSteps(const Steps& steps);
     void show(std::optional<std::int64_t> raw);

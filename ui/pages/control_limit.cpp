@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include <cmath>
+#include <utility>
 
 namespace ui {
 namespace {
@@ -40,22 +41,21 @@ ControlLimit::ControlLimit(session::Settings& settings, QWidget* parent)
     setObjectName(QStringLiteral("controlLimit"));
     build();
     connect(m_slider, &ControlSlider::moved, this, [this](std::int64_t raw, bool dragged) {
-        m_editing = dragged;
         m_percent->setValue(static_cast<double>(raw) / rawPerPercent);
+        m_editing = true;
         if (!dragged)
             order(raw);
     });
     connect(m_slider, &ControlSlider::released, this, [this] {
-        if (const auto raw = m_slider->value())
+        if (const auto raw = m_slider->value(); raw && m_editing)
             order(*raw);
     });
     connect(m_percent->findChild<QLineEdit*>(), &QLineEdit::textEdited, this,
             [this] { m_editing = true; });
+    connect(m_percent, &QDoubleSpinBox::valueChanged, this, &ControlLimit::edited);
     connect(m_percent, &QDoubleSpinBox::editingFinished, this, [this] {
-        const std::int64_t raw = std::llround(m_percent->value() * rawPerPercent);
-        if (m_read && raw != *m_read)
-            order(raw);
-        m_editing = false;
+        if (m_editing)
+            order(std::llround(m_percent->value() * rawPerPercent));
     });
     connect(m_stall, &QDoubleSpinBox::editingFinished, this, [this] {
         if (m_model.isEmpty() || m_stall->value() == stallTorque())
@@ -86,8 +86,10 @@ void ControlLimit::build()
     m_advice->setObjectName(QStringLiteral("grippingAdvice"));
     m_advice->setWordWrap(true);
     // The wheel only where somebody has clicked.
-    for (QWidget* box : {static_cast<QWidget*>(m_percent), static_cast<QWidget*>(m_stall)})
+    for (QWidget* box : {static_cast<QWidget*>(m_percent), static_cast<QWidget*>(m_stall)}) {
         box->setFocusPolicy(Qt::StrongFocus);
+        box->installEventFilter(this);
+    }
     m_title->setBuddy(m_percent);
     m_stallTitle->setBuddy(m_stall);
     auto* column = new QVBoxLayout(this);
@@ -111,9 +113,31 @@ double ControlLimit::stallTorque() const
     return m_model.isEmpty() ? 0 : m_settings.choice(stallChoice(m_model), 0.0).toDouble();
 }
 
+/// By the user: typed and settled, stepped, or moved with the slider.
+void ControlLimit::edited()
+{
+    m_editing = true;
+    m_slider->setValue(std::llround(m_percent->value() * rawPerPercent));
+    showForce();
+}
+
+/// Notch upon notch of a wheel: one write at a time, and of those that wait only the latest.
 void ControlLimit::order(std::int64_t raw)
 {
     m_editing = false;
+    if (m_pending) {
+        m_sent = raw;
+        m_next = raw;
+    } else {
+        send(raw);
+    }
+}
+
+void ControlLimit::send(std::int64_t raw)
+{
+    m_sent = raw;
+    m_next.reset();
+    m_pending = true;
     Q_EMIT wanted(raw);
 }
 
@@ -126,13 +150,24 @@ void ControlLimit::showServo(const session::ServoEntry* entry, bool usable)
     setEnabled(usable);
     if (limit.reg == nullptr)
         return;
+    if (std::exchange(m_servo, entry->ref) != entry->ref) {
+        m_editing = false;
+        m_sent.reset();
+        m_next.reset();
+    }
     const bool other = m_model != entry->servo.profile->modelName;
     m_model = entry->servo.profile->modelName;
     m_temporary = limit.temporary;
     m_read = entry->servo.raw(*limit.reg);
-    if (other) {
-        m_editing = false;
+    if (other)
         m_stall->setValue(stallTorque());
+    const auto write = entry->writes.find(limit.reg->key);
+    m_pending = write != entry->writes.end() && write->second.pending > 0;
+    if (!m_pending) {
+        const bool failed = write != entry->writes.end() && write->second.error;
+        m_sent.reset();
+        if (const auto next = std::exchange(m_next, std::nullopt); next && !failed && usable)
+            send(*next);
     }
     fill();
 }
@@ -140,10 +175,17 @@ void ControlLimit::showServo(const session::ServoEntry* entry, bool usable)
 void ControlLimit::fill()
 {
     m_title->setText(m_temporary ? tr("Torque limit (until power-off)") : tr("Torque limit"));
-    if (!m_editing && m_read) {
-        m_slider->setValue(m_read);
-        m_percent->setValue(static_cast<double>(*m_read) / rawPerPercent);
+    const auto raw = m_sent ? m_sent : m_read;
+    if (!m_editing && raw) {
+        const QSignalBlocker quiet(m_percent);
+        m_slider->setValue(raw);
+        m_percent->setValue(static_cast<double>(*raw) / rawPerPercent);
     }
+    showForce();
+}
+
+void ControlLimit::showForce()
+{
     const double stall = stallTorque();
     const double share = m_percent->value() / 100;
     m_force->setText(stall > 0 ? tr("≈ %1 kg·cm").arg(stall * share, 0, 'f', 1) : QString());
@@ -168,6 +210,15 @@ void ControlLimit::retranslate()
                          "10 kg·cm is about 1 kg·cm). The servo also gets slower. Only for parts "
                          "of equal mass."));
     fill();
+}
+
+bool ControlLimit::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void ControlLimit::changeEvent(QEvent* event)

@@ -28,12 +28,16 @@ Q_SIGNALS:
     void wanted(std::int64_t raw);
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     void build();
     void fill();
+    void showForce();
+    void edited();
     void order(std::int64_t raw);
+    void send(std::int64_t raw);
     double stallTorque() const; ///< kg·cm; 0: not entered
 
     session::Settings& m_settings;
@@ -48,6 +52,10 @@ private:
     QString m_model;
     bool m_temporary = false;
     std::optional<std::int64_t> m_read;
-    bool m_editing = false; ///< a number is being typed
+    bool m_editing = false; ///< a number is being typed, stepped or dragged, and not sent
+    session::ServoRef m_servo = 0;
+    bool m_pending = false;             ///< the servo has not answered yet
+    std::optional<std::int64_t> m_sent; ///< shown until it has
+    std::optional<std::int64_t> m_next; ///< wanted meanwhile: the latest one goes out
 };
 } // namespace ui

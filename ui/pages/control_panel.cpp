@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/control_panel.h"
 
-#include "text/error_words.h"
-#include "text/language.h"
-#include "text/notice_words.h"
 #include "ui/app/theme.h"
-#include "ui/dialogs/ask.h"
-#include "ui/models/memory_words.h"
 #include "ui/pages/control_fields.h"
 #include "ui/pages/control_goal.h"
 #include "ui/pages/control_hint.h"
 #include "ui/pages/control_limit.h"
 #include "ui/pages/control_mode.h"
 #include "ui/pages/control_torque.h"
-#include "ui/pages/control_words.h"
 #include "ui/widgets/banner.h"
 
 #include <QButtonGroup>
@@ -21,42 +15,8 @@
 #include <QPushButton>
 
 namespace ui {
-using catalog::Role;
 using device::GoalKind;
 using device::MoveHow;
-using device::NoticeCode;
-
-namespace {
-/// What somebody at the bench must see, beside what only tells how it was done.
-bool warns(const device::Notice& notice)
-{
-    switch (notice.code) {
-    case NoticeCode::OverloadHolds:
-    case NoticeCode::OvercurrentHolds:
-    case NoticeCode::VoltageHolds:
-    case NoticeCode::TemperatureHolds:
-    case NoticeCode::SensorHolds:
-    case NoticeCode::DerivedTemperature:
-    case NoticeCode::DerivedVoltage:
-    case NoticeCode::NoCurrentAllowed:
-    case NoticeCode::LockLeftOpen:
-        return true;
-    default:
-        return false;
-    }
-}
-
-QString linesOf(const device::Notices& notices, bool warning)
-{
-    QStringList lines;
-    for (const device::Notice& notice : notices) {
-        if (warns(notice) == warning)
-            lines << text::describe(notice);
-    }
-    lines.removeDuplicates();
-    return lines.join(QLatin1Char('\n'));
-}
-} // namespace
 
 const session::ServoEntry* ControlPanel::entry() const
 {
@@ -72,16 +32,23 @@ void ControlPanel::choose()
 {
     m_drive.setServos(m_selection.chosen());
     m_banner->clear();
-    m_said->hide();
+    unsay();
     m_hint->dismiss();
+    if (isVisible())
+        readUnread();
+    m_chosenAnew = true;
+    refresh();
+}
+
+/// Limits and modes belong on the panel; nobody needs them while it is not seen.
+void ControlPanel::readUnread()
+{
     for (const session::ServoRef ref : m_drive.servos()) {
         const session::ServoEntry* known = m_desk.servo(ref);
         const bool unread = known != nullptr && known->servo.profile && !known->tableRead;
         if (unread && m_desk.state() == session::LinkState::Open)
             m_desk.readTable(ref);
     }
-    m_chosenAnew = true;
-    refresh();
 }
 
 void ControlPanel::refreshSoon()
@@ -124,6 +91,8 @@ void ControlPanel::refresh()
     const session::ServoEntry* known = entry();
     m_torque->showServo(why.isEmpty() ? known : nullptr, usable());
     showStopped();
+    if (m_meant && !isStill(*m_meant))
+        m_hint->dismiss();
     if (!why.isEmpty()) {
         Q_EMIT shownAnew();
         return;
@@ -133,7 +102,7 @@ void ControlPanel::refresh()
         m_goal->endSending();
     m_mode->showServo(known, usable());
     m_goal->showServo(*known, {m_drive.stepSum(known->ref), m_drive.canRepeat()});
-    m_fields->showServo(*known);
+    m_fields->showServo(*known, others() > 0);
     m_limit->showServo(known, usable());
     m_goal->setEnabled(drives);
     m_fields->setEnabled(drives);
@@ -238,149 +207,6 @@ bool ControlPanel::goalMovable() const
     return placeGoal() && m_goal->isEnabled() && whyEmpty().isEmpty();
 }
 
-/// False: the hint is shown first. A servo that has torque already has been energised knowingly.
-bool ControlPanel::mayEnergise(std::function<void()> deed)
-{
-    for (const session::ServoRef ref : m_drive.servos()) {
-        const session::ServoEntry* known = m_desk.servo(ref);
-        if (known != nullptr && known->servo.profile && known->servo.raw(Role::TorqueSwitch) == 1)
-            continue;
-        return m_hint->passed(std::move(deed));
-    }
-    return true;
-}
-
-void ControlPanel::setGoalFromDial(std::int64_t raw)
-{
-    if (!goalMovable())
-        return;
-    m_dialRest.start();
-    m_goal->put(raw);
-}
-
-/// Held writes are not sent while dragging: Set leaves one goal, not a hundred.
-void ControlPanel::dragTo(std::int64_t raw, bool dragged)
-{
-    if (how() == MoveHow::Async) {
-        m_goal->type(raw);
-        return;
-    }
-    // Nobody asked for the way to the place where the hint was answered.
-    if (!mayEnergise({})) {
-        m_goal->giveUp();
-        refreshSoon();
-        return;
-    }
-    order(raw, dragged);
-}
-
-void ControlPanel::set()
-{
-    const session::ServoEntry* known = entry();
-    if (known == nullptr || !m_set->isEnabled())
-        return;
-    const auto raw = m_goal->goal();
-    if (!raw) {
-        complain(m_goal->complaint());
-        return;
-    }
-    if (device::goalKind(known->servo) == GoalKind::Step) {
-        step(*raw);
-        return;
-    }
-    if (mayEnergise([this, goal = *raw] { order(goal, false); }))
-        order(*raw, false);
-}
-
-void ControlPanel::step(std::int64_t raw)
-{
-    if (mayEnergise([this, raw] { order(raw, false); }))
-        order(raw, false);
-}
-
-void ControlPanel::order(std::int64_t raw, bool dragged)
-{
-    const session::ServoEntry* known = entry();
-    const catalog::Register* reg =
-        known != nullptr && known->servo.profile ? device::goalRegister(known->servo) : nullptr;
-    if (reg == nullptr)
-        return;
-    if (const QString wrong = m_fields->complaint(); !wrong.isEmpty()) {
-        complain(wrong);
-        return;
-    }
-    session::MoveWish wish{device::exactText(raw, known->servo.meaning(*reg))};
-    m_fields->fill(wish);
-    wish.how = how();
-    wish.dragged = dragged;
-    if (m_drive.move(wish) && wish.how != MoveHow::Async)
-        m_goal->isSending(raw);
-}
-
-void ControlPanel::orderTorque(device::Torque torque)
-{
-    const auto deed = [this, torque] { m_drive.setTorque(torque); };
-    m_banner->clear();
-    if (torque != device::Torque::On || m_hint->passed(deed))
-        deed();
-}
-
-void ControlPanel::askForMode(const device::ModePlan& plan)
-{
-    const session::ServoEntry* known = entry();
-    if (known == nullptr || !known->servo.profile || plan.writes.empty())
-        return;
-    const catalog::Mode* mode = known->servo.profile->mode(plan.to);
-    if (mode == nullptr)
-        return;
-    Question question;
-    question.title = tr("Switch ID %1 to \"%2\"?").arg(known->servo.id).arg(modeTitle(*mode));
-    question.text = modePlanWords(plan, *known->servo.profile, static_cast<int>(others()));
-    question.yes = tr("Switch");
-    question.guard = this;
-    ask(this, question, [this, ref = known->ref, to = plan.to] {
-        if (m_selection.current() == ref)
-            m_drive.switchMode(to);
-    });
-}
-
-void ControlPanel::showError(const base::Error& error)
-{
-    m_goal->giveUp();
-    const session::ServoEntry* known = entry();
-    const catalog::Register* reg = known != nullptr && known->servo.profile
-                                       ? known->servo.profile->find(error.registerKey)
-                                       : nullptr;
-    m_goal->forgetSent();
-    m_banner->present(withName(error, reg));
-    refreshSoon();
-}
-
-void ControlPanel::showNotices(const device::Notices& told)
-{
-    // Registers are called by their names, not by their keys.
-    device::Notices notices = told;
-    const session::ServoEntry* known = entry();
-    for (device::Notice& notice : notices) {
-        const catalog::Register* reg = known != nullptr && known->servo.profile
-                                           ? known->servo.profile->find(notice.key)
-                                           : nullptr;
-        if (reg != nullptr)
-            notice.key = reg->name.in(text::inChinese());
-    }
-    if (!linesOf(notices, true).isEmpty()) {
-        m_banner->present([notices] { return BannerWords{Tone::Warn, linesOf(notices, true)}; });
-    }
-    const QString said = linesOf(notices, false);
-    m_said->setText(said);
-    m_said->setVisible(!said.isEmpty());
-}
-
-void ControlPanel::complain(const QString& words)
-{
-    m_banner->present([words] { return BannerWords{Tone::Warn, words}; });
-}
-
 void ControlPanel::retranslate()
 {
     setAccessibleName(tr("Control"));
@@ -406,6 +232,7 @@ void ControlPanel::retranslate()
     m_fields->retranslate();
     m_limit->retranslate();
     m_hint->retranslate();
+    showSaid();
     refresh();
 }
 } // namespace ui

@@ -35,8 +35,8 @@ public:
                  session::Settings& settings, session::Drive& drive, QWidget* parent = nullptr);
     ~ControlPanel() override;
 
-    /// Between the mode and the slider; the panel becomes its parent. Hidden where the mode drives
-    /// no position.
+    /// Between the mode and the slider; the panel becomes its parent. Shown in every mode that has
+    /// a goal: where the shaft stands matters while it turns, too.
     void setDial(QWidget* dial);
     /// The goal as the servo has it, or as it is being dragged; nullopt: none that means a place.
     std::optional<std::int64_t> placeGoal() const;
@@ -53,6 +53,7 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void build(session::Settings& settings);
@@ -65,6 +66,7 @@ private:
     const session::ServoEntry* entry() const;
     std::size_t others() const;
     void choose();
+    void readUnread();
     void refresh();
     void refreshSoon();
     void showTitle();
@@ -74,6 +76,10 @@ private:
     QString whyEmpty() const;
     bool usable() const;
 
+    using Meant = std::vector<std::pair<session::ServoRef, QString>>; ///< servos and mode keys
+    Meant meantNow() const;
+    bool isStill(const Meant& meant) const;
+    bool passedHint(std::function<void()> deed);
     bool mayEnergise(std::function<void()> deed);
     void dragTo(std::int64_t raw, bool dragged);
     void set();
@@ -81,10 +87,13 @@ private:
     void step(std::int64_t raw);
     void goalArrived(const session::MoveWish& wish);
     void orderTorque(device::Torque torque);
+    void halt();
     void askForMode(const device::ModePlan& plan);
     void showError(const base::Error& error);
     void showNotices(const device::Notices& notices);
-    void complain(const QString& words);
+    void showSaid();
+    void unsay();
+    void complain(const std::function<QString()>& wrong);
     device::MoveHow how() const;
 
     session::Desk& m_desk;
@@ -111,6 +120,10 @@ private:
     ControlLimit* m_limit = nullptr;
     QLabel* m_said = nullptr;
 
+    std::optional<Meant> m_meant; ///< what the hint's deed was asked for
+    device::Notices m_notices;    ///< how the latest deed was done
+    catalog::ProfilePtr m_saidOf;
+    bool m_inDrag = false;
     bool m_chosenAnew = false; ///< the way of writing is not settled yet for these servos
     QTimer m_refresh;
     QTimer m_dialRest;

@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QShowEvent>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -165,17 +166,24 @@ void ControlPanel::connectParts()
     connect(m_mode, &ControlMode::wanted, &m_drive, &session::Drive::planMode);
     connect(m_goal, &ControlGoal::moved, this, &ControlPanel::dragTo);
     connect(m_goal, &ControlGoal::dragEnded, this, [this] {
+        m_inDrag = false;
         m_drive.endDrag();
         refreshSoon();
     });
     connect(m_goal, &ControlGoal::entered, this, &ControlPanel::set);
-    connect(m_goal, &ControlGoal::stopWanted, &m_drive, &session::Drive::halt);
+    connect(m_goal, &ControlGoal::stopWanted, this, &ControlPanel::halt);
     connect(m_goal, &ControlGoal::stepWanted, this, &ControlPanel::step);
-    connect(m_goal, &ControlGoal::againWanted, &m_drive, &session::Drive::again);
+    connect(m_goal, &ControlGoal::againWanted, this, [this] {
+        unsay();
+        m_drive.again();
+    });
     connect(m_goal, &ControlGoal::goalShown, this, &ControlPanel::goalShown);
     connect(m_fields, &ControlFields::entered, this, &ControlPanel::set);
     connect(m_set, &QPushButton::clicked, this, &ControlPanel::set);
-    connect(m_execute, &QPushButton::clicked, &m_drive, &session::Drive::execute);
+    connect(m_execute, &QPushButton::clicked, this, [this] {
+        unsay();
+        m_drive.execute();
+    });
     connect(m_how, &QButtonGroup::idClicked, this, &ControlPanel::showWrite);
     connect(m_limit, &ControlLimit::wanted, &m_drive, &session::Drive::setTorqueLimit);
     m_dialRest.setSingleShot(true);
@@ -200,6 +208,13 @@ void ControlPanel::connectDesk()
     });
     connect(&m_selection, &Selection::chosenChanged, this, &ControlPanel::choose);
     connect(&m_drive, &session::Drive::changed, this, &ControlPanel::refreshSoon);
+    connect(&m_drive, &session::Drive::modeSwitched, m_hint, &ControlHint::dismiss);
+    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
+        if (event.kind == session::Event::Kind::Stopped) {
+            m_hint->dismiss();
+            unsay();
+        }
+    });
     connect(&m_drive, &session::Drive::modePlanned, this, &ControlPanel::askForMode);
     connect(&m_drive, &session::Drive::failed, this, &ControlPanel::showError);
     connect(&m_drive, &session::Drive::noted, this, &ControlPanel::showNotices);
@@ -211,6 +226,13 @@ void ControlPanel::setDial(QWidget* dial)
     m_dial = dial;
     m_dialPlace->addWidget(dial, 0, Qt::AlignHCenter);
     refreshSoon();
+}
+
+void ControlPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (!event->spontaneous())
+        readUnread();
 }
 
 void ControlPanel::changeEvent(QEvent* event)

@@ -102,6 +102,8 @@ void ControlSlider::mousePressEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton)
         return;
     m_dragging = true;
+    m_clickedAt = mapToGlobal(QPoint());
+    m_wheel = 0;
     take(valueAt(event->position().x()), true);
     update();
 }
@@ -129,7 +131,10 @@ void ControlSlider::endDrag()
 
 void ControlSlider::wheelEvent(QWheelEvent* event)
 {
-    if (!hasFocus()) {
+    // A pointer that rests is told nothing when the page is scrolled, or grows, under it.
+    if (m_clickedAt && (mapToGlobal(QPoint()) - *m_clickedAt).manhattanLength() >= height())
+        m_clickedAt.reset();
+    if (!hasFocus() || !m_clickedAt) {
         event->ignore(); // whoever scrolls the page must not move a servo
         return;
     }
@@ -176,6 +181,18 @@ void ControlSlider::changeEvent(QEvent* event)
     if (event->type() == QEvent::FontChange)
         updateGeometry();
     update();
+}
+
+void ControlSlider::leaveEvent(QEvent* event)
+{
+    QWidget::leaveEvent(event);
+    m_clickedAt.reset();
+}
+
+void ControlSlider::focusOutEvent(QFocusEvent* event)
+{
+    QWidget::focusOutEvent(event);
+    m_clickedAt.reset();
 }
 
 void ControlSlider::hideEvent(QHideEvent* event)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A slider that draws the whole scale, the part of it that is allowed, and the numbers at its ends;
 // it cannot be drawn beyond the limits. Left/Right and Up/Down move it one step (with Shift ten),
-// Page Up/Down a twentieth of the scale, Home and End to the limits. The wheel moves it only while
-// it has the focus, so that scrolling the page past it moves nothing: a notch is ten steps, with
-// Ctrl one, with Shift a twentieth. Owned by its parent; main thread.
+// Page Up/Down a twentieth of the scale, Home and End to the limits. The wheel moves it only from a
+// click on it until the pointer or the focus leaves it or it scrolls away, so that scrolling the
+// page past it moves nothing: a notch is ten steps, with Ctrl one, with Shift a twentieth. Owned by
+// its parent; main thread.
 #pragma once
 
 #include <QWidget>
@@ -54,6 +55,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
 
 private:
     double track(std::int64_t value) const; ///< x of a value
@@ -66,6 +69,7 @@ private:
     Scale m_scale;
     std::optional<std::int64_t> m_value;
     bool m_dragging = false;
-    int m_wheel = 0; ///< parts of a notch
+    std::optional<QPoint> m_clickedAt; ///< where it was on the screen; the wheel acts
+    int m_wheel = 0;                   ///< parts of a notch
 };
 } // namespace ui
