@@ -37,8 +37,12 @@ base::Result<void> releaseHeld(const Context& context, const Plans& plans)
     if (plans.empty())
         return {};
     constexpr int sends = 3;
+    // One alone is told alone: others may hold a goal that somebody has forgotten.
+    const protocol::Request start = plans.size() == 1
+                                        ? protocol::Request::action(plans.front()->servo->id)
+                                        : protocol::Request::action();
     for (int sent = 0; sent < sends; ++sent) {
-        if (const auto acted = transactPlain(context, protocol::Request::action()); !acted)
+        if (const auto acted = transactPlain(context, start); !acted)
             return acted;
         bool waiting = false;
         for (MovePlan* plan : plans) {

@@ -20,6 +20,10 @@
 
 #include <deque>
 
+namespace jobs {
+struct StopVerdict;
+}
+
 namespace session {
 class Desk final : public QObject {
     Q_OBJECT
@@ -189,7 +193,11 @@ private:
     void mark(record::MarkKind kind, const ServoEntry* about, const QString& text);
 
     // emergency stop (desk_stop.cpp)
+    struct PendingCheck;
     void checkStop();
+    void checkStop(ServoRef ref, const std::shared_ptr<PendingCheck>& check);
+    void takeVerdict(ServoRef ref, PendingCheck& check, const jobs::StopVerdict& verdict,
+                     const std::optional<base::Error>& error);
     bool refusedByStop(const Work& work) const;
     void maybeReleased(const Work& ended);
     void storeHere(ServoRef ref);
@@ -212,6 +220,7 @@ private:
     std::optional<jobs::ScanSpec> m_nextSearch; ///< begins when the present one has stopped
     std::optional<jobs::ScanReport> m_lastSearch;
     jobs::ScanSpec m_lastSpec;
+    bool m_checkAfterSearch = false; ///< of an emergency stop
     bool m_intentsLooked = false;
 
     std::deque<std::shared_ptr<Work>> m_queue;

@@ -181,6 +181,8 @@ void Desk::searchEnded(const base::Result<jobs::ScanReport>& result)
 {
     const device::Notices notices = m_search->notices;
     m_search.reset();
+    if (std::exchange(m_checkAfterSearch, false))
+        checkStop();
     Event event{.kind = Event::Kind::SearchEnded, .notices = notices};
     if (result) {
         m_lastSearch = *result;

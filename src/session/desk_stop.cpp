@@ -17,59 +17,74 @@ void Desk::emergencyStop()
     for (auto& [ref, known] : m_servos)
         known.stopped = true;
     mark(record::MarkKind::Stop, nullptr, QStringLiteral("torque off"));
-    checkStop();
+    // A search at other rates puts the rate back when it has ended; who is asked must be known
+    // then.
+    m_checkAfterSearch = m_search && m_search->started && !m_search->staysHere;
+    if (!m_checkAfterSearch)
+        checkStop();
     tell({.kind = Event::Kind::Stopped});
     const std::vector<ServoRef> all = m_order; // who hears of it may change the list
     for (const ServoRef ref : all)
         Q_EMIT servoChanged(ref);
 }
 
-/// A task like others, so that it comes after what is running has closed its locks.
+/// Tasks like others, so that they come after what is running has closed its locks; one for each
+/// servo, so that one that is gone keeps nobody else from being looked at.
 void Desk::checkStop()
 {
-    const auto check = std::make_shared<StopCheck>();
+    const auto check = std::make_shared<PendingCheck>();
     std::vector<ServoRef> asked;
     for (const ServoRef ref : m_order) {
         const bool here = !hasBaud() || m_servos.at(ref).servo.baud == baud();
-        (here ? asked : check->elsewhere).push_back(ref);
+        (here ? asked : check->told.elsewhere).push_back(ref);
     }
-    if (asked.empty() || m_state != LinkState::Open)
+    if (m_state != LinkState::Open)
         return;
+    check->open = asked.size();
+    if (asked.empty() && !check->told.elsewhere.empty())
+        tell({.kind = Event::Kind::StopChecked, .stop = check->told});
+    for (const ServoRef ref : asked)
+        checkStop(ref, check);
+}
+
+void Desk::checkStop(ServoRef ref, const std::shared_ptr<PendingCheck>& check)
+{
     const auto work = std::make_shared<Work>();
-    work->ref = asked.front();
+    work->ref = ref;
     work->readOnly = true; // what it writes can wait for no search
     work->task.name = QStringLiteral("stop-check");
     work->task.quiet = true;
-    work->task.others.assign(asked.begin() + 1, asked.end());
-    const auto verdicts = std::make_shared<std::vector<jobs::StopVerdict>>();
-    work->task.work = [verdicts](TaskContext& task) -> base::Result<void> {
-        std::vector<device::Servo*> servos{&task.servo};
-        servos.insert(servos.end(), task.others.begin(), task.others.end());
-        auto result = jobs::checkStopped(task.device, servos);
+    const auto verdict = std::make_shared<jobs::StopVerdict>();
+    work->task.work = [verdict](TaskContext& task) -> base::Result<void> {
+        const auto result = jobs::checkStopped(task.device, {&task.servo});
         if (!result)
             return tl::unexpected(result.error());
-        *verdicts = std::move(*result);
+        *verdict = result->front();
         return {};
     };
-    work->merged = [this, asked, check, verdicts](Work& ended) {
-        if (ended.error && ended.error->code == base::ErrorCode::Preempted)
-            return; // by another stop, which has its own
-        for (std::size_t i = 0; i < asked.size(); ++i) {
-            const jobs::StopVerdict verdict =
-                i < verdicts->size() ? (*verdicts)[i] : jobs::StopVerdict{};
-            auto& place = verdict.torque == jobs::StopVerdict::Torque::On    ? check->stillOn
-                          : verdict.torque == jobs::StopVerdict::Torque::Off ? check->off
-                                                                             : check->silent;
-            place.push_back(asked[i]);
-            ServoEntry* known = entry(asked[i]);
-            if (known != nullptr && verdict.torque == jobs::StopVerdict::Torque::Unknown)
-                known->silent = true;
-            if (verdict.mayHold)
-                check->stillHeld.push_back(asked[i]);
-        }
-        tell({.kind = Event::Kind::StopChecked, .error = ended.error, .stop = *check});
+    work->merged = [this, ref, check, verdict](Work& ended) {
+        takeVerdict(ref, *check, *verdict, ended.error);
     };
     enqueue(work);
+}
+
+void Desk::takeVerdict(ServoRef ref, PendingCheck& check, const jobs::StopVerdict& verdict,
+                       const std::optional<base::Error>& error)
+{
+    using Torque = jobs::StopVerdict::Torque;
+    // Another stop has come, which has a check of its own.
+    check.overtaken = check.overtaken || (error && error->code == base::ErrorCode::Preempted);
+    auto& place = verdict.torque == Torque::On    ? check.told.stillOn
+                  : verdict.torque == Torque::Off ? check.told.off
+                                                  : check.told.silent;
+    place.push_back(ref);
+    if (verdict.mayHold)
+        check.told.stillHeld.push_back(ref);
+    ServoEntry* known = entry(ref);
+    if (known != nullptr && verdict.torque == Torque::Unknown && !error)
+        known->silent = true;
+    if (--check.open == 0 && !check.overtaken)
+        tell({.kind = Event::Kind::StopChecked, .error = error, .stop = check.told});
 }
 
 /// After a stop only torque may be switched on.
@@ -99,10 +114,11 @@ void Desk::storeHere(ServoRef ref)
     perform(ref, std::move(task));
 }
 
-/// The user has switched torque on, and the servo has shown it.
+/// The user has switched torque on, and the servo has shown it, after the latest stop.
 void Desk::maybeReleased(const Work& ended)
 {
-    if (ended.task.effect != Effect::Energises)
+    if (ended.task.effect != Effect::Energises || !m_connection ||
+        ended.epoch != m_connection->bus().emergencies())
         return;
     const auto look = [&](const Work::Part& part) {
         const catalog::Register* torque =

@@ -260,7 +260,10 @@ void Desk::merge(ServoEntry& into, const device::Servo& from, base::Duration sin
     device::Image image = from.image;
     image.takeNewer(into.servo.image, since);
     const bool moved = into.servo.id != from.id || into.servo.baud != from.baud;
+    const std::uint8_t read = into.servo.status;
     into.servo = from;
+    if (into.statusAt >= since) // read beside the job: newer than what the job found at its start
+        into.servo.status = read;
     into.servo.image = std::move(image);
     into.firstImage.takeMissing(into.servo.image);
     if (into.servo.profile)

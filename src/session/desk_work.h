@@ -6,6 +6,13 @@
 #include "session/desk.h"
 
 namespace session {
+/// One emergency stop being checked, servo by servo.
+struct Desk::PendingCheck {
+    StopCheck told;
+    std::size_t open = 0;
+    bool overtaken = false; ///< by another stop
+};
+
 struct Desk::Work {
     ServoRef ref = 0; ///< 0: concerns the whole bus
     Task task;

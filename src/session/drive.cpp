@@ -61,12 +61,19 @@ Drive::Drive(Desk& desk, QObject* parent)
 
 void Drive::deskHappened(const Event& event)
 {
+    if (event.kind == Event::Kind::StopChecked) { // these have forgotten what they held
+        for (const ServoRef ref : event.stop.off) {
+            const auto& still = event.stop.stillHeld;
+            if (std::find(still.begin(), still.end(), ref) == still.end())
+                m_held.erase(ref);
+        }
+        Q_EMIT changed();
+    }
     if (event.kind != Event::Kind::Stopped)
         return;
     m_next.reset();
     m_lastStep.reset();
     m_dragFailed = m_dragging;
-    m_held.clear(); // the stop takes them out of the servos
     Q_EMIT changed();
 }
 
@@ -161,6 +168,11 @@ void Drive::moveEnded(const Sending& sending, const TaskEnd& end)
 {
     m_sending = false;
     if (end.error) {
+        // A hold that failed half-way may stand in some of them: Execute must know of it.
+        if (sending.wish.how == MoveHow::Async) {
+            for (std::size_t i = 0; i < sending.plans->size(); ++i)
+                m_held[sending.servos[i]] = (*sending.plans)[i];
+        }
         m_next.reset();
         m_dragFailed = m_dragging;
         tell(end);
@@ -173,7 +185,7 @@ void Drive::moveEnded(const Sending& sending, const TaskEnd& end)
             m_held[ref] = plan;
         else if (plan.relative)
             m_stepSums[ref] += plan.goalRaw;
-        if (plan.relative)
+        if (plan.relative && sending.servos == m_servos)
             m_lastStep = sending.wish;
         if (sending.wish.how != MoveHow::Async && sending.marked)
             noteMove(ref, plan);

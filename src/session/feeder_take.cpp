@@ -148,6 +148,8 @@ void Feeder::close(Source& source, std::size_t poll, ServoEntry& entry)
 /// What a reading tells beside its numbers.
 void Feeder::look(ServoEntry& entry, const Reading& reading)
 {
+    if (reading.answered)
+        entry.statusAt = reading.at;
     const LinkWatch::News news = entry.link.reading(reading.answered, reading.at);
     if (news == LinkWatch::News::Lost) {
         entry.silent = true;

@@ -2,6 +2,7 @@
 #include "session/scope.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,6 +17,7 @@ constexpr auto recorderInterval = 100ms;
 /// So long nothing was read although it used to come more often: a gap, not a line.
 constexpr Duration leastGap = 400ms;
 constexpr int gapIntervals = 5;
+constexpr Duration slowest = 2s;
 constexpr double notRead = std::numeric_limits<double>::quiet_NaN();
 
 const catalog::Register* goalRegister(const catalog::Profile& profile)
@@ -62,6 +64,7 @@ Scope::Scope(Desk& desk, QObject* parent)
 
 Scope::~Scope()
 {
+    flushRows();
     if (m_recorder)
         letGo(std::move(m_recorder));
 }
@@ -84,6 +87,7 @@ void Scope::clear()
 
 void Scope::forgetAll()
 {
+    stopRecording(); // its curves are gone
     for (const ScopeChannel& channel : m_channels)
         m_store.close(channel.id);
     m_store.clear();
@@ -96,15 +100,47 @@ void Scope::forgetAll()
     Q_EMIT grown();
 }
 
+void Scope::setPeriod(Duration period)
+{
+    m_period = period;
+    updateWish();
+}
+
+/// What is recorded or waited for is read, whatever page is shown and whatever servo is selected.
+void Scope::updateWish()
+{
+    const auto state = m_trigger.state();
+    const bool waits = state == record::Trigger::State::Armed;
+    FeedWish wish;
+    wish.period = m_period;
+    for (const ScopeChannel& channel : m_channels) {
+        const bool wanted =
+            m_columns.count(channel.id) > 0 || (waits && m_trigger.spec().channel == channel.id);
+        if (!wanted || !channel.profile)
+            continue;
+        QStringList keys{channel.key};
+        if (channel.key == errorKey) {
+            const catalog::Register* present = channel.profile->byRole(Role::PresentPosition);
+            keys = QStringList{goalKey(*channel.profile),
+                               present != nullptr ? present->key : QString()};
+            keys.removeAll(QString());
+        }
+        wish.parts.push_back({channel.servo, keys, {}});
+    }
+    m_desk.wish(QStringLiteral("scope"), wish);
+}
+
 void Scope::arm(const record::TriggerSpec& spec)
 {
     m_trigger.arm(spec);
+    updateWish();
     Q_EMIT triggerChanged();
 }
 
 void Scope::disarm()
 {
     m_trigger.disarm();
+    updateWish();
     Q_EMIT triggerChanged();
 }
 
@@ -119,8 +155,10 @@ void Scope::take(const std::vector<Reading>& batch)
     flushRows();
     if (std::exchange(m_newChannels, false))
         Q_EMIT channelsChanged();
-    if (m_trigger.state() != stateBefore)
+    if (m_trigger.state() != stateBefore) {
+        updateWish();
         Q_EMIT triggerChanged();
+    }
     if (!batch.empty())
         Q_EMIT grown();
 }
@@ -170,7 +208,10 @@ Scope::Slot& Scope::slotFor(Source& source, ServoRef servo, const catalog::Regis
                    channel.profile == source.profile;
         });
     slot->id = known != m_channels.end() ? known->id : m_store.open();
-    if (known == m_channels.end()) {
+    if (known != m_channels.end()) { // taken up again: nothing is known of the time between
+        m_store.gap(slot->id);
+        m_trigger.gap(slot->id);
+    } else {
         m_channels.push_back({slot->id, servo, source.profile, key, slot->unit});
         m_newChannels = true;
     }
@@ -184,8 +225,10 @@ void Scope::put(Slot& slot, Duration at, double value)
     if (before && since > std::max(leastGap, gapIntervals * slot.interval)) {
         m_store.gap(slot.id);
         m_trigger.gap(slot.id);
-    } else if (before) {
-        slot.interval = slot.interval.count() > 0 ? (slot.interval * 7 + since) / 8 : since;
+    }
+    if (before) { // learned from a gap too: it may come more slowly from now on
+        const Duration seen = std::min(since, slowest);
+        slot.interval = slot.interval.count() > 0 ? (slot.interval * 3 + seen) / 4 : seen;
     }
     slot.lastAt = at;
     m_store.append(slot.id, at, value);
@@ -231,7 +274,10 @@ void Scope::take(const Reading& reading)
         }
     }
     source.missing = !reading.answered;
-    if (rowSize != m_rowSizes.end())
+    // A row of nothing says that the servo was silent.
+    const bool any =
+        std::any_of(m_row.begin(), m_row.end(), [](double value) { return !std::isnan(value); });
+    if (rowSize != m_rowSizes.end() && (any || !reading.answered))
         m_rows.push_back({reading.at, reading.servo, m_row});
 }
 

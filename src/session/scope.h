@@ -46,6 +46,9 @@ public:
     const ScopeChannel* find(ServoRef servo, const QString& key) const; ///< the latest one of it
     void clear();
 
+    /// How often what is recorded and waited for is read; 0: as fast as the wire allows.
+    void setPeriod(base::Duration period);
+
     void arm(const record::TriggerSpec& spec);
     void disarm();
     const record::Trigger& trigger() const { return m_trigger; }
@@ -82,9 +85,11 @@ private:
     void put(Slot& slot, base::Duration at, double value);
     void note(const record::Mark& mark);
     void forgetAll();
+    void updateWish();
 
     // scope_recording.cpp
     void flushRows();
+    void forgetColumns();
     void recorderOpened(base::Result<std::unique_ptr<record::Recorder>> opened);
     void lookAtRecorder();
     void letGo(std::unique_ptr<record::Recorder> recorder);
@@ -96,11 +101,13 @@ private:
     std::vector<record::Mark> m_marks;
     std::vector<ScopeChannel> m_channels;
     std::map<ServoRef, std::unique_ptr<Source>> m_sources;
+    base::Duration m_period{};
     bool m_newChannels = false;
     record::Trigger m_trigger;
 
     std::unique_ptr<record::Recorder> m_recorder;
     bool m_beginning = false;                           ///< its file is being opened
+    std::uint64_t m_lostAtStart = 0;                    ///< rows, while its file was being opened
     bool m_ending = false;                              ///< stopRecording() came before it was open
     std::map<record::ChannelId, std::size_t> m_columns; ///< place in its servo's row
     std::map<ServoRef, std::size_t> m_rowSizes;         ///< of servos that are recorded

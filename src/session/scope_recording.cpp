@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t mostRowsWaiting = 65536;
 /// A channel that was heard from so lately is being read.
 constexpr base::Duration lately = 2s;
+/// So old may a reading be that has not come here yet.
+constexpr base::Duration onItsWay = 250ms;
 } // namespace
 
 std::vector<record::ChannelId> Scope::beingRead() const
@@ -72,9 +74,11 @@ base::Result<void> Scope::record(const RecordingOrder& order)
     m_recordingPath = order.path;
     m_columns = std::move(columns);
     m_rowSizes = std::move(sizes);
+    updateWish();
     m_lastStatus = {};
     m_beginning = true;
     m_ending = false;
+    m_lostAtStart = 0;
     m_files.start([this, spec] {
         auto opened = std::make_shared<base::Result<std::unique_ptr<record::Recorder>>>(
             record::Recorder::start(spec));
@@ -88,13 +92,13 @@ void Scope::recorderOpened(base::Result<std::unique_ptr<record::Recorder>> opene
 {
     m_beginning = false;
     if (!opened) {
-        m_columns.clear();
-        m_rowSizes.clear();
+        forgetColumns();
         Q_EMIT recordingFailed(opened.error());
         Q_EMIT recordingChanged();
         return;
     }
     m_recorder = std::move(*opened);
+    m_recorder->lost(m_lostAtStart);
     m_recorderLook.start();
     Q_EMIT recordingBegan();
     Q_EMIT recordingChanged();
@@ -109,6 +113,13 @@ void Scope::letGo(std::unique_ptr<record::Recorder> recorder)
         [old = std::shared_ptr<record::Recorder>(std::move(recorder))]() mutable { old.reset(); });
 }
 
+void Scope::forgetColumns()
+{
+    m_columns.clear();
+    m_rowSizes.clear();
+    updateWish();
+}
+
 void Scope::stopRecording()
 {
     m_ending = true;
@@ -116,8 +127,7 @@ void Scope::stopRecording()
         return;
     flushRows();
     m_recorder->stop();
-    m_columns.clear();
-    m_rowSizes.clear();
+    forgetColumns();
 }
 
 record::RecorderStatus Scope::recordingStatus() const
@@ -128,15 +138,13 @@ record::RecorderStatus Scope::recordingStatus() const
 void Scope::flushRows()
 {
     if (!m_recorder) {
-        if (!m_beginning) {
-            m_rows.clear();
-            m_rowMarks.clear();
-        }
+        if (m_beginning && m_rows.size() <= mostRowsWaiting)
+            return;
+        m_lostAtStart += m_beginning ? m_rows.size() : 0;
+        m_rows.clear();
+        m_rowMarks.clear();
         return;
     }
-    m_recorder->reach(m_desk.now());
-    if (m_rows.empty() && m_rowMarks.empty())
-        return;
     if (m_recorder->offer(m_rows, m_rowMarks)) {
         m_rows.clear();
         m_rowMarks.clear();
@@ -144,11 +152,13 @@ void Scope::flushRows()
         m_recorder->lost(m_rows.size());
         m_rows.clear();
     }
+    if (m_rows.empty())
+        m_recorder->reach(m_desk.now() - onItsWay);
 }
 
 void Scope::lookAtRecorder()
 {
-    m_recorder->reach(m_desk.now());
+    flushRows();
     const record::RecorderStatus status = m_recorder->status();
     if (!status.ended) {
         Q_EMIT recordingChanged();
@@ -157,8 +167,7 @@ void Scope::lookAtRecorder()
     m_recorderLook.stop();
     m_lastStatus = status;
     letGo(std::move(m_recorder));
-    m_columns.clear();
-    m_rowSizes.clear();
+    forgetColumns();
     flushRows();
     Q_EMIT recordingChanged();
     Q_EMIT recordingEnded(status, m_recordingPath);

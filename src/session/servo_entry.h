@@ -36,6 +36,7 @@ struct ServoEntry {
     bool heardLate = false;
     base::Duration lastSeen{};
     bool silent = false; ///< did not answer when it was last asked
+    base::Duration statusAt{}; ///< of the regular reading that brought servo.status
     LinkWatch link;      ///< by regular readings
     AlarmLatch alarms;   ///< until acknowledged
     device::TurnCounter turns;

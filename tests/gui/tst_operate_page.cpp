@@ -280,6 +280,90 @@ private Q_SLOTS:
         QVERIFY(chart->following());
     }
 
+    /// What is recorded is read on, whatever page is shown and whatever servo is selected.
+    void aRecordingGoesOnOnOtherPages()
+    {
+        OperateBench bench;
+        QVERIFY(bench.ready(1));
+        QTRY_VERIFY(bench.curve(QStringLiteral("*/@position"))->id >= 0);
+        const QTemporaryDir folder;
+        QVERIFY(bench.bench.scope.record({.path = folder.filePath(QStringLiteral("run.csv"))}));
+        QTRY_VERIFY(bench.bench.scope.recordingStatus().rows > 20);
+        const session::ServoRef first = bench.desk().servos().front();
+        const auto* voltage = bench.bench.scope.find(first, QStringLiteral("present_voltage"));
+        QVERIFY(voltage != nullptr);
+        bench.action(ui::Command::PageMemory)->trigger();
+        bench.selection().select(bench.desk().servos()[1]);
+        const auto& store = bench.bench.scope.store();
+        const base::Duration then = bench.desk().now();
+        QTRY_VERIFY(store.latest(voltage->id)->at > then + std::chrono::milliseconds(300));
+        bench.bench.scope.stopRecording();
+        QTRY_VERIFY(!bench.bench.scope.recording());
+    }
+
+    void oneRecordingAfterTheOther()
+    {
+        OperateBench bench;
+        QVERIFY(bench.ready(1));
+        const QTemporaryDir folder;
+        auto* panel = bench.find<ui::TrendPanel>("trendPanel");
+        auto* chart = bench.find<ui::TrendChart>("trendChart");
+        for (const char* name : {"a.csv", "b.jsonl"}) {
+            const QString path = folder.filePath(QString::fromLatin1(name));
+            QTRY_VERIFY(bench.bench.scope.record({.path = path}).has_value());
+            QTRY_VERIFY(bench.bench.scope.recordingStatus().rows > 50);
+            bench.bench.scope.stopRecording();
+            QTRY_VERIFY(!bench.bench.scope.recording());
+            panel->load(path);
+            auto* slider = bench.find<QSlider>("replaySlider");
+            QTRY_VERIFY(panel->replaying() && slider->toolTip() == QString::fromLatin1(name));
+            chart->flush();
+            // "Now" has no meaning in a recording.
+            chart->setFollowing(true);
+            QVERIFY(!chart->following());
+        }
+        bench.click("trendLive");
+        QVERIFY(chart->following());
+        QCOMPARE(chart->width(), base::Duration(std::chrono::seconds(10)));
+    }
+
+    void anExistingFileIsAskedFor()
+    {
+        OperateBench bench;
+        QVERIFY(bench.ready(1));
+        QTRY_VERIFY(bench.curve(QStringLiteral("*/@position"))->id >= 0);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("yesterday.csv"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("precious");
+        file.close();
+        bench.action(ui::Command::Record)->trigger();
+        bench.find<QLineEdit>("recordPath")->setText(path);
+        bench.click("recordStart");
+        QVERIFY(!bench.bench.scope.recording());
+        QCOMPARE(QFileInfo(path).size(), qint64(8));
+        bench.click("recordStart");
+        QTRY_VERIFY(bench.bench.scope.recordingStatus().rows > 0);
+        bench.bench.scope.stopRecording();
+        QTRY_VERIFY(!bench.bench.scope.recording());
+    }
+
+    void whatIsOldLooksOld()
+    {
+        OperateBench bench;
+        QVERIFY(bench.ready(1));
+        auto* dial = bench.find<ui::PositionDial>("positionDial");
+        QTRY_VERIFY(dial->view().position && !dial->view().old);
+        bench.desk().disconnectFrom();
+        QTRY_VERIFY(dial->view().old);
+        QVERIFY(bench.find<ui::Pill>("statusMoving")
+                    ->accessibleName()
+                    .contains(QLatin1String("not known")));
+        for (const ui::ServoCard* card : bench.window->findChildren<ui::ServoCard*>())
+            QVERIFY(card->view().old);
+    }
+
     void aFileThatIsNoRecordingIsNamed()
     {
         OperateBench bench;

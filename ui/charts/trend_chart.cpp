@@ -143,6 +143,19 @@ std::vector<CursorReading> TrendChart::cursorReadings() const
     return readings;
 }
 
+void TrendChart::setLive(bool live)
+{
+    m_private->state().live = live;
+    m_private->control.forgetViews();
+    if (!live)
+        m_private->state().view.follow(false);
+}
+
+void TrendChart::look(const TimeSpan& span)
+{
+    m_private->control.drag(span);
+}
+
 void TrendChart::setFollowing(bool on)
 {
     m_private->control.follow(on);

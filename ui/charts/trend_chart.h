@@ -38,6 +38,8 @@ public:
     /// Times on the axis count from here: 0 s is `instant` while not following; while following the
     /// right edge is 0 s.
     void setOrigin(base::Duration instant);
+    /// False: the store is a recording; nothing is followed, and Space asks for playing.
+    void setLive(bool live);
     /// Where "now" is, at about 30 Hz while following; repaints what is new.
     void advance(base::Duration now);
 
@@ -62,6 +64,7 @@ public Q_SLOTS:
     void setFollowing(bool on); ///< false: pause; the store goes on growing
     void setWidth(base::Duration width);
     void show(const record::TimeSpan& span); ///< stops following
+    void look(const record::TimeSpan& span); ///< the same, without a step back
     void fit();                              ///< everything there is; y too
     void zoomBack();                         ///< the view before the last zoom
     void setCursorsShown(bool on);
@@ -70,6 +73,7 @@ public Q_SLOTS:
     void setChannelScale(int index, double scale, double offset); ///< scale is not 0
 
 Q_SIGNALS:
+    void playWished();      ///< Space, while not live
     void viewChanged();     ///< shown(), following(), width()
     void cursorsChanged();  ///< places, or what is read at them
     void channelsChanged(); ///< others, or their looks: legend, keys, list

@@ -64,8 +64,12 @@ void TrendChart::Private::connectPlot()
     QObject::connect(plot, &TrendPlot::backWished, c, &TrendControl::back);
     QObject::connect(plot, &TrendPlot::fitWished, c, &TrendControl::fit);
     QObject::connect(plot, &TrendPlot::endWished, c, &TrendControl::goToEnd);
-    QObject::connect(plot, &TrendPlot::pauseWished, c,
-                     [this] { control.follow(!state().view.following()); });
+    QObject::connect(plot, &TrendPlot::pauseWished, c, [this] {
+        if (state().live)
+            control.follow(!state().view.following());
+        else
+            Q_EMIT q->playWished();
+    });
     QObject::connect(plot, &TrendPlot::cursorsWished, c,
                      [this] { control.showCursors(!state().cursors); });
     QObject::connect(plot, &TrendPlot::cursorMoved, c, [this](Cursor which, double place) {

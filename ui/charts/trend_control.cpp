@@ -42,7 +42,7 @@ void TrendControl::back()
     const View view = std::move(m_before.back());
     m_before.pop_back();
     m_sinceZoom.invalidate();
-    if (view.following) {
+    if (view.following && m_state.live) {
         m_state.view.follow(true);
         m_state.view.setWidth(view.span.to - view.span.from);
     } else {
@@ -61,7 +61,7 @@ void TrendControl::back()
 
 void TrendControl::follow(bool on)
 {
-    if (on == m_state.view.following())
+    if (on == m_state.view.following() || (on && !m_state.live))
         return;
     m_state.view.follow(on);
     Q_EMIT viewChanged();
@@ -160,14 +160,16 @@ void TrendControl::zoomValues(const QString* unit, double factor, double place)
 
 void TrendControl::goToEnd(bool newest)
 {
-    if (newest) {
+    if (newest && m_state.live) {
         follow(true);
         return;
     }
     const auto all = m_state.store != nullptr ? m_state.store->span() : std::nullopt;
     if (!all)
         return;
-    m_state.view.show({all->from, all->from + m_state.view.width()});
+    const Duration width = m_state.view.width();
+    m_state.view.show(newest ? TimeSpan{all->to - width, all->to}
+                             : TimeSpan{all->from, all->from + width});
     Q_EMIT viewChanged();
 }
 

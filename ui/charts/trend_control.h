@@ -25,6 +25,7 @@ public:
     void back();
     void forgetBack() { m_before.clear(); }
 
+    void forgetViews() { m_before.clear(); }
     void rememberView() { remember(Kind::Single); }
     void drag(const record::TimeSpan& span); ///< show() without a way back of its own
     void box(const QRectF& shares);

@@ -22,6 +22,7 @@ struct TrendState {
     MarkWords markWords{};
     std::vector<TrendChannel> channels{};
     TimeView view{};
+    bool live = true; ///< "now" goes on; else a recording stands there
     base::Duration origin{};
     std::optional<std::pair<base::Duration, base::Duration>> cursors{};
 };

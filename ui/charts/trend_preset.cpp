@@ -29,7 +29,8 @@ QJsonObject written(const TrendPreset& preset)
     for (const PresetChannel& channel : preset.channels) {
         channels << QJsonObject{{QStringLiteral("key"), channel.key},
                                 {QStringLiteral("visible"), channel.visible},
-                                {QStringLiteral("colour"), channel.colour.name()},
+                                {QStringLiteral("colour"),
+                                 channel.colour.isValid() ? channel.colour.name() : QString()},
                                 {QStringLiteral("scale"), channel.scale},
                                 {QStringLiteral("offset"), channel.offset}};
     }

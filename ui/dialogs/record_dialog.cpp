@@ -115,6 +115,12 @@ void RecordDialog::start()
         complain(tr("Name a file first."));
         return;
     }
+    if (QFileInfo(now.path).isFile() && now.path != m_mayReplace) {
+        m_mayReplace = now.path;
+        complain(tr("There is such a file already. Press Record once more to replace it, or give "
+                    "another name."));
+        return;
+    }
     m_settings.setChoice(folderChoice, QFileInfo(now.path).absolutePath());
     m_settings.setChoice(shownChoice, now.onlyShown);
     m_settings.setChoice(secondsChoice, now.seconds);
@@ -144,8 +150,10 @@ void RecordDialog::browse()
     connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, lines](const QString& filter) {
         dialog->setDefaultSuffix(filter == lines ? QStringLiteral("jsonl") : QStringLiteral("csv"));
     });
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this](const QString& path) { m_path->setText(QDir::toNativeSeparators(path)); });
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        m_path->setText(QDir::toNativeSeparators(path));
+        m_mayReplace = wish().path; // the file dialog has asked
+    });
     dialog->open();
 }
 

@@ -55,5 +55,6 @@ private:
     QLabel* m_trouble = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_cancel = nullptr;
+    QString m_mayReplace; ///< a file of this name may be replaced: it was asked
 };
 } // namespace ui

@@ -142,9 +142,9 @@ void addKeys(const device::Servo& servo, std::initializer_list<Role> roles, QStr
 }
 } // namespace
 
-Role roleOf(Measure measure)
+bool isFresh(const session::ServoEntry& entry, const session::Desk& desk)
 {
-    return knownOf(measure).role;
+    return !entry.silent && !entry.link.lost() && desk.state() == session::LinkState::Open;
 }
 
 GaugeView gaugeView(const session::ServoEntry& entry, Measure measure)
@@ -211,7 +211,7 @@ QStringList settingKeys(const device::Servo& servo)
     return keys;
 }
 
-DialView dialView(const session::ServoEntry& entry)
+DialView dialView(const session::ServoEntry& entry, bool fresh)
 {
     DialView view;
     const device::Servo& servo = entry.servo;
@@ -222,7 +222,7 @@ DialView dialView(const session::ServoEntry& entry)
         double(std::max<std::int64_t>(1, servo.raw(Role::AngleResolution).value_or(1)));
     view.stepsPerTurn = profile.stepsPerTurn / factor; // of a goal
     view.rangeDegrees = profile.angleRangeDeg.value_or(360);
-    view.old = entry.silent;
+    view.old = !fresh;
     const catalog::Mode* mode = servo.mode();
     const bool drivesPosition = mode != nullptr && mode->command == Role::GoalPosition;
     const bool steps = mode != nullptr && mode->key == QLatin1StringView("step");

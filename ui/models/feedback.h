@@ -4,7 +4,7 @@
 // moment. Pure functions of an entry; main thread.
 #pragma once
 
-#include "session/servo_entry.h"
+#include "session/desk.h"
 #include "ui/app/theme.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/position_dial.h"
@@ -24,14 +24,16 @@ struct GaugeView {
     QString unmeasured; ///< why there is no such measurement; empty: there is
 };
 GaugeView gaugeView(const session::ServoEntry& entry, Measure measure);
-catalog::Role roleOf(Measure measure);
 
 /// The registers the page reads of a servo as fast as it can, and those it looks at now and then.
 QStringList feedbackKeys(const device::Servo& servo);
 QStringList settingKeys(const device::Servo& servo);
 
 /// Without turns in words and without leave to move the goal: whoever drives adds them.
-DialView dialView(const session::ServoEntry& entry);
+DialView dialView(const session::ServoEntry& entry, bool fresh);
+
+/// It answers, and the port is open: what is shown is so now.
+bool isFresh(const session::ServoEntry& entry, const session::Desk& desk);
 
 /// "过温": what a fault bit is called beside its light. `key` as the catalog names the bit.
 QString faultWord(const QString& key);

@@ -116,11 +116,6 @@ const session::ServoEntry* OperatePage::entry() const
 
 void OperatePage::select()
 {
-    m_drive.setServos(m_selection.chosen());
-    const session::ServoEntry* known = entry();
-    if (known != nullptr && known->servo.profile && !known->tableRead &&
-        m_desk.state() == session::LinkState::Open && isVisible())
-        m_desk.readTable(known->ref); // its limits belong on slider, dial and gauges
     updateWish();
     show();
 }
@@ -151,7 +146,7 @@ void OperatePage::show()
 
 void OperatePage::showDial(const session::ServoEntry* known)
 {
-    DialView view = known != nullptr ? dialView(*known) : DialView{};
+    DialView view = known != nullptr ? dialView(*known, isFresh(*known, m_desk)) : DialView{};
     if (known != nullptr) {
         view.goalMovable = m_control->goalMovable();
         if (const auto goal = m_control->placeGoal(); goal && view.goal)
@@ -164,8 +159,7 @@ void OperatePage::showDial(const session::ServoEntry* known)
 
 void OperatePage::showGauges(const session::ServoEntry* known)
 {
-    const bool old = known == nullptr || known->silent || known->link.lost() ||
-                     m_desk.state() != session::LinkState::Open;
+    const bool old = known == nullptr || !isFresh(*known, m_desk);
     for (std::size_t i = 0; i < m_gauges.size(); ++i) {
         const GaugeView view = known != nullptr ? gaugeView(*known, allMeasures[i]) : GaugeView{};
         m_gauges[i]->setVisible(known != nullptr);

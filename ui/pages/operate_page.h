@@ -13,9 +13,6 @@
 
 #include <array>
 
-class QLabel;
-class QStackedWidget;
-
 namespace ui {
 class ControlPanel;
 class Gauge;

@@ -66,7 +66,7 @@ void OperateStatus::show(const session::ServoEntry* entry, const session::Desk& 
     if (entry == nullptr)
         return;
     showLink(*entry, desk);
-    showMoving(*entry);
+    showMoving(*entry, desk);
     showAlarms(*entry);
     showAge(*entry, desk);
 }
@@ -91,12 +91,14 @@ void OperateStatus::showLink(const session::ServoEntry& entry, const session::De
                      silent ? tr("Time-out") : tr("Communication fine"), {}, more);
 }
 
-void OperateStatus::showMoving(const session::ServoEntry& entry)
+void OperateStatus::showMoving(const session::ServoEntry& entry, const session::Desk& desk)
 {
     const catalog::Register* reg =
         entry.servo.profile ? entry.servo.profile->byRole(Role::Moving) : nullptr;
     const auto moving = reg != nullptr ? entry.shown(*reg) : std::nullopt;
-    if (reg == nullptr)
+    if (!isFresh(entry, desk))
+        m_moving->setState(Tone::Quiet, tr("moving: not known"));
+    else if (reg == nullptr)
         m_moving->setState(Tone::Quiet, tr("no moving flag"));
     else if (!moving)
         m_moving->setState(Tone::Quiet, tr("moving: not read"));

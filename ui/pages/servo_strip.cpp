@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/servo_strip.h"
 
+#include "ui/models/feedback.h"
 #include "ui/widgets/servo_card.h"
 
 #include <QApplication>
@@ -82,7 +83,7 @@ void ServoStrip::refresh()
     const std::vector<ServoRef>& chosen = m_selection.chosen();
     for (const auto& [ref, card] : m_cards) {
         if (const session::ServoEntry* entry = m_desk.servo(ref))
-            card->show(cardView(*entry),
+            card->show(cardView(*entry, isFresh(*entry, m_desk)),
                        std::find(chosen.begin(), chosen.end(), ref) != chosen.end());
     }
 }

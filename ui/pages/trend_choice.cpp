@@ -114,6 +114,15 @@ std::vector<TrendChoice> defaultChoices()
 }
 
 namespace {
+/// "temperature", or "temperature (derived)" where the servo reports no faults itself.
+QString faultWords(const QString& text)
+{
+    const QString word = faultWord(text.section(QLatin1Char(' '), 0, 0));
+    return text.contains(QLatin1String("(derived)"))
+               ? translate("Trend", "%1 (worked out)").arg(word)
+               : word;
+}
+
 /// The register's key at the beginning becomes its name.
 QString writtenName(const session::Desk& desk, const QString& text)
 {
@@ -145,9 +154,9 @@ QString markWords(const session::Desk& desk, const record::Mark& mark)
     using record::MarkKind;
     QString words = mark.text;
     if (mark.kind == MarkKind::Fault)
-        words = faultWord(mark.text);
+        words = faultWords(mark.text);
     else if (mark.kind == MarkKind::FaultOver)
-        words = translate("Trend", "over: %1").arg(faultWord(mark.text));
+        words = translate("Trend", "over: %1").arg(faultWords(mark.text));
     else if (mark.kind == MarkKind::LinkError)
         words = translate("Trend", "no answer");
     else if (mark.kind == MarkKind::LinkBack)

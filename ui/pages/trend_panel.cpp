@@ -26,7 +26,7 @@ const QString choicesKey = QStringLiteral("trend/curves");
 const QString widthKey = QStringLiteral("trend/width_s");
 const QString rateKey = QStringLiteral("trend/rate_hz");
 const QString wishName = QStringLiteral("trend");
-constexpr int usualWidth = 10;
+constexpr int usualSeconds = 10;
 
 /// One text a curve: "1/present_position;visible;#rrggbb;scale;offset".
 QString toText(const TrendChoice& choice)
@@ -100,7 +100,11 @@ void TrendPanel::build()
     m_chart->setStore(&m_scope.store());
     m_chart->setMarks(&m_scope.marks());
     m_chart->setMarkWords([this](const record::Mark& mark) { return markWords(m_desk, mark); });
-    m_chart->setWidth(std::chrono::seconds(m_settings.choice(widthKey, usualWidth).toInt()));
+    m_chart->setWidth(usualWidth());
+    const int hz = m_settings.choice(rateKey, 0).toInt();
+    m_period = hz > 0 ? Duration(1'000'000 / hz) : Duration{};
+    m_scope.setPeriod(m_period);
+    m_toolbar->setRate(hz);
     m_toolbar->setWidthShown(m_chart->width());
 }
 
@@ -129,6 +133,8 @@ void TrendPanel::connectToolbar()
     });
     connect(m_toolbar, &TrendToolbar::rateWished, this, [this](int hz) {
         m_period = hz > 0 ? Duration(1'000'000 / hz) : Duration{};
+        m_settings.setChoice(rateKey, hz);
+        m_scope.setPeriod(m_period);
         updateWish();
         Q_EMIT periodChanged();
     });
@@ -140,6 +146,7 @@ void TrendPanel::connectToolbar()
         m_toolbar->setCursorsShown(m_chart->cursorsShown());
         m_cursors->setVisible(m_chart->cursorsShown());
     });
+    connect(m_chart, &TrendChart::playWished, this, &TrendPanel::toggleFollowing);
     connect(m_chart, &TrendChart::channelsChanged, this, &TrendPanel::takeLegend);
     connect(m_replayBar, &ReplayBar::moved, this, &TrendPanel::followReplay);
 }
@@ -239,6 +246,8 @@ void TrendPanel::takeLegend()
         m_choices[m_shownChoices[i]].visible = channels[i].visible;
     keepChoices();
     updateWish();
+    if (auto* dialog = findChild<ChannelsDialog*>())
+        dialog->setChoices(m_choices);
 }
 
 void TrendPanel::chooseChannels()
@@ -290,7 +299,12 @@ void TrendPanel::arm(const record::TriggerSpec& spec)
     m_scope.arm(spec);
 }
 
-void TrendPanel::showTrigger()
+Duration TrendPanel::usualWidth() const
+{
+    return std::chrono::seconds(std::max(m_settings.choice(widthKey, usualSeconds).toInt(), 1));
+}
+
+void TrendPanel::nameTrigger()
 {
     using State = record::Trigger::State;
     const record::Trigger& trigger = m_scope.trigger();
@@ -300,6 +314,14 @@ void TrendPanel::showTrigger()
     else if (trigger.state() == State::Fired)
         words = tr("Triggered …");
     m_toolbar->setTrigger(words, trigger.state() == State::Armed);
+}
+
+/// The moment has come: the chart stands there, once.
+void TrendPanel::showTrigger()
+{
+    using State = record::Trigger::State;
+    nameTrigger();
+    const record::Trigger& trigger = m_scope.trigger();
     if (trigger.state() != State::Complete || replaying())
         return;
     if (const auto window = trigger.window()) {
@@ -326,7 +348,7 @@ void TrendPanel::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         showCurves();
-        showTrigger();
+        nameTrigger();
         showRecording();
     } else if (event->type() == QEvent::PaletteChange) {
         showCurves();

@@ -59,6 +59,7 @@ private:
     void chooseChannels();
     void chooseTrigger();
     void arm(const record::TriggerSpec& spec);
+    void nameTrigger();
     void showTrigger();
     void startRecording(const RecordWish& wish);
     void recordingFailed(const base::Error& error);
@@ -73,6 +74,7 @@ private:
     void keepPreset();
     void usePreset(const QString& name);
     void complain(const QString& words, const QString& remedy);
+    base::Duration usualWidth() const; ///< of live readings, as it was chosen
     QColor ground() const;
     TrendResolver resolver() const;
 

@@ -11,6 +11,7 @@
 #include "ui/widgets/banner.h"
 #include "ui/widgets/replay_bar.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
@@ -123,7 +124,8 @@ void TrendPanel::load(const QString& path)
 
 void TrendPanel::showReplay(const std::shared_ptr<session::Replayed>& recording)
 {
-    m_replayed = recording;
+    // The chart borrows from the one before until it has all of the new one.
+    const auto before = std::exchange(m_replayed, recording);
     const record::LoadedRecording& content = recording->content;
     std::vector<TrendChannel> channels;
     for (std::size_t i = 0; i < content.ids.size(); ++i) {
@@ -136,9 +138,10 @@ void TrendPanel::showReplay(const std::shared_ptr<session::Replayed>& recording)
         channel.colour = trendColour(int(i), ground());
         channels.push_back(std::move(channel));
     }
-    m_chart->setStore(&recording->store);
     m_chart->setMarks(&content.marks);
+    m_chart->setStore(&recording->store);
     m_chart->setChannels(std::move(channels));
+    m_chart->setLive(false);
     m_chart->setOrigin({});
     m_toolbar->setReplaying(true);
     m_replayBar->setVisible(true);
@@ -166,10 +169,12 @@ void TrendPanel::leaveReplay()
     m_replayBar->setVisible(false);
     m_toolbar->setReplaying(false);
     m_banner->clear();
-    m_chart->setStore(&m_scope.store());
     m_chart->setMarks(&m_scope.marks());
-    m_replayed.reset();
+    m_chart->setStore(&m_scope.store());
+    m_chart->setLive(true);
+    const auto before = std::exchange(m_replayed, nullptr); // see showReplay
     showCurves();
+    m_chart->setWidth(usualWidth());
     m_chart->setFollowing(true);
     grown();
 }
@@ -179,8 +184,11 @@ void TrendPanel::followReplay(Duration place)
 {
     if (!replaying())
         return;
-    const Duration width = std::max<Duration>(m_chart->width(), 1ms);
-    m_chart->show(record::TimeSpan{place - width, place});
+    // All of it at once leaves nothing to play: then as much as is shown of live readings.
+    const auto all = m_replayed->store.span().value_or(record::TimeSpan{});
+    const bool whole = m_chart->width() >= all.to - all.from;
+    const Duration width = whole ? usualWidth() : std::max<Duration>(m_chart->width(), 1ms);
+    m_chart->look(record::TimeSpan{place - width, place});
 }
 
 void TrendPanel::saveImage()

@@ -12,6 +12,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include <algorithm>
 #include <array>
 
 namespace ui {
@@ -127,12 +128,19 @@ void TrendToolbar::setRecording(const QString& words)
     m_recordState->setPalette(colours);
 }
 
+void TrendToolbar::setRate(int hz)
+{
+    const auto place = std::find(rates.begin(), rates.end(), hz);
+    m_rate->setCurrentIndex(place != rates.end() ? int(place - rates.begin()) : 0);
+}
+
 void TrendToolbar::setReplaying(bool replaying)
 {
     m_replaying = replaying;
     m_live->setVisible(replaying);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_pause, m_trigger, m_rate})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_pause, m_trigger, m_rate, m_channels})
         widget->setEnabled(!replaying);
+    fillPresets();
 }
 
 void TrendToolbar::setPresets(const QStringList& names)
@@ -148,6 +156,7 @@ void TrendToolbar::fillPresets()
     const auto action = [this](const char* name, const QString& text, auto signal) {
         QAction* one = m_menu->addAction(text);
         one->setObjectName(QString::fromLatin1(name));
+        one->setEnabled(!m_replaying || QLatin1String(name) != QLatin1String("trendClear"));
         connect(one, &QAction::triggered, this, signal);
     };
     action("trendSaveImage", tr("Save the &picture…"), &TrendToolbar::saveImageWished);

@@ -27,6 +27,7 @@ public:
     void setTrigger(const QString& words, bool waiting); ///< empty: none
     /// `words`: "00:12 · 5580 rows"; empty: nothing is recorded.
     void setRecording(const QString& words);
+    void setRate(int hz); ///< 0: as fast as the wire allows
     void setReplaying(bool replaying);
     void setPresets(const QStringList& names);
 

@@ -44,6 +44,8 @@ Gauge::Gauge(QWidget* parent)
 
 void Gauge::setTitle(const QString& title)
 {
+    if (title == m_title)
+        return;
     m_title = title;
     describe();
     update();
@@ -85,9 +87,10 @@ void Gauge::setUnmeasured(const QString& why)
 void Gauge::describe()
 {
     setAccessibleName(m_title);
-    const QString words = m_unmeasured.isEmpty()
-                              ? QStringList{valueText(), m_foot}.join(QLatin1Char(' '))
-                              : m_unmeasured;
+    const QString words =
+        m_unmeasured.isEmpty()
+            ? QStringList{valueText(), m_scale.unit, m_foot}.join(QLatin1Char(' '))
+            : m_unmeasured;
     setAccessibleDescription(words);
     setToolTip(m_title + QLatin1Char('\n') + words);
 }

@@ -90,6 +90,16 @@ void PositionDial::wish(double raw)
     Q_EMIT goalWished(std::llround(raw));
 }
 
+/// A step by wheel or key: the next one counts from here, also before the servo has been read
+/// again.
+void PositionDial::nudgeTo(double raw)
+{
+    wish(raw);
+    if (m_drag)
+        m_view.goal = m_drag;
+    m_drag.reset();
+}
+
 /// The knob follows the pointer by the shorter way, so that it also goes round over several turns.
 void PositionDial::dragTo(const QPointF& place)
 {
@@ -135,18 +145,14 @@ void PositionDial::wheelEvent(QWheelEvent* event)
     const double whole = std::trunc(m_wheel);
     m_wheel -= whole;
     if (whole != 0)
-        wish(*m_view.goal + whole);
-    m_drag.reset();
+        nudgeTo(*m_view.goal + whole);
     event->accept();
 }
 
 void PositionDial::keyPressEvent(QKeyEvent* event)
 {
     const double now = m_view.goal.value_or(m_view.position.value_or(0));
-    const auto to = [this](double raw) {
-        wish(raw);
-        m_drag.reset();
-    };
+    const auto to = [this](double raw) { nudgeTo(raw); };
     switch (event->key()) {
     case Qt::Key_Up:
     case Qt::Key_Right:

@@ -54,6 +54,7 @@ private:
     QPointF placeOf(double raw, double radius) const;
     QRectF face() const;
     void wish(double raw);
+    void nudgeTo(double raw);
     void dragTo(const QPointF& place);
     void paintFace(QPainter& painter) const;
     void paintTicks(QPainter& painter) const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/servo_card.h"
 
-#include "device/write_check.h"
 #include "ui/models/feedback.h"
 #include "ui/models/servo_row.h"
 
@@ -25,17 +24,18 @@ std::optional<double> share(std::optional<double> at, double low, double high)
 }
 } // namespace
 
-CardView cardView(const session::ServoEntry& entry)
+CardView cardView(const session::ServoEntry& entry, bool fresh)
 {
     const device::Servo& servo = entry.servo;
     const ServoRow row = servoRow(entry, std::nullopt, entry.lastSeen);
     CardView view;
     view.title = QStringLiteral("%1 · %2").arg(servo.id).arg(row.model);
     view.state = row.alarm;
-    view.tone = row.alarmTone;
+    view.tone = fresh ? row.alarmTone : Tone::Quiet;
+    view.old = !fresh;
     if (!servo.profile)
         return view;
-    const DialView dial = dialView(entry);
+    const DialView dial = dialView(entry, fresh);
     const double low = double(dial.minGoal.value_or(0));
     const double high = double(dial.maxGoal.value_or(std::int64_t(dial.stepsPerTurn)));
     view.place = share(dial.position, low, high);
@@ -118,7 +118,7 @@ void ServoCard::paintEvent(QPaintEvent*)
             QRectF(bar.left() + *m_view.goal * bar.width() - 1, bar.top() - 3, 2, barHeight + 6));
     }
     if (m_view.place) {
-        painter.setBrush(tone(Tone::Accent, palette()));
+        painter.setBrush(tone(m_view.old ? Tone::Quiet : Tone::Accent, palette()));
         painter.drawEllipse(QPointF(bar.left() + *m_view.place * bar.width(), bar.center().y()),
                             4.5, 4.5);
     }

@@ -17,9 +17,10 @@ struct CardView {
     std::optional<double> goal{};
     QString numbers; ///< "187.4° · 7.4 V · 31 °C"
     QString tip;
+    bool old = false; ///< what stands here may not be so any more
     bool operator==(const CardView&) const = default;
 };
-CardView cardView(const session::ServoEntry& entry);
+CardView cardView(const session::ServoEntry& entry, bool fresh);
 
 class ServoCard final : public QAbstractButton {
     Q_OBJECT

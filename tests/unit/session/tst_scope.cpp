@@ -104,6 +104,25 @@ private Q_SLOTS:
         QVERIFY(!bench.scope.store().at(id, last + std::chrono::milliseconds(2)));
     }
 
+    /// What is read once a second is a line, not a row of gaps.
+    void slowReadingIsNoGap()
+    {
+        ScopeBench bench(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(bench.reads({position}));
+        session::FeedWish slow;
+        slow.parts.push_back({bench.at(1), {position}, {}});
+        slow.period = std::chrono::milliseconds(600);
+        bench.desk.wish(QStringLiteral("test"), slow);
+        const record::ChannelId id = bench.scope.find(bench.at(1), position)->id;
+        const auto& store = bench.scope.store();
+        for (int i = 0; i < 4; ++i) {
+            const base::Duration now = store.latest(id)->at;
+            QTRY_VERIFY(store.latest(id)->at > now);
+        }
+        const base::Duration last = store.latest(id)->at;
+        QVERIFY(store.at(id, last - std::chrono::milliseconds(100)).has_value());
+    }
+
     void aTriggerStandsAtItsMoment()
     {
         ScopeBench bench(QStringLiteral("sim:sts3215@1"));
