@@ -1699,6 +1699,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <source>emergency stop</source>
         <translation>紧急停止</translation>
     </message>
+    <message>
+        <source>%1 (worked out)</source>
+        <translation>%1（推算）</translation>
+    </message>
 </context>
 <context>
     <name>ValueEditor</name>
@@ -5268,6 +5272,10 @@ Asked more than once: %9</source>
         <source>Age and rate</source>
         <translation>数据时间和频率</translation>
     </message>
+    <message>
+        <source>moving: not known</source>
+        <translation>移动：未知</translation>
+    </message>
 </context>
 <context>
     <name>ui::PortDialog</name>
@@ -5459,6 +5467,10 @@ Asked more than once: %9</source>
     <message>
         <source>Record nothing</source>
         <translation>不记录</translation>
+    </message>
+    <message>
+        <source>There is such a file already. Press Record once more to replace it, or give another name.</source>
+        <translation>该文件已存在。再按一次“记录”将替换它，或换一个名称。</translation>
     </message>
 </context>
 <context>

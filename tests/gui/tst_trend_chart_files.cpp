@@ -131,13 +131,15 @@ void TrendFilesTest::presets()
         session::Settings settings(file);
         QVERIFY(ui::presetNames(settings).isEmpty());
         QVERIFY(ui::savePreset(settings, q("  夹持 grip "), preset));
-        QVERIFY(ui::savePreset(settings, q("Alone"), {5s, {{q("1/b"), true, Qt::red, 1, 0}}}));
+        QVERIFY(ui::savePreset(settings, q("Alone"), {5s, {{q("1/b"), true, QColor(), 1, 0}}}));
         QVERIFY(!ui::savePreset(settings, q("  "), preset));
     }
     session::Settings settings(file);
     QCOMPARE(ui::presetNames(settings), QStringList({q("Alone"), q("夹持 grip")}));
     QVERIFY(ui::loadPreset(settings, q("夹持 grip")) == preset);
     QVERIFY(!ui::loadPreset(settings, q("other")));
+    // A colour by its place stays so.
+    QVERIFY(!ui::loadPreset(settings, q("Alone"))->channels.front().colour.isValid());
     ui::deletePreset(settings, q("Alone"));
     QCOMPARE(ui::presetNames(settings), QStringList({q("夹持 grip")}));
 }
