@@ -311,6 +311,7 @@ void TestControlPanel::speedAndAccelerationAreHonoured()
     const double seconds = double((bench.desk.now() - start).count()) / 1e6;
     QVERIFY2(seconds > 1.8, qPrintable(QString::number(seconds)));
     QVERIFY2(fastest > 400 && fastest < 600, qPrintable(QString::number(fastest)));
+    QVERIFY(bench.atRest(1));
     // Slowly from rest: v² = 2·a·s, with some room for the servo's own control.
     bench.type("acceleration", text("2")); // 200 step/s²
     QVERIFY(bench.go(text("2048")));
