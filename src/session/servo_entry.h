@@ -35,10 +35,10 @@ struct ServoEntry {
     bool twinsSuspected = false; ///< two servos may share this ID
     bool heardLate = false;
     base::Duration lastSeen{};
-    bool silent = false; ///< did not answer when it was last asked
+    bool silent = false;       ///< did not answer when it was last asked
     base::Duration statusAt{}; ///< of the regular reading that brought servo.status
-    LinkWatch link;      ///< by regular readings
-    AlarmLatch alarms;   ///< until acknowledged
+    LinkWatch link;            ///< by regular readings
+    AlarmLatch alarms;         ///< until acknowledged
     device::TurnCounter turns;
     /// By an emergency stop: nothing may move it until torque is switched on again.
     bool stopped = false;
