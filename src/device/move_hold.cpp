@@ -38,11 +38,14 @@ base::Result<void> releaseHeld(const Context& context, const Plans& plans)
         return {};
     constexpr int sends = 3;
     // One alone is told alone: others may hold a goal that somebody has forgotten.
-    const protocol::Request start = plans.size() == 1
-                                        ? protocol::Request::action(plans.front()->servo->id)
-                                        : protocol::Request::action();
+    const Servo& first = *plans.front()->servo;
+    protocol::Request start =
+        plans.size() == 1 ? protocol::Request::action(first.id) : protocol::Request::action();
+    start.acknowledged = plans.size() == 1 && first.answersWrites();
     for (int sent = 0; sent < sends; ++sent) {
-        if (const auto acted = transactPlain(context, start); !acted)
+        // The flag below tells what became of it.
+        const auto acted = transactPlain(context, start);
+        if (!acted && !answerLost(acted.error()))
             return acted;
         bool waiting = false;
         for (MovePlan* plan : plans) {

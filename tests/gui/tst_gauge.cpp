@@ -117,7 +117,7 @@ private Q_SLOTS:
         QTest::keyClick(&dial, Qt::Key_Home);
         QCOMPARE(wished.back().front().value<std::int64_t>(), 1024);
         QTest::keyClick(&dial, Qt::Key_Up);
-        QCOMPARE(wished.back().front().value<std::int64_t>(), 2049);
+        QCOMPARE(wished.back().front().value<std::int64_t>(), 1025); // not read again yet
     }
 
     /// In multi-turn the knob follows the pointer round and round.

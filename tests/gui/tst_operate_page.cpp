@@ -308,9 +308,10 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         auto* panel = bench.find<ui::TrendPanel>("trendPanel");
         auto* chart = bench.find<ui::TrendChart>("trendChart");
+        QTRY_VERIFY(bench.curve(QStringLiteral("*/@position"))->id >= 0);
         for (const char* name : {"a.csv", "b.jsonl"}) {
             const QString path = folder.filePath(QString::fromLatin1(name));
-            QTRY_VERIFY(bench.bench.scope.record({.path = path}).has_value());
+            QVERIFY(bench.bench.scope.record({.path = path}).has_value());
             QTRY_VERIFY(bench.bench.scope.recordingStatus().rows > 50);
             bench.bench.scope.stopRecording();
             QTRY_VERIFY(!bench.bench.scope.recording());
@@ -357,11 +358,11 @@ private Q_SLOTS:
         QTRY_VERIFY(dial->view().position && !dial->view().old);
         bench.desk().disconnectFrom();
         QTRY_VERIFY(dial->view().old);
-        QVERIFY(bench.find<ui::Pill>("statusMoving")
-                    ->accessibleName()
-                    .contains(QLatin1String("not known")));
+        QTRY_VERIFY(bench.find<ui::Pill>("statusMoving")
+                        ->accessibleName()
+                        .contains(QLatin1String("not known")));
         for (const ui::ServoCard* card : bench.window->findChildren<ui::ServoCard*>())
-            QVERIFY(card->view().old);
+            QTRY_VERIFY(card->view().old);
     }
 
     void aFileThatIsNoRecordingIsNamed()

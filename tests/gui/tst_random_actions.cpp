@@ -188,7 +188,12 @@ class TestRandomActions : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { gui::failOnWarnings(); }
+    void init()
+    {
+        // Keys are thrown at whatever has the focus: not all of it has a use for each.
+        QTest::failOnWarning(QRegularExpression(
+            QStringLiteral("^(?!This plugin does not support |Keyboard event not accepted )")));
+    }
 
     void nothingBreaks()
     {

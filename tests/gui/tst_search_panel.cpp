@@ -286,6 +286,7 @@ void TestSearchPanel::severalAreChosenTogether()
     click(3, Qt::ControlModifier);
     QCOMPARE(chosen(), (Refs{bench.ref(1)}));
     QCOMPARE(bench.selection.current(), bench.ref(1));
+    click(1, {});
     click(3, Qt::ShiftModifier);
     QCOMPARE(chosen().size(), std::size_t(3));
     QCOMPARE(chosen().front(), bench.ref(1));

@@ -222,6 +222,7 @@ void ControlPanel::retranslate()
         button->setAccessibleName(button->text());
         button->setToolTip(tr(words[static_cast<std::size_t>(i)].second));
     }
+    m_execute->setAccessibleName(tr("Execute"));
     m_execute->setToolTip(tr("Starts all goals that wait in servos"));
     m_set->setText(tr("Set"));
     m_set->setAccessibleName(m_set->text());
