@@ -230,7 +230,8 @@ void TraceRaster::fill(QImage& image, QRgb colour, const Rows& rows, PixelRange 
     int innerBottom = image.height();
     int covered = 0;
     for (int i = 0; i < width; ++i) {
-        const auto x = std::size_t(range.from - m_wide.from + i);
+        const auto x =
+            static_cast<std::size_t>(range.from - m_wide.from) + static_cast<std::size_t>(i);
         const int a = rows.first[x];
         const int b = rows.end[x];
         innerTop = std::max(innerTop, a < b ? a : image.height());
