@@ -286,10 +286,11 @@ private Q_SLOTS:
         OperateBench bench;
         QVERIFY(bench.ready(1));
         QTRY_VERIFY(bench.curve(QStringLiteral("*/@position"))->id >= 0);
+        const session::ServoRef first = bench.desk().servos().front();
+        QTRY_VERIFY(bench.bench.scope.find(first, QStringLiteral("present_voltage")) != nullptr);
         const QTemporaryDir folder;
         QVERIFY(bench.bench.scope.record({.path = folder.filePath(QStringLiteral("run.csv"))}));
         QTRY_VERIFY(bench.bench.scope.recordingStatus().rows > 20);
-        const session::ServoRef first = bench.desk().servos().front();
         const auto* voltage = bench.bench.scope.find(first, QStringLiteral("present_voltage"));
         QVERIFY(voltage != nullptr);
         bench.action(ui::Command::PageMemory)->trigger();

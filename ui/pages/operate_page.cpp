@@ -11,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ui {
@@ -129,8 +130,13 @@ void OperatePage::updateWish()
     wish.period = m_trend->period();
     for (const session::ServoRef ref : m_desk.servos()) {
         const session::ServoEntry* known = m_desk.servo(ref);
-        if (known != nullptr && known->servo.profile && isVisible())
-            wish.parts.push_back({ref, feedbackKeys(known->servo), settingKeys(known->servo)});
+        if (known == nullptr || !known->servo.profile || !isVisible())
+            continue;
+        // Settings only of those that are driven: the others' would cost the wire its speed.
+        const auto& chosen = m_selection.chosen();
+        const bool driven = std::find(chosen.begin(), chosen.end(), ref) != chosen.end();
+        wish.parts.push_back(
+            {ref, feedbackKeys(known->servo), driven ? settingKeys(known->servo) : QStringList()});
     }
     m_desk.wish(wishName, wish);
 }
