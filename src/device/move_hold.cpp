@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Goals that wait in their servos, and what starts them.
+#include "device/disarm.h"
 #include "device/move_together.h"
 #include "device/write_check.h"
 
@@ -129,52 +130,34 @@ base::Result<void> startStored(const Context& context, const Plans& plans)
     return {};
 }
 
-/// A start command must not find a move that was given up: where it is becomes what it stores.
-/// As far as the wire allows; what failed before is what counts.
+/// A start command must not find a move that was given up. As far as the wire allows; what failed
+/// before is what counts.
 void forgetStored(const Context& context, const Plans& plans)
 {
-    for (MovePlan* plan : plans) {
-        Servo& servo = *plan->servo;
-        if (!readRoles(context, servo, {Role::PresentPosition}))
-            continue;
-        auto place = servo.raw(Role::PresentPosition).value_or(0);
-        if (const auto range = goalRange(servo))
-            place = std::clamp(place, range->min, range->max);
-        (void)storeMove(context, servo, place, {});
-    }
+    for (MovePlan* plan : plans)
+        (void)disarm(context, *plan->servo);
 }
 
-/// A held write of "torque off", which it is, takes the place of the goal and is carried out alone.
-base::Result<void> overwriteHeld(const Context& context, Servo& servo)
+base::Result<void> forgetGoal(const Context& context, Servo& servo)
+{
+    const auto waits = disarm(context, servo);
+    if (!waits)
+        return tl::unexpected(waits.error());
+    return *waits ? base::fail(ErrorCode::Refused, QStringLiteral("forget-held"), {}, servo.id)
+                  : base::Result<void>{};
+}
+
+/// What takes the goal's place is "torque off", so it must be off.
+base::Result<void> forgetHeldGoal(const Context& context, Servo& servo)
 {
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
-    if (torque == nullptr)
-        return {};
-    const auto now = readRegister(context, servo, *torque);
+    const auto now =
+        torque != nullptr ? readRegister(context, servo, *torque) : base::Result<std::int64_t>(0);
     if (!now)
         return tl::unexpected(now.error());
     if (*now != 0)
         return base::fail(ErrorCode::Refused, QStringLiteral("forget-held"), {}, servo.id);
-    auto request = protocol::Request::regWrite(
-        servo.id, torque->writeOffset, wireBytes(servo, *torque, 0), protocol::Repeat::Safe);
-    request.acknowledged = servo.answersWrites();
-    const bool proven = request.acknowledged;
-    const auto held = transactPlain(context, std::move(request));
-    if (!held)
-        return held; // it may not have arrived, and then ACTION would start the goal
-    if (!proven)
-        return base::fail(ErrorCode::Refused, QStringLiteral("forget-held"), {}, servo.id);
-    const auto acted = transactPlain(context, protocol::Request::action(servo.id));
-    if (!acted && !answerLost(acted.error()))
-        return acted;
-    const catalog::Register* flag = servo.profile->byRole(Role::AsyncFlag);
-    const auto pending =
-        flag != nullptr ? readRegister(context, servo, *flag) : base::Result<std::int64_t>(0);
-    if (!pending)
-        return tl::unexpected(pending.error());
-    if (*pending == 1)
-        return base::fail(ErrorCode::Refused, QStringLiteral("forget-held"), {}, servo.id);
-    return {};
+    return forgetGoal(context, servo);
 }
 } // namespace
 
@@ -212,9 +195,12 @@ base::Result<void> startGoals(const Context& context, const Ways& ways)
 
 base::Result<void> forgetGoals(const Context& context, const Ways& ways)
 {
-    forgetStored(context, ways.stored);
+    for (MovePlan* plan : ways.stored) {
+        if (const auto forgotten = forgetGoal(context, *plan->servo); !forgotten)
+            return forgotten;
+    }
     for (MovePlan* plan : ways.held) {
-        if (const auto forgotten = overwriteHeld(context, *plan->servo); !forgotten)
+        if (const auto forgotten = forgetHeldGoal(context, *plan->servo); !forgotten)
             return forgotten;
     }
     return {};

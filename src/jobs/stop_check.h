@@ -18,8 +18,4 @@ struct StopVerdict {
 /// One verdict a servo, in their order. All answer at the bus' present rate.
 base::Result<std::vector<StopVerdict>> checkStopped(const device::Context& context,
                                                     const std::vector<device::Servo*>& servos);
-
-/// Makes harmless what waits in a servo of which torque is off, or an LX servo that stands still.
-/// True: something may still wait.
-base::Result<bool> disarm(const device::Context& context, device::Servo& servo);
 } // namespace jobs

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The emergency stop: frames first, then proof, then nothing moves until torque is switched on.
+#include "device/disarm.h"
 #include "jobs/stop_check.h"
 #include "session/desk_work.h"
 
@@ -109,7 +110,7 @@ void Desk::storeHere(ServoRef ref)
     task.name = QStringLiteral("stop-check");
     task.quiet = true;
     task.work = [](TaskContext& context) {
-        return jobs::disarm(context.device, context.servo).map([](bool) {});
+        return device::disarm(context.device, context.servo).map([](bool) {});
     };
     perform(ref, std::move(task));
 }

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/disarm.h"
+
+#include "device/move_together.h"
+#include "device/reader.h"
+#include "device/talk.h"
+
+#include <algorithm>
+
+namespace device {
+using catalog::Role;
+
+namespace {
+/// How often it is tried.
+constexpr int tries = 4;
+
+/// A held write of "torque off", which it is, takes the place of a held goal. Only where the servo
+/// has acknowledged it may it be carried out, which leaves nothing that waits: an ACTION that met
+/// the goal would turn the shaft.
+base::Result<bool> mayHold(const Context& context, Servo& servo, const catalog::Register& flag)
+{
+    const catalog::Register& torque = *servo.profile->byRole(Role::TorqueSwitch);
+    for (int attempt = 0; attempt < tries; ++attempt) {
+        const auto held = readRegister(context, servo, flag);
+        if (!held)
+            return tl::unexpected(held.error());
+        if (*held == 0)
+            return false;
+        auto request = protocol::Request::regWrite(
+            servo.id, torque.writeOffset, wireBytes(servo, torque, 0), protocol::Repeat::Safe);
+        request.acknowledged = servo.answersWrites();
+        const auto replaced = transactPlain(context, std::move(request));
+        if (!replaced && !answerLost(replaced.error()))
+            return tl::unexpected(replaced.error());
+        if (!replaced || !servo.answersWrites())
+            continue;
+        const auto acted = transactPlain(context, protocol::Request::action(servo.id));
+        if (!acted && !answerLost(acted.error()))
+            return tl::unexpected(acted.error());
+    }
+    // Told often enough that the harmless one waits now, but nothing has proved it.
+    return true;
+}
+
+/// A start command shall find the place where the servo is. Some models never tell what they store.
+base::Result<bool> mayStore(const Context& context, Servo& servo, const catalog::Register& goal)
+{
+    if (const auto here = readRoles(context, servo, {Role::PresentPosition}); !here)
+        return tl::unexpected(here.error());
+    const auto range = servo.meaning(goal);
+    std::int64_t place = servo.raw(Role::PresentPosition).value_or(0);
+    place = std::clamp(place, range.min.value_or(place), range.max.value_or(place));
+    RegisterValues values{{&goal, place}};
+    if (const catalog::Register* time = servo.profile->byRole(Role::StoredTime))
+        values.push_back({time, 0});
+    const Patch patch = patchOf(servo, values);
+    for (int attempt = 0; attempt < tries; ++attempt) {
+        const auto sent = writeBlock(context, servo, patch, protocol::Repeat::Safe);
+        if (!sent)
+            return tl::unexpected(sent.error());
+        const auto back = readBlock(context, servo, patch.readOffset, patch.count(), 0);
+        if (!back && !answerLost(back.error()))
+            return tl::unexpected(back.error());
+        if (back && servo.image.bytes(patch.readOffset, patch.count()) == patch.data)
+            return false;
+    }
+    return servo.image.bytes(patch.readOffset, patch.count()).has_value();
+}
+} // namespace
+
+base::Result<bool> disarm(const Context& outer, Servo& servo)
+{
+    const Owned owned = own(outer, {servo.id});
+    const Context& context = owned.context;
+    if (!servo.profile || !servo.profile->writable)
+        return false;
+    if (const catalog::Register* flag = servo.profile->byRole(Role::AsyncFlag))
+        return mayHold(context, servo, *flag);
+    if (const catalog::Register* goal = servo.profile->byRole(Role::StoredGoal))
+        return mayStore(context, servo, *goal);
+    return false;
+}
+} // namespace device
