@@ -43,16 +43,23 @@ base::Result<void> proveFree(const device::Context& context, base::Protocol prot
     return {};
 }
 
-/// Where the servo answers after the write; -1: nowhere.
+/// Where the servo answers after the write; -1: nowhere. Its lock is open, so a line or a computer
+/// that is gone for a moment is waited for.
 base::Result<int> locate(const device::Context& context, base::Protocol protocol, int oldId,
                          int newId)
 {
-    for (const int id : {newId, oldId}) {
-        const auto here = answers(context, protocol, id, longPatience);
-        if (!here && here.error().code == ErrorCode::LinkLost)
-            return tl::unexpected(here.error());
-        if (here && *here)
-            return id;
+    constexpr int rounds = 3;
+    constexpr base::Duration pause = std::chrono::milliseconds(200);
+    for (int round = 0; round < rounds; ++round) {
+        if (round > 0)
+            context.bus.clock().sleepFor(pause);
+        for (const int id : {newId, oldId}) {
+            const auto here = answers(context, protocol, id, longPatience);
+            if (!here && here.error().code == ErrorCode::LinkLost)
+                return tl::unexpected(here.error());
+            if (here && *here)
+                return id;
+        }
     }
     return -1;
 }
@@ -79,6 +86,8 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
         if (!place)
             return tl::unexpected(place.error());
         if (*place < 0) {
+            // Whoever has acknowledged under the new ID has its lock there.
+            servo.id = sent->answeredBy == newId ? newId : oldId;
             return base::fail(ErrorCode::NoAnswer, operation, {}, newId);
         }
         servo.id = *place;

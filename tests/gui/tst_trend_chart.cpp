@@ -350,14 +350,14 @@ void TrendChartTest::pinchZooms()
     bench.fill(0, 100s, [](double t) { return t; });
     bench.chart.show({0s, 100s});
     bench.settle();
-    QPointingDevice* const screen = QTest::createTouchDevice();
+    const std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
     QWidget* const view = bench.plot->viewport();
     const auto left = [&](double by) { return bench.at({0.45 - by, 0.5}); };
     const auto right = [&](double by) { return bench.at({0.55 + by, 0.5}); };
-    QTest::touchEvent(view, screen).press(0, left(0), view).press(1, right(0), view);
+    QTest::touchEvent(view, screen.get()).press(0, left(0), view).press(1, right(0), view);
     for (double by = 0.02; by < 0.21; by += 0.02)
-        QTest::touchEvent(view, screen).move(0, left(by), view).move(1, right(by), view);
-    QTest::touchEvent(view, screen).release(0, left(0.2), view).release(1, right(0.2), view);
+        QTest::touchEvent(view, screen.get()).move(0, left(by), view).move(1, right(by), view);
+    QTest::touchEvent(view, screen.get()).release(0, left(0.2), view).release(1, right(0.2), view);
     QVERIFY(bench.chart.width() < 60s);
     QVERIFY(bench.chart.shown().from < 50s && bench.chart.shown().to > 50s);
 }

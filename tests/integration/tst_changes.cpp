@@ -52,6 +52,7 @@ private Q_SLOTS:
     void impossibleIds_data();
     void impossibleIds();
     void lostIdRequestIsSentAgain();
+    void silenceAfterTheNewIdIsWaitedFor();
     void newRateIsKept_data();
     void newRateIsKept();
     void rateTheAdapterCannot();
@@ -152,6 +153,26 @@ void TestChanges::lostIdRequestIsSentAgain()
     QVERIFY(report && report->allGood());
     QCOMPARE(writes, 2);
     QCOMPARE(one.id, 9);
+}
+
+/// The ID has changed and the lock is open when the line falls silent for half a second.
+void TestChanges::silenceAfterTheNewIdIsWaitedFor()
+{
+    SimBench bench(text("sts3215@1"));
+    device::Servo one = bench.servo(1);
+    base::Duration silentUntil{};
+    bench.tap().onWrite = [&](const base::Bytes& frame) {
+        if (frame[4] == support::Write && frame[5] == 5)
+            silentUntil = bench.clock().now() + 500ms;
+        else
+            bench.wireConfig().faults.drop = bench.clock().now() < silentUntil ? 1.0 : 0.0;
+    };
+    const auto report = jobs::changeId(bench.context(), one, 9);
+    QVERIFY(report && report->allGood());
+    QCOMPARE(report->lock, LockState::Closed);
+    QCOMPARE(one.id, 9);
+    QCOMPARE(locksOpen(bench), 0);
+    QCOMPARE(bench.journal().open()->size(), std::size_t(0));
 }
 
 void TestChanges::newRateIsKept_data()
