@@ -109,6 +109,21 @@ std::vector<std::int64_t> JsonReader::integers(const char* key) const
     return numbers;
 }
 
+QStringList JsonReader::texts(const char* key) const
+{
+    QStringList texts;
+    const QJsonValue found = value(key);
+    if (!found.isArray())
+        complain(key, QStringLiteral("expected a list"));
+    for (const QJsonValue item : found.toArray()) {
+        if (!item.isString())
+            m_complaint->make(indexed(placeOf(key), texts.size()),
+                              QStringLiteral("expected a text"));
+        texts.append(item.toString());
+    }
+    return texts;
+}
+
 QDateTime JsonReader::time(const char* key) const
 {
     const QDateTime found = QDateTime::fromString(text(key), Qt::ISODateWithMs);
@@ -145,6 +160,14 @@ void JsonReader::complain(const char* key, const QString& what) const
     m_complaint->make(placeOf(key), what);
 }
 
+void JsonReader::complainAboutOthers(const QStringList& known) const
+{
+    for (auto it = m_object.begin(); it != m_object.end(); ++it) {
+        if (!known.contains(it.key()))
+            complain(qUtf8Printable(it.key()), QStringLiteral("unknown name"));
+    }
+}
+
 QJsonValue JsonReader::value(const char* key) const
 {
     return m_object.value(QLatin1String(key));
@@ -152,7 +175,7 @@ QJsonValue JsonReader::value(const char* key) const
 
 QString JsonReader::placeOf(const char* key) const
 {
-    const QString name = QString::fromLatin1(key);
+    const QString name = QString::fromUtf8(key);
     return m_place.isEmpty() ? name : m_place + QLatin1Char('.') + name;
 }
 

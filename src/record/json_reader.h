@@ -9,6 +9,7 @@
 
 #include <QDateTime>
 #include <QJsonObject>
+#include <QStringList>
 
 #include <cstdint>
 #include <optional>
@@ -37,6 +38,9 @@ public:
         , m_place(std::move(place))
     {}
 
+    const QJsonObject& content() const { return m_object; }
+    const QString& place() const { return m_place; } ///< "registers[12]"; empty: the top
+
     bool has(const char* key) const;
     QString text(const char* key) const;
     QString filledText(const char* key) const; ///< not empty
@@ -46,11 +50,15 @@ public:
     std::optional<std::int64_t> integerOrNull(const char* key) const;
     std::optional<double> numberOrNull(const char* key) const;
     std::vector<std::int64_t> integers(const char* key) const;
+    QStringList texts(const char* key) const;
     QDateTime time(const char* key) const; ///< ISO 8601; answers UTC
     JsonReader object(const char* key) const;
     std::vector<JsonReader> objects(const char* key) const;
 
     void complain(const char* key, const QString& what) const;
+
+    /// For files where a slip in a name must not go unnoticed.
+    void complainAboutOthers(const QStringList& known) const;
 
 private:
     QJsonValue value(const char* key) const;

@@ -2,14 +2,12 @@
 #include "record/snapshot.h"
 
 #include "record/json_reader.h"
+#include "record/json_text.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
 #include <QSet>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace record {
 namespace {
@@ -21,38 +19,27 @@ constexpr int highestId = 255;
 // Enough for every register there is, and hides the noise of raw × scale.
 constexpr int valueDigits = 12;
 
-QByteArray quoted(const QString& text)
-{
-    const QByteArray list = QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact);
-    return list.sliced(1, list.size() - 2);
-}
-
 QByteArray number(std::optional<std::int64_t> raw)
 {
     return raw ? QByteArray::number(qint64(*raw)) : QByteArray("null");
 }
 
-QByteArray number(std::optional<double> value)
-{
-    return value && std::isfinite(*value) ? QByteArray::number(*value, 'g', valueDigits)
-                                          : QByteArray("null");
-}
-
 QByteArray registerLine(const SnapshotRegister& reg)
 {
-    return "    {\"key\": " + quoted(reg.key) +
+    return "    {\"key\": " + jsonText(reg.key) +
            ", \"address\": " + QByteArray::number(reg.address) + ", \"raw\": " + number(reg.raw) +
-           ", \"value\": " + number(reg.value) + ", \"unit\": " + quoted(reg.unit) +
-           ", \"area\": " + quoted(catalog::areaName(reg.area)) +
-           ", \"access\": " + quoted(catalog::accessName(reg.access)) + '}';
+           ", \"value\": " + jsonNumber(reg.value, valueDigits) +
+           ", \"unit\": " + jsonText(reg.unit) +
+           ", \"area\": " + jsonText(catalog::areaName(reg.area)) +
+           ", \"access\": " + jsonText(catalog::accessName(reg.access)) + '}';
 }
 
 QByteArray servoLine(const SnapshotServo& servo)
 {
-    return "{\"id\": " + QByteArray::number(servo.id) + ", \"model\": " + quoted(servo.model) +
-           ", \"model_id\": " + quoted(servo.modelId) +
-           ", \"firmware\": " + quoted(servo.firmware) + ", \"map\": " + quoted(servo.map) +
-           ", \"protocol\": " + quoted(servo.protocol) + '}';
+    return "{\"id\": " + QByteArray::number(servo.id) + ", \"model\": " + jsonText(servo.model) +
+           ", \"model_id\": " + jsonText(servo.modelId) +
+           ", \"firmware\": " + jsonText(servo.firmware) + ", \"map\": " + jsonText(servo.map) +
+           ", \"protocol\": " + jsonText(servo.protocol) + '}';
 }
 
 int numberWithin(const JsonReader& json, const char* key, int lowest, int highest)
@@ -140,13 +127,13 @@ QByteArray encodeSnapshot(const Snapshot& snapshot)
     std::sort(registers.begin(), registers.end(), [](const auto& left, const auto& right) {
         return std::tie(left.address, left.key) < std::tie(right.address, right.key);
     });
-    QByteArray text = "{\n  \"format\": " + quoted(formatName) +
+    QByteArray text = "{\n  \"format\": " + jsonText(formatName) +
                       ",\n  \"version\": " + QByteArray::number(formatVersion) +
-                      ",\n  \"program\": " + quoted(snapshot.program) +
-                      ",\n  \"time\": " + quoted(snapshot.at.toUTC().toString(Qt::ISODate)) +
-                      ",\n  \"label\": " + quoted(snapshot.label) +
-                      ",\n  \"note\": " + quoted(snapshot.note) +
-                      ",\n  \"port\": " + quoted(snapshot.port) +
+                      ",\n  \"program\": " + jsonText(snapshot.program) +
+                      ",\n  \"time\": " + jsonText(snapshot.at.toUTC().toString(Qt::ISODate)) +
+                      ",\n  \"label\": " + jsonText(snapshot.label) +
+                      ",\n  \"note\": " + jsonText(snapshot.note) +
+                      ",\n  \"port\": " + jsonText(snapshot.port) +
                       ",\n  \"baud\": " + QByteArray::number(snapshot.baud) +
                       ",\n  \"servo\": " + servoLine(snapshot.servo) + ",\n  \"registers\": [";
     const char* separator = "\n";

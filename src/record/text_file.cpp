@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/text_file.h"
+
+#include "record/file_error.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+namespace record {
+namespace {
+const auto openMode = QIODevice::WriteOnly | QIODevice::Unbuffered;
+
+template <typename File>
+bool writePieces(File& file, const std::function<void(const TextSink&)>& write)
+{
+    if (!file.open(openMode))
+        return false;
+    bool fine = true;
+    write([&](const QByteArray& piece) {
+        fine = fine && writeAll(file, piece);
+        return fine;
+    });
+    return fine;
+}
+} // namespace
+
+base::Result<QByteArray> readTextFile(const QString& operation, const QString& path, qint64 largest)
+{
+    const QFileInfo source(path);
+    if (!source.exists())
+        return base::fail(base::ErrorCode::FileMissing, operation, path);
+    QFile file(path);
+    if (source.isDir() || !file.open(QIODevice::ReadOnly))
+        return base::fail(base::ErrorCode::FileUnreadable, operation,
+                          path + QStringLiteral(": ") + file.errorString());
+    const QByteArray text = file.read(largest + 1);
+    if (file.error() != QFileDevice::NoError)
+        return base::fail(base::ErrorCode::FileUnreadable, operation,
+                          path + QStringLiteral(": ") + file.errorString());
+    if (text.size() > largest)
+        return base::fail(base::ErrorCode::FileFormat, operation,
+                          path + QStringLiteral(": too large for a file of this kind"));
+    return text;
+}
+
+base::Result<void> saveTextFile(const QString& operation, const QByteArray& text,
+                                const QString& path)
+{
+    return saveTextFile(
+        operation, [&](const TextSink& sink) { sink(text); }, path);
+}
+
+base::Result<void> saveTextFile(const QString& operation,
+                                const std::function<void(const TextSink&)>& write,
+                                const QString& path)
+{
+    if (path.isEmpty())
+        return tl::unexpected(noName(operation));
+    const QFileInfo target(path);
+    // Renaming onto a pipe or device would replace it by a file.
+    if (target.exists() && !target.isFile() && !target.isDir()) {
+        QFile file(path);
+        if (!writePieces(file, write))
+            return tl::unexpected(fileError(operation, file));
+        return {};
+    }
+    QSaveFile file(path);
+    if (!writePieces(file, write) || !file.commit())
+        return tl::unexpected(fileError(operation, file));
+    return {};
+}
+} // namespace record
