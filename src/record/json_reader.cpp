@@ -109,6 +109,21 @@ std::vector<std::int64_t> JsonReader::integers(const char* key) const
     return numbers;
 }
 
+std::vector<double> JsonReader::numbers(const char* key) const
+{
+    std::vector<double> numbers;
+    const QJsonValue found = value(key);
+    if (!found.isArray())
+        complain(key, QStringLiteral("expected a list"));
+    for (const QJsonValue item : found.toArray()) {
+        if (!item.isDouble())
+            m_complaint->make(indexed(placeOf(key), qsizetype(numbers.size())),
+                              QStringLiteral("expected a number"));
+        numbers.push_back(item.toDouble());
+    }
+    return numbers;
+}
+
 QStringList JsonReader::texts(const char* key) const
 {
     QStringList texts;

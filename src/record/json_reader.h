@@ -50,6 +50,7 @@ public:
     std::optional<std::int64_t> integerOrNull(const char* key) const;
     std::optional<double> numberOrNull(const char* key) const;
     std::vector<std::int64_t> integers(const char* key) const;
+    std::vector<double> numbers(const char* key) const;
     QStringList texts(const char* key) const;
     QDateTime time(const char* key) const; ///< ISO 8601; answers UTC
     JsonReader object(const char* key) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record/snapshot.h"
 
-#include "record/json_reader.h"
+#include "record/json_parts.h"
 #include "record/json_text.h"
 
 #include <QSet>
@@ -144,14 +144,8 @@ QByteArray encodeSnapshot(const Snapshot& snapshot)
     return text + "\n  ]\n}\n";
 }
 
-base::Result<Snapshot> decodeSnapshot(const QByteArray& text)
+Snapshot readSnapshot(const JsonReader& json)
 {
-    const QString operation = QStringLiteral("load-snapshot");
-    const auto document = parseJson(text);
-    if (!document)
-        return base::fail(base::ErrorCode::FileFormat, operation, document.error());
-    JsonComplaint complaint;
-    const JsonReader json(*document, complaint);
     checkFormat(json);
     Snapshot snapshot;
     snapshot.program = json.text("program");
@@ -162,6 +156,17 @@ base::Result<Snapshot> decodeSnapshot(const QByteArray& text)
     snapshot.baud = numberWithin(json, "baud", 0, std::numeric_limits<int>::max());
     snapshot.servo = readServo(json.object("servo"));
     snapshot.registers = readRegisters(json);
+    return snapshot;
+}
+
+base::Result<Snapshot> decodeSnapshot(const QByteArray& text)
+{
+    const QString operation = QStringLiteral("load-snapshot");
+    const auto document = parseJson(text);
+    if (!document)
+        return base::fail(base::ErrorCode::FileFormat, operation, document.error());
+    JsonComplaint complaint;
+    Snapshot snapshot = readSnapshot(JsonReader(*document, complaint));
     if (complaint.made())
         return base::fail(base::ErrorCode::FileFormat, operation, complaint.text());
     return snapshot;

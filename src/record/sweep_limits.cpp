@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record/sweep_limits.h"
 
-#include "record/json_reader.h"
+#include "record/json_parts.h"
 #include "record/json_text.h"
 #include "record/text_file.h"
 
@@ -93,8 +93,6 @@ std::vector<SweepLimit> readLines(const JsonReader& json)
             object.complain("metric", QStringLiteral("\"%1\" is there twice").arg(line.metric));
         seen.insert(name);
     }
-    if (lines.empty())
-        json.complain("lines", QStringLiteral("without a line every servo would pass"));
     return lines;
 }
 
@@ -107,25 +105,6 @@ void checkFormat(const JsonReader& json)
         json.complain("version", QStringLiteral("format %1, this program reads formats up to %2")
                                      .arg(version)
                                      .arg(formatVersion));
-}
-
-SweepLimits readLimits(const JsonReader& json)
-{
-    static const QStringList known{QStringLiteral("$schema"), QStringLiteral("format"),
-                                   QStringLiteral("version"), QStringLiteral("name"),
-                                   QStringLiteral("models"),  QStringLiteral("tolerance"),
-                                   QStringLiteral("lines"),   QStringLiteral("comment")};
-    checkFormat(json);
-    json.complainAboutOthers(known);
-    SweepLimits limits;
-    limits.name = json.filledText("name");
-    limits.models = json.has("models") ? json.texts("models") : QStringList();
-    if (json.has("tolerance"))
-        limits.tolerance = json.numberOrNull("tolerance");
-    if (limits.tolerance && *limits.tolerance <= 0)
-        json.complain("tolerance", QStringLiteral("must be more than 0"));
-    limits.lines = readLines(json);
-    return limits;
 }
 
 QByteArray lineText(const SweepLimit& line)
@@ -169,13 +148,37 @@ QByteArray encodeSweepLimits(const SweepLimits& limits)
     return text + "\n  ]\n}\n";
 }
 
+SweepLimits readSweepLimits(const JsonReader& json)
+{
+    static const QStringList known{QStringLiteral("$schema"), QStringLiteral("format"),
+                                   QStringLiteral("version"), QStringLiteral("name"),
+                                   QStringLiteral("models"),  QStringLiteral("tolerance"),
+                                   QStringLiteral("lines"),   QStringLiteral("comment")};
+    checkFormat(json);
+    json.complainAboutOthers(known);
+    SweepLimits limits;
+    limits.name = json.text("name");
+    limits.models = json.has("models") ? json.texts("models") : QStringList();
+    if (json.has("tolerance"))
+        limits.tolerance = json.numberOrNull("tolerance");
+    if (limits.tolerance && *limits.tolerance <= 0)
+        json.complain("tolerance", QStringLiteral("must be more than 0"));
+    limits.lines = readLines(json);
+    return limits;
+}
+
 base::Result<SweepLimits> decodeSweepLimits(const QByteArray& text)
 {
     const auto document = parseJson(text);
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, loading, document.error());
     JsonComplaint complaint;
-    const SweepLimits limits = readLimits(JsonReader(*document, complaint));
+    const JsonReader json(*document, complaint);
+    const SweepLimits limits = readSweepLimits(json);
+    if (limits.name.isEmpty())
+        json.complain("name", QStringLiteral("must not be empty"));
+    if (limits.lines.empty())
+        json.complain("lines", QStringLiteral("without a line every servo would pass"));
     if (complaint.made())
         return base::fail(base::ErrorCode::FileFormat, loading, complaint.text());
     return limits;

@@ -28,6 +28,11 @@ enum class SweepPace : std::uint8_t {
     Dwell, ///< after arrival; a target that is not reached in time is missed
 };
 
+QString sweepShapeName(SweepShape shape); ///< "sweep", "stairs", "both-sides" …
+std::optional<SweepShape> sweepShapeFromName(const QString& name);
+QString sweepPaceName(SweepPace pace); ///< "delay", "dwell"
+std::optional<SweepPace> sweepPaceFromName(const QString& name);
+
 struct SweepPoint {
     QString target;
     std::optional<base::Duration> pause{}; ///< else the test's
