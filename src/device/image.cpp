@@ -9,8 +9,11 @@ void Image::store(int offset, base::ByteView bytes, base::Duration at)
     const auto first = static_cast<std::size_t>(std::max(offset, 0));
     if (m_cells.size() < first + bytes.size())
         m_cells.resize(first + bytes.size());
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-        m_cells[first + i] = {bytes[i], true, at};
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        Cell& place = m_cells[first + i];
+        if (!place.read || place.at <= at)
+            place = {bytes[i], true, at};
+    }
 }
 
 void Image::forget(int offset, int count)

@@ -14,6 +14,8 @@
 namespace device {
 class Image {
 public:
+    /// What was read later already stays: a polled block may be handed over after the write that
+    /// followed it.
     void store(int offset, base::ByteView bytes, base::Duration at);
     void forget(int offset, int count);
     void clear();

@@ -4,6 +4,7 @@
 // new rate — and on a line that misbehaves.
 #include "gui/window_bench.h"
 #include "sim/sim_link.h"
+#include "ui/app/event_words.h"
 
 #include <QSignalSpy>
 
@@ -76,6 +77,12 @@ private Q_SLOTS:
         gui::WindowBench bench;
         QVERIFY(bench.ready(1, port));
         const session::ServoRef ref = bench.selection().current();
+        QStringList told; // for whoever has to find out what went wrong
+        connect(&bench.desk(), &session::Desk::happened, &bench.desk(),
+                [&](const session::Event& event) {
+                    const ui::EventWords words = ui::describe(event, bench.desk());
+                    told << words.line + QLatin1Char(' ') + words.more.join(QLatin1Char(' '));
+                });
         const auto before = bench.entry().servo.raw(setting);
         QVERIFY2(before, qPrintable(setting));
         QVERIFY(*before != value);
@@ -101,7 +108,8 @@ private Q_SLOTS:
         }
         bench.action(ui::Command::Undo)->trigger();
         QVERIFY(bench.settled());
-        QCOMPARE(bench.entry().servo.raw(setting), before);
+        QVERIFY2(bench.entry().servo.raw(setting) == before,
+                 qPrintable(told.join(QLatin1Char('\n'))));
 
         QVERIFY(write(bench, keyOf(bench, catalog::Role::Id), 9));
         QCOMPARE(bench.entry().servo.id, 9);
