@@ -50,7 +50,7 @@ QByteArray sweepLegsLine(int servo, const SweepLeg& leg)
     for (const LegFigure& figure : legFigures)
         line += ',' + cell(leg.*figure.member);
     return line + ',' + QByteArray::number(leg.samples) + ',' + QByteArray::number(leg.lost) +
-           (leg.missed ? ",1" : ",0") + (leg.flagWrong ? ",1," : ",0,") +
+           (leg.missed ? ",1," : ",0,") + cell(leg.flagWrong) + ',' +
            QByteArray::number(leg.alarms) + '\n';
 }
 

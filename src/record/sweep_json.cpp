@@ -181,7 +181,7 @@ QByteArray legText(int servo, const SweepLeg& leg)
     return line.integer("samples", leg.samples)
         .integer("lost", leg.lost)
         .flag("missed", leg.missed)
-        .flag("flag_wrong", leg.flagWrong)
+        .raw("flag_wrong", leg.flagWrong ? jsonFlag(*leg.flagWrong) : "null")
         .integer("alarms", int(leg.alarms))
         .done();
 }

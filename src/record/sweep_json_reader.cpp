@@ -188,7 +188,8 @@ SweepLeg readLeg(const JsonReader& json)
     leg.samples = json.small("samples");
     leg.lost = json.small("lost");
     leg.missed = json.flag("missed");
-    leg.flagWrong = json.flag("flag_wrong");
+    if (!json.content().value(QLatin1StringView("flag_wrong")).isNull())
+        leg.flagWrong = json.flag("flag_wrong");
     const int alarms = json.small("alarms");
     if (alarms < 0 || alarms > std::numeric_limits<std::uint8_t>::max())
         json.complain("alarms", QStringLiteral("expected 0 to 255"));

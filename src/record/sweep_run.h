@@ -34,10 +34,10 @@ struct SweepLeg {
     std::optional<double> voltageMin{};
     std::optional<double> temperatureMax{};
     int samples = 0;
-    int lost = 0;            ///< readings without an answer
-    bool missed = false;     ///< never within tolerance
-    bool flagWrong = false;  ///< the moving flag said otherwise than the position
-    std::uint8_t alarms = 0; ///< status bits seen
+    int lost = 0;                    ///< readings without an answer
+    bool missed = false;             ///< never within tolerance
+    std::optional<bool> flagWrong{}; ///< the moving flag said otherwise than the position
+    std::uint8_t alarms = 0;         ///< status bits seen
     bool operator==(const SweepLeg&) const = default;
 };
 
