@@ -1,16 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures one leg of a sweep test from the readings that came during it. Pure; the job's thread.
-// Times are bus time; between two readings the moment of crossing is interpolated.
-//   time to target: from the goal to the first moment within tolerance
-//   settling:       from then to the moment after which it never left tolerance again
-//   reached:        mean of the readings in the last fifth of what remains after settling, at least
-//                   three of them; overshoot: most beyond the target, in the direction of the way,
-//                   above the place where it came to rest
-//   mean speed:     over the middle 80 % of the way; top speed: steepest 40 ms
+// Times are bus time; between two readings the moment of crossing is interpolated, unless readings
+// between them were lost: then it is the later one's.
+//   time to target: from the goal to the first moment within tolerance; 0 if it stood there
+//   settling:       from then to the moment after which it never left tolerance again, but for the
+//                   noise it shows at rest (at most 2 steps). If it was still outside at the end,
+//                   until the end, which is the least it can be. Not measured where it was never
+//                   seen to leave, but not long enough either to say that it stays
+//   at rest:        three readings within tolerance (or, away from its target, within tolerance and
+//                   3 steps of one place), for 100 ms and the time its speed needs for as much way
+//   reached:        at rest, the mean of the readings in the last fifth of the time it was, at
+//   least
+//                   three of them; else the last reading
+//   steady error:   reached − target, at rest only
+//   overshoot:      how far beyond the place of rest it has been in the direction of the way, by
+//   the
+//                   mean of 10 ms; what is not more than the noise at rest (2 to 3 steps) is none.
+//                   If it did not come to rest, beyond the target. In % of the way: on ways of more
+//                   than twice the tolerance
+//   speeds:         SpeedMeter; moving flag: FlagMeter
+//   following error: how far behind the planned path, at most, by the mean of 10 ms. A reading is
+//                   held against the path as it was one reading earlier (at most 5 ms): so long
+//                   may the goal and the reading have been on the wire
+//   current, load:  magnitudes
+// The goals of a sine move on: time to target, settling, rest and overshoot are not measured there.
 #pragma once
 
+#include "jobs/leg_parts.h"
+#include "jobs/leg_trace.h"
 #include "jobs/sweep_path.h"
 #include "record/sweep_run.h"
+
+#include <functional>
 
 namespace jobs {
 /// One reading of one servo, in the units of record/sweep_run.h.
@@ -33,30 +54,55 @@ public:
     LegMeter(const record::SweepAxis& axis, int number, int cycle, base::Duration at, double start,
              double target);
 
+    /// The goal of a sine so long after `at`. Before the first reading.
+    void follow(std::function<double(base::Duration since)> path);
+
+    /// In order of time; what was read before the goal was sent is left out.
     void add(const SweepSample& sample);
 
-    /// Within tolerance, and still for `rest`.
+    /// Within tolerance (and 2 steps of noise) and within as much, at least 4 steps, of one place,
+    /// both for `rest`.
     bool arrived(base::Duration rest) const;
-    /// Away from its target and without motion for `span`, although it has had that long.
+    /// Further from its target than its tolerance and 1/64 turn, which friction and load may leave,
+    /// and within 4 steps of one place for `span`, although it has had that long, and the time that
+    /// its speed and acceleration need for more than that.
     bool stalled(base::Duration span) const;
 
     /// `end`: the next goal was sent. `runStart` becomes the zero of SweepLeg::at.
     record::SweepLeg finish(base::Duration end, base::Duration runStart) const;
 
 private:
-    struct Point {
-        base::Duration at;
-        double position;
-        bool moving;
-        bool hasFlag;
+    void addPosition(base::Duration at, double position);
+    void lookForArrival(base::Duration at, double position);
+    void holdAgainstPath(base::Duration at, double position);
+    void finishRest(record::SweepLeg& leg, base::Duration end) const;
+    void finishOvershoot(record::SweepLeg& leg, const LegRest& rest) const;
+    double side(double position) const; ///< beyond the target, in the direction of the way
+
+    struct Reading {
+        base::Duration at{};
+        double position = 0;
     };
     record::SweepAxis m_axis;
-    record::SweepLeg m_leg;
+    record::SweepLeg m_leg; ///< as far as it is known already
     base::Duration m_at;
-    std::vector<Point> m_points;
-    double m_currentSum = 0;
-    int m_currents = 0;
-    double m_loadSum = 0;
-    int m_loads = 0;
+    std::function<double(base::Duration)> m_path;
+    base::Duration m_startUp; ///< until it can have been seen to move
+
+    Reading m_last;                           ///< at first where it stood
+    bool m_read = false;                      ///< m_last was read in this leg
+    bool m_lostSince = false;                 ///< since m_last
+    base::Duration m_before{};                ///< the sample before, answered or not
+    std::optional<base::Duration> m_inside{}; ///< within tolerance since
+    Stillness m_still;
+    Stillness m_calm; ///< a coarser one, for arrived()
+    SpeedMeter m_speeds;
+    FlagMeter m_flag;
+    LegTrace m_trace;
+    Smoother m_smoothSide;
+    Smoother m_smoothLag;
+    std::optional<double> m_peak{}; ///< furthest side()
+    Magnitude m_current;
+    Magnitude m_load;
 };
 } // namespace jobs

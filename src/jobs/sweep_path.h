@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a sweep test goes next: targets of one servo, leg by leg, without end. Pure; any thread.
-// Steps of the feedback, seconds of bus time.
+// Steps of the feedback, spans of bus time. A leg's target is worked out from its number alone, in
+// the same time whatever the number.
+//   Sweep, Sine  to, from                                         a cycle has 2 legs
+//   Stairs       from + step … to, and back the same stairs; the last one may be shorter
+//   BothSides    middle (a whole step), to, middle, from          4 legs
+//   Random       whole steps from `from`, never nearer to the one before than 5 % of the range and
+//                one step; the same for the same seed on every machine      2 legs
+//   Points       from the second point on through the list, and back to the first
 #pragma once
 
 #include "record/sweep_spec.h"
@@ -22,19 +29,23 @@ public:
     SweepStop leg(int number) const;
     int legsPerCycle() const;
 
-    /// Sine: the goal so long after the start.
+    /// Sine: the goal so long after the start: from `from`, half a period later at `to`.
     double wave(base::Duration since) const;
 
 private:
-    std::vector<double> m_targets; ///< of one cycle; not Random, not Sine
+    double stair(int place) const;
+    double dice(std::int64_t number) const;
+
     record::SweepSpec m_spec;
     record::SweepAxis m_axis;
+    int m_stairs = 1; ///< from one end to the other
 };
 
 /// How long the servo needs for `way` steps: a trapezoid under its speed and acceleration.
 /// nullopt: no speed is known.
 std::optional<base::Duration> travelTime(double way, const record::SweepAxis& axis);
-/// Where it should be `since` after it was told to go from `start` to `target`.
+/// Where it should be `since` after it was told to go from `start` to `target`, at rest till then.
+/// nullopt: no speed is known.
 std::optional<double> plannedPosition(double start, double target, base::Duration since,
                                       const record::SweepAxis& axis);
 } // namespace jobs

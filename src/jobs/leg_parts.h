@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What LegMeter measures reading by reading, without keeping the readings: stillness, speeds, the
+// moving flag. Parts of it; pure, its thread. Steps of the feedback, steps/s, bus time.
+#pragma once
+
+#include "base/clock.h"
+
+#include <deque>
+#include <optional>
+
+namespace jobs {
+/// Since when the position has kept within `band` of one place.
+class Stillness {
+public:
+    Stillness(double band, base::Duration at, double position)
+        : m_band(band)
+        , m_place(position)
+        , m_since(at)
+    {}
+    void add(base::Duration at, double position);
+    base::Duration since() const { return m_since; }
+
+private:
+    double m_band;
+    double m_place;
+    base::Duration m_since;
+};
+
+/// The mean of the last 10 ms: single readings are noisy, and no servo turns round so quickly.
+class Smoother {
+public:
+    double add(base::Duration at, double value);
+
+private:
+    struct Value {
+        base::Duration at;
+        double value;
+    };
+    std::deque<Value> m_values;
+};
+
+/// Mean and peak magnitude.
+struct Magnitude {
+    void add(double value);
+    std::optional<double> mean() const;
+    std::optional<double> peak() const;
+
+private:
+    double m_sum = 0;
+    double m_peak = 0;
+    int m_count = 0;
+};
+
+/// Mean speed: over the middle 80 % of the way. Top speed: the steepest stretch that is at least
+/// 40 ms long and at least 100 steps or a tenth of the way (or a second, where less is gone in it),
+/// by the straight line that fits its readings best. Not measured: on ways under 20 steps, with
+/// fewer than three readings in the middle 80 %, or with a hole of more than 250 ms in it; the
+/// mean also when the end of it was not reached.
+class SpeedMeter {
+public:
+    SpeedMeter(base::Duration at, double start, double target);
+    void add(base::Duration at, double position);
+    std::optional<double> mean() const;
+    std::optional<double> top() const;
+
+private:
+    struct Point {
+        base::Duration at;
+        double gone;
+    };
+    bool known() const;
+    void cross(const Point& point);
+    void measureTop(const Point& point);
+    bool stretches(const Point& from, const Point& to) const;
+    double slope() const;
+
+    double m_start;
+    double m_way; ///< without sign
+    double m_sign;
+    Point m_last;
+    std::optional<base::Duration> m_begun{}; ///< 10 % of the way were gone
+    std::optional<base::Duration> m_done{};  ///< 90 %
+    int m_readings = 0;                      ///< between them
+    bool m_hole = false;
+    std::deque<Point> m_stretch;
+    std::optional<double> m_top{};
+};
+
+/// Whether a moving flag contradicts the position: it says so for `patience` while the servo stands
+/// (4 steps), or denies it while the servo goes `far` (longer than 100 ms, and from 100 ms after
+/// the goal on: it takes a moment to rise).
+class FlagMeter {
+public:
+    FlagMeter(base::Duration at, double far, base::Duration patience)
+        : m_at(at)
+        , m_far(far)
+        , m_patience(patience)
+    {}
+    void add(base::Duration at, double position, bool moving, base::Duration stillSince);
+    /// A flag that stays up is nothing wrong: the goal itself is moving.
+    void allowUp() { m_mayStay = true; }
+    std::optional<bool> wrong() const { return m_wrong; }
+
+private:
+    struct Run {
+        bool moving;
+        base::Duration at;
+        double position;
+    };
+    base::Duration m_at;
+    double m_far;
+    base::Duration m_patience;
+    bool m_mayStay = false;
+    std::optional<Run> m_run{}; ///< since the flag last changed
+    std::optional<bool> m_wrong{};
+};
+} // namespace jobs

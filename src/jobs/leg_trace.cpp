@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/leg_trace.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace jobs {
+using base::Duration;
+
+namespace {
+constexpr std::size_t untouched = LegTrace::room / 2;
+constexpr std::size_t blockSize = 4;
+constexpr int tailShare = 5; ///< the last fifth tells where it rests
+constexpr std::size_t leastTail = 3;
+constexpr double mostNoise = 2;
+constexpr double leastBand = 3; ///< a servo that stays within it stands still
+constexpr Duration leastRest = std::chrono::milliseconds(100);
+
+struct Tail {
+    double mean = 0;
+    double spread = 0;
+};
+
+/// Of the points from `first` on: the last fifth of their time, at least three of them.
+Tail tailOf(const std::vector<LegPoint>& points, std::size_t first)
+{
+    const Duration end = points.back().at;
+    const Duration from = end - (end - points[first].at) / tailShare;
+    std::size_t begin = points.size();
+    while (begin > first && (points[begin - 1].at >= from || points.size() - begin < leastTail))
+        --begin;
+    double sum = 0;
+    double count = 0;
+    for (std::size_t i = begin; i < points.size(); ++i) {
+        sum += points[i].sum;
+        count += points[i].count;
+    }
+    Tail tail{sum / count, 0};
+    for (std::size_t i = begin; i < points.size(); ++i)
+        tail.spread = std::max(tail.spread, std::abs(points[i].position - tail.mean));
+    return tail;
+}
+
+/// The first of the points from `first` on after which all keep within `band` of `place`;
+/// points.size(): the last one does not.
+std::size_t stayedSince(const std::vector<LegPoint>& points, std::size_t first, double place,
+                        double band)
+{
+    std::size_t since = points.size();
+    while (since > first && std::abs(points[since - 1].position - place) <= band)
+        --since;
+    return since;
+}
+
+bool longEnough(const std::vector<LegPoint>& points, std::size_t since, Duration least)
+{
+    return points.size() >= since + leastTail && points.back().at - points[since].at >= least;
+}
+
+void standAt(LegRest& rest, const std::vector<LegPoint>& points, std::size_t since)
+{
+    const Tail tail = tailOf(points, since);
+    rest.steady = true;
+    rest.place = tail.mean;
+    rest.spread = tail.spread;
+}
+
+/// When the stay within tolerance began that lasts till the end. `since`: the first point of it
+/// with noise allowed, which may still be a little outside.
+void settle(LegRest& rest, const std::vector<LegPoint>& points, std::size_t since,
+            const RestQuery& query)
+{
+    const auto outside = [&](std::size_t i) {
+        return std::abs(points[i].position - query.target) > query.tolerance;
+    };
+    while (since < points.size() && outside(since))
+        ++since;
+    if (since == points.size())
+        return;
+    const LegPoint& in = points[since];
+    const LegPoint& out = points[since - 1];
+    const double edge = query.target + std::copysign(query.tolerance, out.position - query.target);
+    rest.settled = crossing(out.at, out.position, in.at, in.position, edge);
+}
+
+/// Not at its target: perhaps it stands elsewhere, about where it was last.
+void restElsewhere(LegRest& rest, const std::vector<LegPoint>& points, const RestQuery& query)
+{
+    if (points.size() < leastTail)
+        return;
+    std::array<double, leastTail> last{};
+    for (std::size_t i = 0; i < leastTail; ++i)
+        last[i] = points[points.size() - 1 - i].position;
+    std::sort(last.begin(), last.end());
+    const double band = std::max(query.tolerance, leastBand);
+    const std::size_t since = stayedSince(points, 0, last[1], band);
+    if (since < points.size() && longEnough(points, since, leastRest + 2 * query.slowest))
+        standAt(rest, points, since);
+}
+} // namespace
+
+void LegTrace::add(Duration at, double position)
+{
+    if (m_points.size() >= room)
+        thin();
+    m_points.push_back({at, position, position, 1});
+}
+
+/// The last reading stays as it is, the odd ones before it too.
+void LegTrace::thin()
+{
+    std::size_t kept = untouched;
+    std::size_t next = untouched;
+    for (; next + blockSize < m_points.size(); next += blockSize) {
+        const auto begin = m_points.begin() + std::ptrdiff_t(next);
+        const auto [low, high] =
+            std::minmax_element(begin, begin + std::ptrdiff_t(blockSize),
+                                [](const LegPoint& one, const LegPoint& other) {
+                                    return one.position < other.position;
+                                });
+        LegPoint first = low < high ? *low : *high;
+        LegPoint second = low < high ? *high : *low;
+        first.sum = begin[0].sum + begin[1].sum;
+        first.count = begin[0].count + begin[1].count;
+        second.sum = begin[2].sum + begin[3].sum;
+        second.count = begin[2].count + begin[3].count;
+        m_points[kept++] = first;
+        m_points[kept++] = second;
+    }
+    while (next < m_points.size())
+        m_points[kept++] = m_points[next++];
+    m_points.resize(kept);
+}
+
+Duration crossing(Duration before, double from, Duration after, double to, double level)
+{
+    if (from == to)
+        return after;
+    const double share = std::clamp((level - from) / (to - from), 0.0, 1.0);
+    return before + Duration(std::llround(share * double((after - before).count())));
+}
+
+std::optional<LegRest> restOf(const std::vector<LegPoint>& points, const RestQuery& query)
+{
+    if (points.empty())
+        return std::nullopt;
+    LegRest rest;
+    rest.place = points.back().position;
+    if (!query.arrival) {
+        restElsewhere(rest, points, query);
+        return rest;
+    }
+    const auto arrived = std::find_if(points.begin(), points.end(), [&](const LegPoint& point) {
+        return point.at >= *query.arrival;
+    });
+    const auto first = std::size_t(arrived - points.begin());
+    if (first == points.size())
+        return rest;
+    const double noise = std::min(mostNoise, tailOf(points, first).spread);
+    const std::size_t since = stayedSince(points, first, query.target, query.tolerance + noise);
+    rest.left = since > first;
+    if (since == points.size()) {
+        restElsewhere(rest, points, query);
+        return rest;
+    }
+    if (rest.left)
+        settle(rest, points, since, query);
+    else
+        rest.settled = query.arrival;
+    if (longEnough(points, since, leastRest + query.slowest))
+        standAt(rest, points, since);
+    return rest;
+}
+} // namespace jobs

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The positions of one leg, and where and when the servo came to rest in them. Room for a night in
+// the memory of five minutes: when it is full, what came later is thinned to its extremes, four to
+// two, which keep the sum of what they stand for; the first 65 536 readings stay as they are. Part
+// of LegMeter; pure, its thread. Steps of the feedback, bus time.
+#pragma once
+
+#include "base/clock.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace jobs {
+struct LegPoint {
+    base::Duration at{};
+    double position = 0;
+    double sum = 0; ///< of the readings it stands for
+    int count = 1;
+};
+
+class LegTrace {
+public:
+    static constexpr std::size_t room = 131072;
+
+    void add(base::Duration at, double position);
+    const std::vector<LegPoint>& points() const { return m_points; }
+
+private:
+    void thin();
+
+    std::vector<LegPoint> m_points;
+};
+
+/// What is asked of the end of a leg.
+struct RestQuery {
+    double target = 0;
+    double tolerance = 0;
+    std::optional<base::Duration> arrival{}; ///< first within tolerance
+    base::Duration slowest{}; ///< the time the way through the tolerance takes, at the least
+};
+
+/// How a leg ended. Within tolerance counts what exceeds it by no more than the noise at rest: the
+/// largest deviation from their mean of the readings in the last fifth since arrival, at most 2.
+struct LegRest {
+    bool steady = false; ///< it stood: by three readings, and long enough not to be passing by
+    double place = 0;    ///< steady: mean of the last fifth of the time it stood; else the last
+    double spread = 0;   ///< steady: largest deviation in that fifth
+    bool left = false;   ///< it was within tolerance and went out again
+    std::optional<base::Duration> settled{}; ///< since when it was within; none: at last it was not
+};
+
+/// nullopt: there was no reading.
+std::optional<LegRest> restOf(const std::vector<LegPoint>& points, const RestQuery& query);
+
+/// The moment between two readings when the position was `level`.
+base::Duration crossing(base::Duration before, double from, base::Duration after, double to,
+                        double level);
+} // namespace jobs
