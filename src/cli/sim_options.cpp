@@ -31,10 +31,14 @@ QString text(const std::string& local)
 void describe(CLI::App& app, Raw& raw)
 {
     auto* preset =
-        app.add_option("--preset", raw.preset, "A ready-made bus: demo, trouble, modbus, lx")
+        app.add_option("--preset", raw.preset, "A ready-made bus: demo, trouble, modbus, lx, sweep")
             ->capture_default_str();
     app.add_option("--servos", raw.servos,
-                   "The servos, MODEL@ID or MODEL@ID:BAUD each: sts3215@1,sts3250@2,scs15@3")
+                   "The servos, MODEL@ID or MODEL@ID:BAUD each: sts3215@1,sts3250@2,scs15@3. Their "
+                   "defects stand behind them: sts3215@1+overshoot=5+rest-hysteresis=12. Known "
+                   "are rest-hysteresis and static-error (steps), overshoot (% of the way), speed "
+                   "(1 is healthy), speed-per-load, noise (steps), moving (0 or 1: stuck flag), "
+                   "load-friction (N·m), stop (degrees), supply-ohms, ambient (°C)")
         ->excludes(preset);
     app.add_option("--baud", raw.baud, "Rate of all servos without one of their own")
         ->check(CLI::PositiveNumber);

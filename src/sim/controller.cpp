@@ -10,7 +10,13 @@ constexpr double fullDuty = 1000.0;
 void Controller::energise(double position)
 {
     *this = Controller();
+    follow(position);
+}
+
+void Controller::follow(double position)
+{
     m_path.restart(position);
+    m_bent.restart(position);
 }
 
 /// P with the startup force as the least it gives once it gives anything.
@@ -20,17 +26,22 @@ double Controller::proportional(const Settings& s, double error) const
     return std::abs(duty) < s.startupForce ? std::copysign(s.startupForce, error) : duty;
 }
 
+double Controller::rateOf(double error)
+{
+    m_errorRate += ((error - m_lastError) / tick - m_errorRate) * rateShare;
+    m_lastError = error;
+    return m_errorRate;
+}
+
 double Controller::holdPosition(const Settings& s, double goal, double topSpeed, double position,
                                 double limit)
 {
     m_path.advance(goal, topSpeed, s.acceleration, tick);
     const double error = m_path.position - position;
-    m_errorRate += ((error - m_lastError) / tick - m_errorRate) * rateShare;
-    m_lastError = error;
-
+    const double rate = rateOf(error);
     double duty = m_integral;
     if (error > s.cwDeadZone || error < -s.ccwDeadZone) {
-        duty += proportional(s, error) + s.positionD * m_errorRate;
+        duty += proportional(s, error) + s.positionD * rate;
         // No winding up against a limit that is reached already.
         if (std::abs(duty) < limit || duty * error < 0.0) {
             const double most = s.integralLimit > 0.0 ? s.integralLimit : fullDuty;
@@ -38,6 +49,22 @@ double Controller::holdPosition(const Settings& s, double goal, double topSpeed,
         }
     }
     return std::clamp(duty, -limit, limit);
+}
+
+Aim Controller::bend(const Settings& s, const Defects& defects, double goal, double topSpeed,
+                     const Shaft& shaft)
+{
+    m_bent.aimAt(goal, m_path.position);
+    m_path.advance(goal, topSpeed, s.acceleration, tick);
+    return m_bent.follow(defects, m_path, topSpeed, shaft, tick);
+}
+
+double Controller::holdBent(const Settings& s, const Aim& aim, double position, double support,
+                            double limit)
+{
+    const double error = aim.position - position;
+    const double rate = rateOf(error);
+    return std::clamp(s.positionP * error + s.positionD * rate + support, -limit, limit);
 }
 
 double Controller::holdSpeed(const Settings& s, double goal, double speed, double limit)

@@ -4,8 +4,8 @@
 // %; positive is towards larger positions.
 #pragma once
 
+#include "sim/bent_goal.h"
 #include "sim/settings.h"
-#include "sim/trajectory.h"
 
 namespace sim {
 class Controller {
@@ -15,20 +15,31 @@ public:
     /// Torque has just come on at this position: hold here, forget the past.
     void energise(double position);
     /// Torque is off: the goal in use follows the shaft.
-    void follow(double position) { m_path.restart(position); }
+    void follow(double position);
 
     /// Position and step mode. `limit` is the largest duty allowed now.
     double holdPosition(const Settings& s, double goal, double topSpeed, double position,
                         double limit);
+    /// The same of a servo with defects, in two steps: where it brings its shaft …
+    Aim bend(const Settings& s, const Defects& defects, double goal, double topSpeed,
+             const Shaft& shaft);
+    /// … and the duty that does, with `support` as the duty that its load and friction take. No
+    /// dead zone and no I, which would blur or hide what the defects say.
+    double holdBent(const Settings& s, const Aim& aim, double position, double support,
+                    double limit);
     /// Closed-loop speed.
     double holdSpeed(const Settings& s, double goal, double speed, double limit);
 
     const Trajectory& path() const { return m_path; }
+    bool rests() const { return m_path.speed == 0.0 && !m_bent.swings(); }
 
 private:
     double proportional(const Settings& s, double error) const;
 
+    double rateOf(double error);
+
     Trajectory m_path;
+    BentGoal m_bent;
     double m_integral = 0;  ///< duty
     double m_lastError = 0; ///< steps
     double m_errorRate = 0; ///< step/s, smoothed

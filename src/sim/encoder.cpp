@@ -9,16 +9,26 @@ namespace {
 constexpr double lagShare = 1.0 / 3.0; ///< of the way to the true angle in one millisecond
 constexpr double noiseSteps = 0.4;     ///< largest deviation
 
-/// Triangular, −1…1 (splitmix64 of the instant).
-double noise(std::uint64_t seed, std::uint64_t tick)
+struct Draw {
+    double low;
+    double high; ///< 0 up to, not including, 1
+};
+
+/// Two numbers that are evenly distributed (splitmix64 of the instant).
+Draw draw(std::uint64_t seed, std::uint64_t tick)
 {
     std::uint64_t z = seed + tick * 0x9E3779B97F4A7C15U;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
     z ^= z >> 31;
-    const auto low = double(std::uint32_t(z));
-    const auto high = double(std::uint32_t(z >> 32));
-    return (low - high) / 4294967296.0;
+    return {double(std::uint32_t(z)) / 4294967296.0, double(std::uint32_t(z >> 32)) / 4294967296.0};
+}
+
+/// Triangular, −1…1.
+double noise(std::uint64_t seed, std::uint64_t tick)
+{
+    const Draw drawn = draw(seed, tick);
+    return drawn.low - drawn.high;
 }
 } // namespace
 
@@ -33,6 +43,14 @@ std::int64_t Encoder::sample(double angle, std::uint64_t tick)
     m_filtered += (angle - m_filtered) * lagShare;
     return std::int64_t(
         std::floor(m_filtered * m_stepsPerRadian + noiseSteps * noise(m_seed, tick) + 0.5));
+}
+
+double Encoder::disturbance(std::uint64_t tick) const
+{
+    constexpr std::uint64_t another = 0xA0761D6478BD642FU; // not the noise again
+    const Draw drawn = draw(m_seed ^ another, tick);
+    return std::sqrt(-2.0 * std::log(1.0 - drawn.low)) *
+           std::cos(2.0 * std::numbers::pi * drawn.high);
 }
 
 int Encoder::withinTurn(std::int64_t counted) const

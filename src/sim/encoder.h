@@ -17,8 +17,13 @@ public:
     std::int64_t sample(double angle, std::uint64_t tick);
     void settle(double angle) { m_filtered = angle; } ///< the shaft has rested for a while
 
+    /// The latest sample before it was rounded, without noise.
+    double fine() const { return m_filtered * m_stepsPerRadian; }
+
     /// What a sensor that does not count turns shows for a counted position.
     int withinTurn(std::int64_t counted) const;
+    /// Normally distributed with a deviation of 1.
+    double disturbance(std::uint64_t tick) const;
     bool endless() const { return m_sensor == Sensor::Endless; }
 
 private:

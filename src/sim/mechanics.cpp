@@ -23,7 +23,8 @@ double nextSpeed(double speed, double torque, double damping, double friction, d
 
 Mechanics::Mechanics(const Drive& drive, double playRadians, double angle, double restAngle)
     : m_drive(drive)
-    , m_halfPlay(0.5 * playRadians)
+    , m_ownHalfPlay(0.5 * playRadians)
+    , m_halfPlay(m_ownHalfPlay)
     , m_restAngle(restAngle)
     , m_motor{angle, 0.0}
     , m_shaft{angle, 0.0}
@@ -43,6 +44,33 @@ double Mechanics::dutyFor(double amps, const Surroundings& around) const
     }
     return std::clamp((amps * m_drive.resistance + m_drive.emfConstant * m_motor.speed) / volts,
                       -1.0, 1.0);
+}
+
+double Mechanics::effortFor(double acceleration, double speed, double breakaway, const Load& load,
+                            const Surroundings& around) const
+{
+    const double volts = around.supplyVolts - around.supplyOhms * m_drive.idleAmps;
+    if (volts <= 0.0) {
+        return 0.0;
+    }
+    const Torques shaft = shaftTorques(load, 0.0);
+    const double inertia = m_drive.inertia + m_drive.shaftInertia + std::max(0.0, load.inertia);
+    const double amps = (inertia * acceleration + (m_drive.viscous + shaft.damping) * speed +
+                         breakaway * (m_drive.stiction + shaft.stiction) - shaft.drive) /
+                        m_drive.torqueConstant;
+    const double needed = m_drive.emfConstant * speed + m_drive.resistance * amps;
+    // The supply sags under it.
+    const double first = std::clamp(needed / volts, -1.0, 1.0);
+    return std::clamp((needed + around.supplyOhms * first * first * amps) / volts, -1.0, 1.0);
+}
+
+double Mechanics::opposed(double direction, const Load& load) const
+{
+    const Torques shaft = shaftTorques(load, 0.0);
+    const double pull =
+        direction == 0.0 ? 0.0 : -std::copysign(shaft.drive, shaft.drive * direction);
+    return load.coulombFriction + load.viscousFriction * std::abs(m_shaft.speed) +
+           std::max(0.0, pull);
 }
 
 /// The winding settles far faster than a step, so its current follows at once; the sag of the

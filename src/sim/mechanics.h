@@ -21,6 +21,9 @@ public:
     void step(Bridge bridge, double effort, const Load& load, const Surroundings& around,
               double seconds);
 
+    /// Without the play from now on, or with it again.
+    void stiffen(bool stiff) { m_halfPlay = stiff ? 0.0 : m_ownHalfPlay; }
+
     double angle() const { return m_shaft.angle; } ///< the encoder sits here
     double speed() const { return m_shaft.speed; }
     double motorAmps() const { return m_amps; } ///< through the winding, signed like the duty
@@ -28,6 +31,12 @@ public:
     double supplyVolts(const Surroundings& around) const;
     /// The duty, −1…1, that lets this current through the winding at the present speed.
     double dutyFor(double amps, const Surroundings& around) const;
+    /// The effort that gives the shaft this motion under this load: what its sense of turning makes
+    /// of dry friction is `breakaway`, the share of it to push against, −1…1.
+    double effortFor(double acceleration, double speed, double breakaway, const Load& load,
+                     const Surroundings& around) const;
+    /// N·m that the load sets against turning in this direction (sign); 0: its friction alone.
+    double opposed(double direction, const Load& load) const;
     double copperWatts() const { return m_amps * m_amps * m_drive.resistance; }
 
     /// Neither body moved in the last step: with an open bridge and the same load it never will.
@@ -53,7 +62,8 @@ private:
     void stopAt(double limit, double sign);
 
     Drive m_drive;
-    double m_halfPlay;
+    double m_ownHalfPlay;
+    double m_halfPlay;  ///< at present
     double m_restAngle; ///< where gravity lets the load hang
     Body m_motor;
     Body m_shaft;

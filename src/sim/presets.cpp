@@ -137,11 +137,27 @@ Scene lx()
     };
 }
 
+// Alike but for their health.
+Scene sweep()
+{
+    Defects worn;
+    worn.restHysteresis = 12;
+    worn.speedFactor = 0.8;
+    Defects badlyDamped;
+    badlyDamped.overshootPercent = 8;
+    return {
+        {QStringLiteral("STS3215"), 1, fast, 7.4, 180, {}, nullptr},
+        {QStringLiteral("STS3215"), 2, fast, 7.4, 180, {}, nullptr, worn},
+        {QStringLiteral("STS3215"), 3, fast, 7.4, 180, {}, nullptr, badlyDamped},
+    };
+}
+
 struct Preset {
     const char* name;
     Scene (*scene)();
 };
-constexpr Preset presets[] = {{"demo", demo}, {"trouble", trouble}, {"modbus", modbus}, {"lx", lx}};
+constexpr Preset presets[] = {
+    {"demo", demo}, {"trouble", trouble}, {"modbus", modbus}, {"lx", lx}, {"sweep", sweep}};
 } // namespace
 
 QStringList presetNames()

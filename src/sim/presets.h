@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Simulated buses by name and by list, for "sim:NAME" and servodesk-sim. demo: six servos, mixed
 // models, one rate, one alarmed. trouble: mixed rates, twin IDs, an open lock, an overload. modbus:
-// one servo, station 1. lx: five servos, one with an offset, one too warm.
+// one servo, station 1. lx: five servos, one with an offset, one too warm. sweep: a healthy, a worn
+// and a badly damped servo, for whoever tests servos.
 #pragma once
 
 #include "base/error.h"
@@ -19,7 +20,9 @@ makePreset(const QString& name, const catalog::Catalog& catalog, const WireConfi
            std::optional<int> baud = {}, std::optional<base::Duration> epromTime = {});
 
 /// "sts3215@1,smsmb@2,lx16a@3"; "@ID:BAUD" sets one servo's rate, `baud` all others'. Two servos
-/// may share an ID. BadArgument names the item it could not use and why.
+/// may share an ID. What is wrong with one stands behind it:
+/// "sts3215@1:500000+overshoot=5+speed=0.7" (defect_list.h has the words, defects.h what they
+/// mean). BadArgument names the item it could not use and why.
 base::Result<std::unique_ptr<VirtualBus>>
 makeServos(const QString& list, const catalog::Catalog& catalog, std::optional<int> baud,
            const WireConfig& wire = {}, std::optional<base::Duration> epromTime = {});

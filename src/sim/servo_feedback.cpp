@@ -29,17 +29,24 @@ double VirtualServo::State::sensedCurrent() const
     return std::clamp<double>(units, -type.largestCurrent, type.largestCurrent);
 }
 
+/// Whole steps, of the register only.
+double VirtualServo::State::readingNoise() const
+{
+    const double deviation = config.defects.positionNoise;
+    return deviation == 0.0 ? 0.0 : std::round(deviation * encoder.disturbance(ticks));
+}
+
 void VirtualServo::State::publish()
 {
     const auto put = [this](Role role, double value) {
         map.put(memory, role, int(std::lround(value)));
     };
-    double shown = position;
+    double shown = position + readingNoise();
     if (encoder.endless() && settings.mode == DriveMode::Step) {
-        shown = stepGoal - position;
+        shown = stepGoal - shown;
     } else if (encoder.endless() && !settings.fullAngle) {
         const double turn = traits.turnSteps;
-        shown = position - turn * std::floor(position / turn);
+        shown -= turn * std::floor(shown / turn);
     }
     put(Role::PresentPosition, shown);
     const int stepsPerSecond = shownSpeedSteps(shownSpeed);
@@ -67,6 +74,10 @@ int VirtualServo::State::shownStatus() const
 /// HLS has two flags: faster than the threshold, and on the way to the goal.
 int VirtualServo::State::shownMoving() const
 {
+    if (const auto stuck = config.defects.movingFlagStuck) {
+        const int all = type.movingBits ? 3 : 1;
+        return *stuck ? all : 0;
+    }
     if (!type.movingBits) {
         return moving ? 1 : 0;
     }

@@ -2,6 +2,7 @@
 #include "sim/servo_maker.h"
 
 #include "protocol/request.h"
+#include "sim/defect_list.h"
 #include "sim/presets.h"
 #include "sim/servo_types.h"
 
@@ -91,6 +92,10 @@ base::Result<VirtualServo> makeServo(const ServoRecipe& recipe, const catalog::C
     config.baud = recipe.baud;
     config.load = recipe.load;
     config.surroundings.supplyVolts = recipe.supplyVolts.value_or(supplyOf(*profile));
+    config.surroundings.supplyOhms = recipe.supplyOhms.value_or(config.surroundings.supplyOhms);
+    config.surroundings.ambientCelsius =
+        recipe.ambientCelsius.value_or(config.surroundings.ambientCelsius);
+    config.defects = recipe.defects;
     config.initialDegrees = recipe.initialDegrees;
     config.epromTime = epromTime.value_or(config.epromTime);
     config.seed = seed;
@@ -102,8 +107,9 @@ base::Result<VirtualServo> makeServo(const ServoRecipe& recipe, const catalog::C
 
 base::Result<ServoRecipe> parseServo(const QString& item)
 {
-    const QString form = QStringLiteral("expected MODEL@ID or MODEL@ID:BAUD");
-    const QStringList halves = item.split(QLatin1Char('@'));
+    const QString form = QStringLiteral("expected MODEL@ID or MODEL@ID:BAUD, +DEFECT=VALUE behind");
+    QStringList words = item.split(QLatin1Char('+'));
+    const QStringList halves = words.takeFirst().split(QLatin1Char('@'));
     if (halves.size() != 2 || halves[0].isEmpty())
         return badServo(item, form);
     const QStringList place = halves[1].split(QLatin1Char(':'));
@@ -120,6 +126,8 @@ base::Result<ServoRecipe> parseServo(const QString& item)
         if (!ok)
             return badServo(item, form);
     }
+    if (auto added = addDefects(recipe, words); !added)
+        return tl::unexpected(added.error());
     return recipe;
 }
 } // namespace

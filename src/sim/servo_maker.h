@@ -18,7 +18,10 @@ struct ServoRecipe {
     std::optional<double> supplyVolts;
     double initialDegrees = 180;
     Load load;
-    std::function<void(VirtualServo&)> prepare; ///< may be empty
+    std::function<void(VirtualServo&)> prepare{}; ///< may be empty
+    Defects defects{};
+    std::optional<double> supplyOhms{};
+    std::optional<double> ambientCelsius{};
 };
 
 base::Result<std::unique_ptr<VirtualBus>> makeBus(const std::vector<ServoRecipe>& recipes,

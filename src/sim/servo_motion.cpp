@@ -42,6 +42,7 @@ void VirtualServo::State::tick()
     if (!sleeps()) {
         measure();
         control();
+        mechanics.stiffen(config.defects.bendGoal());
         mechanics.step(bridge,
                        bridge == Bridge::Driven ? duty / 1000.0 * settings.driveSign
                                                 : settings.torqueLimit / 1000.0,
@@ -107,6 +108,25 @@ double VirtualServo::State::positionGoal() const
 
 double VirtualServo::State::topSpeed() const
 {
+    return worn(wantedSpeed(), positionGoal() - controller.path().position);
+}
+
+/// What is left of a speed; the direction is that of the position's growth.
+double VirtualServo::State::worn(double wanted, double direction) const
+{
+    const Defects& defects = config.defects;
+    if (defects.speedFactor == 1.0 && defects.speedPerLoad == 0.0) {
+        return wanted;
+    }
+    constexpr double least = 0.02;
+    const double load = mechanics.opposed(direction * senseOfSensor(), config.load);
+    const double left = 1.0 - defects.speedPerLoad * load / type.stallTorque;
+    const double most = settings.maxSpeed * std::max(least, defects.speedFactor * left);
+    return std::clamp(wanted, -most, most);
+}
+
+double VirtualServo::State::wantedSpeed() const
+{
     if (settings.goalSpeed != 0) {
         return std::abs(settings.goalSpeed);
     }
@@ -127,6 +147,35 @@ double VirtualServo::State::withinCurrentLimit(double wanted) const
     return std::clamp(wanted, low, high);
 }
 
+double VirtualServo::State::holdGoal(double limit)
+{
+    return config.defects.bendGoal()
+               ? holdBentGoal(limit)
+               : controller.holdPosition(settings, positionGoal(), topSpeed(), position, limit);
+}
+
+/// Friction, load and gear play are taken off the loop's shoulders, so that the shaft is where its
+/// defects say and nowhere else.
+double VirtualServo::State::holdBentGoal(double limit)
+{
+    constexpr double fullPush = 0.25; // steps of error
+    const double sense = senseOfSensor();
+    const Shaft shaft{position + sense * (encoder.fine() - double(counted)),
+                      sense * mechanics.speed() * traits.stepsPerRadian};
+    Aim aim = controller.bend(settings, config.defects, positionGoal(), topSpeed(), shaft);
+    if (traits.sensor == Sensor::Potentiometer) {
+        // Behind its ends the sensor does not tell the way back.
+        aim.position = std::clamp(aim.position, 0.0 - settings.offset,
+                                  profile->stepsPerTurn - 1.0 - settings.offset);
+    }
+    const double push = std::clamp((aim.position - shaft.position) / fullPush, -1.0, 1.0);
+    const double perStep = sense / traits.stepsPerRadian;
+    const double effort = mechanics.effortFor(aim.acceleration * perStep, aim.speed * perStep,
+                                              sense * push, config.load, config.surroundings);
+    const double support = settings.positionP > 0.0 ? 1000.0 * settings.driveSign * effort : 0.0;
+    return controller.holdBent(settings, aim, shaft.position, support, limit);
+}
+
 double VirtualServo::State::drive(double limit)
 {
     double wanted = 0;
@@ -139,12 +188,13 @@ double VirtualServo::State::drive(double limit)
         return std::clamp(wanted, -limit, limit);
     }
     case DriveMode::Direct:
-        return controller.holdPosition(settings, positionGoal(), topSpeed(), position, limit);
+        return holdGoal(limit);
     case DriveMode::Speed:
-        wanted = controller.holdSpeed(settings, settings.goalSpeed, speed, limit);
+        wanted = controller.holdSpeed(settings, worn(settings.goalSpeed, settings.goalSpeed), speed,
+                                      limit);
         break;
     default:
-        wanted = controller.holdPosition(settings, positionGoal(), topSpeed(), position, limit);
+        wanted = holdGoal(limit);
     }
     return traits.currentLimited ? withinCurrentLimit(wanted) : wanted;
 }
@@ -170,7 +220,7 @@ void VirtualServo::State::control()
         controller.energise(position);
     }
     duty = drive(protection.dutyLimit(settings));
-    const bool still = std::abs(shownSpeed) < slowestShown && controller.path().speed == 0.0;
+    const bool still = std::abs(shownSpeed) < slowestShown && controller.rests();
     stillTicks = still ? stillTicks + 1 : 0;
     const bool drivesGoal = settings.mode == DriveMode::Position ||
                             settings.mode == DriveMode::Direct || settings.mode == DriveMode::Step;

@@ -77,12 +77,18 @@ struct VirtualServo::State {
     void rebase();
     double positionGoal() const;
     double topSpeed() const;
+    double wantedSpeed() const;
+    double worn(double topSpeed, double direction) const;
     double drive(double limit);
+    double holdGoal(double limit);
+    double holdBentGoal(double limit);
+    double senseOfSensor() const { return encoder.endless() && settings.reversed ? -1.0 : 1.0; }
     double withinCurrentLimit(double wanted) const;
     void holdHere();
 
     // servo_feedback.cpp
     void publish();
+    double readingNoise() const;
     double sensedCurrent() const; ///< 6.5 mA units
     int shownStatus() const;
     int shownMoving() const;

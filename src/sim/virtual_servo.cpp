@@ -135,6 +135,11 @@ Surroundings& VirtualServo::surroundings()
     return m_state->config.surroundings;
 }
 
+Defects& VirtualServo::defects()
+{
+    return m_state->config.defects;
+}
+
 void VirtualServo::injectStatus(std::uint8_t bits)
 {
     m_state->protection.inject(bits);

@@ -9,6 +9,7 @@
 #include "base/bytes.h"
 #include "base/clock.h"
 #include "catalog/profile.h"
+#include "sim/defects.h"
 
 #include <cstdint>
 #include <memory>
@@ -43,6 +44,7 @@ struct ServoConfig {
     Surroundings surroundings;
     base::Duration epromTime = std::chrono::milliseconds(6); ///< deaf while it writes
     base::Duration rebootTime = std::chrono::milliseconds(820);
+    Defects defects; ///< none
     double gearPlayDegrees = 0.3;
     double initialDegrees = 180.0; ///< shaft angle at the start, from the encoder's zero
     bool idAnswersOld = false;     ///< an ID write is acknowledged with the old ID (both are seen)
@@ -111,6 +113,7 @@ public:
     bool ledOn() const;
     Load& load();
     Surroundings& surroundings();
+    Defects& defects();                   ///< acts from the next millisecond on
     void injectStatus(std::uint8_t bits); ///< error bits as of a sensor fault, until power-off
     void setTemperature(double celsius);
 
