@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/html_page.h"
+
+#include <cmath>
+
+namespace report {
+namespace {
+const char* const css = R"(
+body { font-family: "Noto Sans", "Noto Sans CJK SC", "Segoe UI", "Microsoft YaHei", sans-serif;
+  font-size: 14px; color: #1f2328; background: #ffffff; margin: 24px auto; max-width: 1100px;
+  padding: 0 16px; }
+h1 { font-size: 24px; margin: 8px 0; }
+h2 { font-size: 19px; margin: 28px 0 8px; border-bottom: 1px solid #d0d7de; }
+h3 { font-size: 15px; margin: 18px 0 6px; }
+table { border-collapse: collapse; margin: 6px 0 12px; }
+th, td { border: 1px solid #d0d7de; padding: 3px 8px; text-align: left; vertical-align: top; }
+th { background: #f3f5f7; font-weight: 600; }
+td.n { text-align: right; font-variant-numeric: tabular-nums; }
+.verdict { font-weight: 700; white-space: nowrap; }
+.overall { font-size: 24px; border: 2px solid #57606a; border-radius: 6px; padding: 8px 16px;
+  display: inline-block; margin: 4px 0; }
+.simulated { display: inline-block; border: 2px dashed #8a5a00; color: #8a5a00; font-weight: 700;
+  padding: 4px 12px; margin: 8px 0; }
+.user { white-space: pre-wrap; overflow-wrap: anywhere; }
+.wide { overflow-x: auto; }
+svg { max-width: 100%; height: auto; }
+summary { cursor: pointer; font-weight: 600; }
+@media print {
+  body { margin: 0; max-width: none; font-size: 11px; }
+  .switch { display: none; }
+  h2, h3 { break-after: avoid; }
+  tr, svg { break-inside: avoid; }
+  .wide { overflow: visible; }
+  th { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+}
+)";
+
+const char* const switchCss = R"(
+#lang-en:checked ~ main .zh, #lang-zh:checked ~ main .en { display: none; }
+)";
+
+bool isNumber(const QString& cell)
+{
+    const QString digits = cell.startsWith(u'-') ? cell.mid(1) : cell;
+    return !digits.isEmpty() && digits.front().isDigit();
+}
+
+QString radio(const char* language, const char* name, bool checked)
+{
+    return QStringLiteral("<input class=\"switch\" type=\"radio\" name=\"lang\" id=\"lang-%1\"%3/> "
+                          "<label class=\"switch\" for=\"lang-%1\" lang=\"%1\">%2</label>\n")
+        .arg(QString::fromLatin1(language), QString::fromUtf8(name),
+             checked ? QStringLiteral(" checked=\"checked\"") : QString());
+}
+} // namespace
+
+QString escaped(const QString& text)
+{
+    QString clean;
+    clean.reserve(text.size());
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        const QChar one = text[i];
+        const bool pair =
+            one.isHighSurrogate() && i + 1 < text.size() && text[i + 1].isLowSurrogate();
+        if (pair) {
+            clean += one;
+            clean += text[++i];
+            continue;
+        }
+        const char16_t code = one.unicode();
+        const bool allowed =
+            (code >= 0x20 && code < 0xfffe && !one.isSurrogate()) || code == u'\n' || code == u'\t';
+        if (allowed)
+            clean += one;
+    }
+    return clean.toHtmlEscaped();
+}
+
+QString figure(double value)
+{
+    QString text = QString::number(value, 'f', 2);
+    while (text.endsWith(u'0'))
+        text.chop(1);
+    if (text.endsWith(u'.'))
+        text.chop(1);
+    return text == QStringLiteral("-0") ? QStringLiteral("0") : text;
+}
+
+QString Scribe::span(const char* element, const catalog::Text& text) const
+{
+    if (m_tongue != Tongue::Both || text.en == text.zh)
+        return escaped(text.in(m_tongue == Tongue::Chinese));
+    return QStringLiteral(
+               "<%1 class=\"en\" lang=\"en\">%2</%1><%1 class=\"zh\" lang=\"zh\">%3</%1>")
+        .arg(QString::fromLatin1(element), escaped(text.en), escaped(text.zh));
+}
+
+QString Scribe::say(const catalog::Text& text) const
+{
+    return span("span", text);
+}
+
+QString Scribe::sayInSvg(const catalog::Text& text) const
+{
+    return span("tspan", text);
+}
+
+QString Scribe::inAttribute(const catalog::Text& text) const
+{
+    if (m_tongue == Tongue::Both)
+        return escaped(text.en + QStringLiteral(" / ") + text.zh);
+    return escaped(text.in(m_tongue == Tongue::Chinese));
+}
+
+QString Scribe::heading(int level, const catalog::Text& text) const
+{
+    return QStringLiteral("<h%1>%2</h%1>\n").arg(level).arg(say(text));
+}
+
+QString Scribe::paragraph(const catalog::Text& text) const
+{
+    return QStringLiteral("<p>") + say(text) + QStringLiteral("</p>\n");
+}
+
+QString Scribe::optional(std::optional<double> value, const catalog::Text& otherwise) const
+{
+    return value && std::isfinite(*value) ? figure(*value) : say(otherwise);
+}
+
+QString table(const QStringList& headings, const std::vector<QStringList>& rows)
+{
+    QString text = QStringLiteral("<div class=\"wide\"><table border=\"1\" cellspacing=\"0\" "
+                                  "cellpadding=\"3\">\n<thead><tr>");
+    for (const QString& heading : headings)
+        text += QStringLiteral("<th>") + heading + QStringLiteral("</th>");
+    text += QStringLiteral("</tr></thead>\n<tbody>\n");
+    for (const QStringList& row : rows) {
+        text += QStringLiteral("<tr>");
+        for (const QString& cell : row) {
+            text += isNumber(cell) ? QStringLiteral("<td class=\"n\" align=\"right\">")
+                                   : QStringLiteral("<td>");
+            text += cell + QStringLiteral("</td>");
+        }
+        text += QStringLiteral("</tr>\n");
+    }
+    return text + QStringLiteral("</tbody></table></div>\n");
+}
+
+QString pairs(const std::vector<QStringList>& rows)
+{
+    QString text =
+        QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\"><tbody>\n");
+    for (const QStringList& row : rows)
+        text += QStringLiteral("<tr><th align=\"left\">") + row.value(0) +
+                QStringLiteral("</th><td>") + row.value(1) + QStringLiteral("</td></tr>\n");
+    return text + QStringLiteral("</tbody></table>\n");
+}
+
+QString page(const Scribe& scribe, const catalog::Text& title, const QString& body, bool chinese)
+{
+    const bool both = scribe.tongue() == Tongue::Both;
+    QString text = QStringLiteral(
+        "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"%1\">\n<head>\n"
+        "<meta charset=\"utf-8\"/>\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+        "style-src 'unsafe-inline'; img-src data:\"/>\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+        "<link rel=\"icon\" href=\"data:,\"/>\n");
+    text = text.arg(chinese ? QStringLiteral("zh") : QStringLiteral("en"));
+    text += QStringLiteral("<title>") + escaped(title.in(chinese)) + QStringLiteral("</title>\n") +
+            QStringLiteral("<style>") + QString::fromUtf8(css) +
+            (both ? QString::fromUtf8(switchCss) : QString()) +
+            QStringLiteral("</style>\n</head>\n<body>\n");
+    if (both)
+        text += radio("en", "English", !chinese) + radio("zh", "中文", chinese);
+    return text + QStringLiteral("<main>\n") + body + QStringLiteral("</main>\n</body>\n</html>\n");
+}
+} // namespace report

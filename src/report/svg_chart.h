@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Charts of a report as SVG that stands in an HTML page, or alone for QSvgRenderer. Lines are
+// thinned to what the width can show, extremes are kept. Pure; any thread.
+#pragma once
+
+#include "report/html_page.h"
+
+#include <vector>
+
+namespace report {
+/// One reading; no position (NaN) is a gap.
+struct ChartSample {
+    double t = 0; ///< s
+    double position = 0;
+    double goal = 0;
+};
+
+/// At most `most` of them, the lowest and highest of each stretch in their order.
+std::vector<ChartSample> thinned(const std::vector<ChartSample>& samples, std::size_t most);
+
+constexpr int chartWidth = 760;
+constexpr int chartHeight = 280;
+
+QString positionChart(const Scribe& scribe, const std::vector<ChartSample>& samples);
+
+/// Limits are drawn on both sides of 0. `errors` must not be empty.
+QString errorHistogram(const Scribe& scribe, const std::vector<double>& errors,
+                       std::optional<double> warn, std::optional<double> fail);
+} // namespace report

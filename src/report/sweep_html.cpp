@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/sweep_html.h"
+
+#include "record/text_file.h"
+#include "report/sweep_words.h"
+
+namespace report {
+QByteArray sweepHtml(const record::SweepRun& run, const std::vector<SweepSeries>& series,
+                     bool chinese)
+{
+    const Scribe scribe(Tongue::Both);
+    const QString body = sweepBody(scribe, run, series, [](const QString& svg) { return svg; });
+    return page(scribe, sweepWords().title, body, chinese).toUtf8();
+}
+
+base::Result<void> saveSweepHtml(const record::SweepRun& run,
+                                 const std::vector<SweepSeries>& series, bool chinese,
+                                 const QString& path)
+{
+    return record::saveTextFile(QStringLiteral("save-report"), sweepHtml(run, series, chinese),
+                                path);
+}
+} // namespace report

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of a sweep test's report as markup, the same for page and paper; only how a chart gets
+// into it differs. Pure; any thread.
+#pragma once
+
+#include "record/sweep_run.h"
+#include "report/svg_chart.h"
+
+#include <functional>
+
+namespace report {
+/// What was kept of one servo's readings for its chart; some thousands are enough.
+struct SweepSeries {
+    int servo = -1;
+    std::vector<ChartSample> samples{};
+};
+
+/// Markup that shows this SVG.
+using PlaceChart = std::function<QString(const QString& svg)>;
+
+QString sweepBody(const Scribe& scribe, const record::SweepRun& run,
+                  const std::vector<SweepSeries>& series, const PlaceChart& place);
+
+/// All up to `all`; else the first and last 50 and the 20 worst of the others (missed, alarms, then
+/// the largest steady error), in their order.
+std::vector<const record::SweepLeg*> legsToShow(const std::vector<record::SweepLeg>& legs,
+                                                std::size_t all = 200);
+
+// of sweep_parts_servo.cpp
+QString servoPart(const Scribe& scribe, const record::SweepServo& servo,
+                  const std::vector<SweepSeries>& series, const PlaceChart& place);
+QString badge(const Scribe& scribe, record::Grade grade);
+QString inSeconds(base::Duration span); ///< "1.5"
+} // namespace report

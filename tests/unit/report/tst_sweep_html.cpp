@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report page: well-formed, every figure of the run in it, everything from people escaped, both
+// languages complete, nothing that would be fetched; long runs are shortened and charts thinned
+// without losing what stands out.
+#include "report/sweep_html.h"
+#include "report/sweep_words.h"
+#include "unit/record/sweep_example.h"
+
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <QtTest>
+
+#include <cmath>
+
+namespace {
+using report::ChartSample;
+using report::SweepSeries;
+
+std::vector<SweepSeries> exampleSeries(int readings = 900)
+{
+    SweepSeries series;
+    series.servo = 5;
+    for (int i = 0; i < readings; ++i)
+        series.samples.push_back(
+            {i * 0.01, 2000 + 1000 * std::sin(i * 0.02), i < 450 ? 3051. : 1000.});
+    series.samples[300].position = std::numeric_limits<double>::quiet_NaN();
+    return {series};
+}
+
+/// What a reader sees with one language chosen, as the page's style sheet decides: elements of the
+/// other one's class are hidden. Also what is wrong with the XML, and names met.
+struct Seen {
+    QString text;
+    QString error;
+    QSet<QString> elements;
+    QStringList fetched; ///< what an attribute would load
+    int charts = 0;
+};
+
+Seen read(const QByteArray& page, const QString& hiddenClass = {})
+{
+    Seen seen;
+    QXmlStreamReader xml(page);
+    int hidden = 0;
+    int depth = 0;
+    while (!xml.atEnd()) {
+        const auto token = xml.readNext();
+        if (token == QXmlStreamReader::StartElement) {
+            ++depth;
+            const QString name = xml.name().toString();
+            seen.elements.insert(name);
+            seen.charts += name == QStringLiteral("svg") ? 1 : 0;
+            const bool hides = (!hiddenClass.isEmpty() &&
+                                xml.attributes().value(QStringLiteral("class")) == hiddenClass) ||
+                               name == QStringLiteral("style");
+            if (hidden == 0 && hides)
+                hidden = depth;
+            for (const QXmlStreamAttribute& attribute : xml.attributes()) {
+                const bool loads =
+                    QStringList{QStringLiteral("src"), QStringLiteral("href")}.contains(
+                        attribute.name().toString());
+                if (loads && !attribute.value().startsWith(QStringLiteral("data:")))
+                    seen.fetched.append(attribute.value().toString());
+                if (attribute.name().startsWith(QStringLiteral("on")))
+                    seen.fetched.append(attribute.name().toString());
+            }
+        } else if (token == QXmlStreamReader::EndElement) {
+            if (hidden == 0)
+                seen.text += u' ';
+            hidden = hidden == depth ? 0 : hidden;
+            --depth;
+        } else if (token == QXmlStreamReader::Characters && hidden == 0) {
+            seen.text += xml.text();
+        }
+    }
+    seen.error = xml.hasError()
+                     ? xml.errorString() + QStringLiteral(" in line %1").arg(xml.lineNumber())
+                     : QString();
+    return seen;
+}
+
+/// As a person would write it down: two decimals at most.
+QString written(double value)
+{
+    QString text = QString::number(value, 'f', 2);
+    static const QRegularExpression zeros(QStringLiteral("\\.?0+$"));
+    return text.remove(zeros);
+}
+
+bool hasChinese(const QString& text)
+{
+    static const QRegularExpression han(QStringLiteral("\\p{Han}"));
+    return text.contains(han);
+}
+} // namespace
+
+class TestSweepHtml : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void thePageNeedsNothingElse()
+    {
+        for (const bool chinese : {false, true}) {
+            const QByteArray page =
+                report::sweepHtml(sweep_example::run(), exampleSeries(), chinese);
+            const Seen seen = read(page);
+            QVERIFY2(seen.error.isEmpty(), qPrintable(seen.error));
+            QCOMPARE(seen.fetched, QStringList());
+            QVERIFY(!seen.elements.contains(QStringLiteral("script")));
+            QVERIFY(!seen.elements.contains(QStringLiteral("img")));
+            QVERIFY(!page.contains("url(") && !page.contains("@import"));
+            QCOMPARE(seen.charts, 2); // servo 6 has measured nothing to draw
+            const QByteArray open = chinese ? "lang-zh" : "lang-en";
+            QVERIFY(page.contains("id=\"" + open + "\" checked=\"checked\""));
+            QCOMPARE(page.count("checked=\"checked\""), 1);
+        }
+    }
+
+    void everyFigureIsThere()
+    {
+        const record::SweepRun run = sweep_example::run();
+        const QString text =
+            read(report::sweepHtml(run, exampleSeries(), false), QStringLiteral("zh")).text;
+        const auto has = [&](const QString& what) {
+            const bool found = text.contains(what);
+            if (!found)
+                qInfo() << "missing" << what;
+            return found;
+        };
+        for (const record::SweepMetric& metric : run.servos[0].metrics) {
+            QVERIFY(has(report::metricWords(metric.key).en));
+            for (const auto& value : {metric.value, metric.mean, metric.min, metric.max})
+                QVERIFY(has(written(*value)));
+            QVERIFY(has(QString::number(metric.count)));
+        }
+        for (const record::SweepLeg& leg : run.servos[0].legs) {
+            for (const record::LegFigure& figure : record::legFigures) {
+                const QString key = QString::fromLatin1(figure.key);
+                const bool shown =
+                    !QStringList{QStringLiteral("overshoot_steps"), QStringLiteral("top_speed"),
+                                 QStringLiteral("current_mean"), QStringLiteral("load_mean")}
+                         .contains(key);
+                QVERIFY(!shown || has(written(*(leg.*figure.member))));
+            }
+            QVERIFY(has(written(*record::inMs(leg.timeToTarget))));
+            QVERIFY(has(written(*record::inMs(leg.settling))));
+        }
+        for (const char* fact : {"✘ Failed",
+                                 "⚠ Passed with a warning",
+                                 "SIMULATED",
+                                 "STS3215",
+                                 "SCS15",
+                                 "3.10",
+                                 "2026-03-09 09:00:01 UTC",
+                                 "/dev/ttyUSB0, 1000000 baud",
+                                 "601.23 s",
+                                 "398.75 /s",
+                                 "ServoDesk 0.1.0",
+                                 "stood still away from its target",
+                                 "Ended by servo",
+                                 "ID 6",
+                                 "1000 … 268.1deg",
+                                 "100 … 900",
+                                 "the middle from both sides",
+                                 "30rpm",
+                                 "60 s",
+                                 "torque off",
+                                 "the first failed line",
+                                 "above 8 step",
+                                 "9.75 step",
+                                 "> 16 step",
+                                 "above 0 legs",
+                                 "4096 steps a turn, built in",
+                                 "gear play beyond its encoder",
+                                 "not measured",
+                                 "min_angle",
+                                 "512",
+                                 "12345",
+                                 "21",
+                                 "32",
+                                 "43",
+                                 "54",
+                                 "2.5",
+                                 "moving flag wrong",
+                                 "temperature, overload",
+                                 "missed"})
+            QVERIFY(has(QString::fromUtf8(fact)));
+    }
+
+    void bothLanguagesAreComplete()
+    {
+        // Texts of people would count as the other language.
+        record::SweepRun run = sweep_example::run();
+        run.spec.note = QStringLiteral("-");
+        const QByteArray page = report::sweepHtml(run, exampleSeries(), false);
+        const QString english = read(page, QStringLiteral("zh")).text;
+        const QString body = english.mid(english.indexOf(QStringLiteral("Sweep test report"), 20));
+        QVERIFY(!hasChinese(QString(body).remove(QStringLiteral("中文"))));
+        const QString chinese = read(page, QStringLiteral("en")).text;
+        for (const char* fact : {"扫描测试报告", "✘ 不合格", "模拟", "编码器之后的齿轮间隙未测量",
+                                 "高于 8 步", "未测量", "过温、过载", "双向接近中点", "扭矩关闭"})
+            QVERIFY2(chinese.contains(QString::fromUtf8(fact)), fact);
+        // Every span of one language has its neighbour in the other.
+        static const QRegularExpression spans(
+            QStringLiteral("<(t?span) class=\"en\" lang=\"en\">([^<]*)</\\1>"
+                           "<\\1 class=\"zh\" lang=\"zh\">([^<]*)</\\1>"));
+        const QString markup = QString::fromUtf8(page);
+        int pairs = 0;
+        for (auto it = spans.globalMatch(markup); it.hasNext(); ++pairs) {
+            const auto match = it.next();
+            QVERIFY(!match.captured(2).isEmpty() && !match.captured(3).isEmpty());
+            QVERIFY2(hasChinese(match.captured(3)), qPrintable(match.captured(3)));
+        }
+        QVERIFY(pairs > 150);
+        QCOMPARE(markup.count(QStringLiteral("class=\"en\"")), pairs);
+        QCOMPARE(markup.count(QStringLiteral("class=\"zh\"")), pairs);
+    }
+
+    void whatPeopleTypedIsOnlyText()
+    {
+        record::SweepRun run = sweep_example::run();
+        const QString evil = QStringLiteral("<b onclick=\"x\">&'%1%2</b>");
+        run.spec.shape = record::SweepShape::Points;
+        run.spec.points = {{evil, {}}};
+        run.spec.speed = run.spec.acceleration = run.spec.time = evil;
+        run.spec.operatorName = evil + QChar(1) + QChar(0xd800) + QChar(0xffff);
+        run.port = run.program = evil;
+        run.servos[0].parameters.servo = {5, evil, evil, evil, evil, evil};
+        run.servos[0].parameters.registers[0].key = evil;
+        run.servos[0].parameters.registers[0].unit = evil;
+        run.servos[0].limits.name = evil;
+        run.servos[0].lines[0].limit.metric = run.servos[0].lines[0].limit.unit = evil;
+        run.servos[0].metrics[0].key = run.servos[0].metrics[0].unit = evil;
+        const QByteArray page = report::sweepHtml(run, exampleSeries(), false);
+        const Seen seen = read(page, QStringLiteral("zh"));
+        QVERIFY2(seen.error.isEmpty(), qPrintable(seen.error));
+        QVERIFY(!page.contains("<b ") && !page.contains("<script") && !page.contains("<img"));
+        QVERIFY(seen.text.count(evil) >= 16);
+        QVERIFY(seen.text.contains(sweep_example::hostileNote));
+        QVERIFY(seen.text.contains(sweep_example::hostileLabel));
+    }
+
+    void longRunsAreShortened()
+    {
+        record::SweepRun run = sweep_example::run(1000);
+        run.servos[0].legs[500].steadyError = -444.44; // leg 501
+        run.servos[0].legs[600].missed = true;
+        const QByteArray page = report::sweepHtml(run, exampleSeries(), false);
+        const QString text = read(page, QStringLiteral("zh")).text;
+        QVERIFY(text.contains(QStringLiteral("Of 1000 legs")));
+        QVERIFY(text.contains(QStringLiteral("-444.44")));
+        QVERIFY(page.size() < 400000);
+        const auto shown = report::legsToShow(run.servos[0].legs);
+        QCOMPARE(shown.size(), std::size_t(120));
+        const auto numbers = [&](std::size_t i) { return shown[i]->number; };
+        QCOMPARE(numbers(0), 1);
+        QCOMPARE(numbers(49), 50);
+        QCOMPARE(numbers(70), 951);
+        QCOMPARE(numbers(119), 1000);
+        int worst = 0;
+        for (std::size_t i = 50; i < 70; ++i)
+            worst += numbers(i) == 501 || numbers(i) == 601 ? 1 : 0;
+        QCOMPARE(worst, 2);
+        QVERIFY(std::is_sorted(shown.begin(), shown.end(),
+                               [](auto* a, auto* b) { return a->number < b->number; }));
+        QCOMPARE(report::legsToShow(sweep_example::run(200).servos[0].legs).size(),
+                 std::size_t(200));
+        QVERIFY(!report::sweepHtml(sweep_example::run(200), {}, false).contains("Of 200 legs"));
+    }
+
+    void thinnedLinesKeepTheirExtremes()
+    {
+        std::vector<ChartSample> samples;
+        for (int i = 0; i < 100000; ++i)
+            samples.push_back({i * 0.001, std::sin(i * 0.01), 0});
+        samples[77777].position = 40;
+        samples[33333].position = -30;
+        const auto kept = report::thinned(samples, 2000);
+        QVERIFY(kept.size() <= 2000);
+        const auto has = [&](double value) {
+            return std::any_of(kept.begin(), kept.end(),
+                               [&](const ChartSample& one) { return one.position == value; });
+        };
+        QVERIFY(has(40) && has(-30));
+        QVERIFY(
+            std::is_sorted(kept.begin(), kept.end(), [](auto& a, auto& b) { return a.t < b.t; }));
+        QCOMPARE(report::thinned(exampleSeries()[0].samples, 2000).size(), std::size_t(900));
+        const QString chart =
+            report::positionChart(report::Scribe(report::Tongue::English), samples);
+        QVERIFY(chart.size() < 100000);
+    }
+
+    void runsWithNextToNothing()
+    {
+        record::SweepRun run;
+        const Seen nobody = read(report::sweepHtml(run, {}, false), QStringLiteral("zh"));
+        QVERIFY2(nobody.error.isEmpty(), qPrintable(nobody.error));
+        QVERIFY(nobody.text.contains(QStringLiteral("– No verdict")));
+        run = sweep_example::run(1);
+        run.servos[0].legs[0].steadyError = 0;
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        for (const std::vector<ChartSample>& samples : {std::vector<ChartSample>{},
+                                                        {{0, 5, 5}},
+                                                        {{0, nan, nan}, {1, nan, nan}},
+                                                        {{0, 1e9, 1e9}, {0, 1e9, 1e9}}}) {
+            const QByteArray page = report::sweepHtml(run, {{5, samples}}, false);
+            QVERIFY(read(page).error.isEmpty());
+            QVERIFY(!page.contains("nan") && !page.contains("inf\""));
+        }
+        run.servos[0].legs[0].steadyError = 1e7; // far beyond any scale
+        QVERIFY(read(report::sweepHtml(run, {}, false)).error.isEmpty());
+    }
+
+    void savingSaysWhatIsWrong()
+    {
+        const QTemporaryDir dir;
+        const QString path = dir.filePath(QStringLiteral("report.html"));
+        const record::SweepRun run = sweep_example::run();
+        QVERIFY(report::saveSweepHtml(run, exampleSeries(), true, path));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), report::sweepHtml(run, exampleSeries(), true));
+        QCOMPARE(report::saveSweepHtml(run, {}, true, path + QStringLiteral("/x")).error().code,
+                 base::ErrorCode::FileUnwritable);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSweepHtml)
+#include "tst_sweep_html.moc"
