@@ -12,7 +12,9 @@ namespace {
 constexpr double noise = 2; ///< steps, either way, that no encoder is blamed for
 constexpr double stirs = 4; ///< more is motion: from one extreme of the noise to the other
 constexpr double noWay = 1; ///< a shorter way has no direction
-constexpr double mostSpread = 3;
+constexpr double mostSpread = 3.5;
+constexpr double spreads = 2;    ///< the last fifth has not seen the worst
+constexpr double enough = 10;    ///< readings that tell the noise
 constexpr double restShare = 64; ///< as in device/arrival.cpp
 constexpr Duration onTheWire = milliseconds(5);
 constexpr Duration flagPatience = milliseconds(500);
@@ -221,7 +223,10 @@ void LegMeter::finishOvershoot(record::SweepLeg& leg, const LegRest& rest) const
         return;
     const double level = rest.steady ? side(rest.place) : 0;
     const double beyond = *m_peak - level;
-    const double floor = rest.steady ? std::clamp(rest.spread, noise, mostSpread) : noise;
+    double floor = noise;
+    if (rest.steady)
+        floor = rest.readings < enough ? mostSpread
+                                       : std::clamp(spreads * rest.spread, noise, mostSpread);
     leg.overshootSteps = beyond > floor ? beyond : 0;
     if (way > 2 * m_axis.tolerance)
         leg.overshoot = *leg.overshootSteps / way * 100;

@@ -15,9 +15,9 @@
 //   steady error:   reached − target, at rest only
 //   overshoot:      how far beyond the place of rest it has been in the direction of the way, by
 //   the
-//                   mean of 10 ms; what is not more than the noise at rest (2 to 3 steps) is none.
-//                   If it did not come to rest, beyond the target. In % of the way: on ways of more
-//                   than twice the tolerance
+//                   mean of 10 ms; none if not more than twice the noise at rest (2 to 3.5 steps;
+//                   3.5 if fewer than ten readings tell it). If it did not come to rest, beyond the
+//                   target. In % of the way: on ways of more than twice the tolerance
 //   speeds:         SpeedMeter; moving flag: FlagMeter
 //   following error: how far behind the planned path, at most, by the mean of 10 ms. A reading is
 //                   held against the path as it was one reading earlier (at most 5 ms): so long

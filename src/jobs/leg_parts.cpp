@@ -15,12 +15,12 @@ constexpr Duration smoothing = milliseconds(10);
 constexpr double leastWay = 20;
 constexpr double middleFrom = 0.1;
 constexpr double middleTo = 0.9;
-constexpr int leastReadings = 3;
+constexpr std::size_t leastReadings = 3;
 constexpr Duration longestHole = milliseconds(250);
 constexpr Duration leastStretch = milliseconds(40);
-constexpr Duration longStretch = std::chrono::seconds(1);
-constexpr double stretchSteps = 100;
-constexpr double stretchShare = 0.1;
+constexpr Duration longStretch = std::chrono::seconds(2);
+constexpr double stretchSteps = 60;
+constexpr double stretchShare = 1.0 / 6;
 constexpr double mostNoise = 8; ///< steps; that a fitted line may be steeper than its ends
 constexpr Duration flagRises = milliseconds(100);
 
@@ -114,10 +114,10 @@ bool SpeedMeter::stretches(const Point& from, const Point& to) const
 void SpeedMeter::measureTop(const Point& point)
 {
     m_stretch.push_back(point);
-    while (m_stretch.size() > 2 && stretches(m_stretch[1], point))
+    while (m_stretch.size() > leastReadings && stretches(m_stretch[1], point))
         m_stretch.pop_front();
     const Point& from = m_stretch.front();
-    if (!stretches(from, point))
+    if (m_stretch.size() < leastReadings || !stretches(from, point))
         return;
     // Hours of rest are not fitted.
     const double span = seconds(point.at - from.at);

@@ -52,10 +52,10 @@ private:
 };
 
 /// Mean speed: over the middle 80 % of the way. Top speed: the steepest stretch that is at least
-/// 40 ms long and at least 100 steps or a tenth of the way (or a second, where less is gone in it),
-/// by the straight line that fits its readings best. Not measured: on ways under 20 steps, with
-/// fewer than three readings in the middle 80 %, or with a hole of more than 250 ms in it; the
-/// mean also when the end of it was not reached.
+/// 40 ms and three readings long and at least 60 steps or a sixth of the way (or two seconds, where
+/// less is gone in them), by the straight line that fits its readings best. Not measured: on ways
+/// under 20 steps, with fewer than three readings in the middle 80 %, or with a hole of more than
+/// 250 ms in it; the mean also when the end of it was not reached.
 class SpeedMeter {
 public:
     SpeedMeter(base::Duration at, double start, double target);
@@ -80,7 +80,7 @@ private:
     Point m_last;
     std::optional<base::Duration> m_begun{}; ///< 10 % of the way were gone
     std::optional<base::Duration> m_done{};  ///< 90 %
-    int m_readings = 0;                      ///< between them
+    std::size_t m_readings = 0;              ///< between them
     bool m_hole = false;
     std::deque<Point> m_stretch;
     std::optional<double> m_top{};

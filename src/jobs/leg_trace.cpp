@@ -10,16 +10,39 @@ using base::Duration;
 
 namespace {
 constexpr std::size_t untouched = LegTrace::room / 2;
-constexpr std::size_t blockSize = 4;
-constexpr int tailShare = 5; ///< the last fifth tells where it rests
+constexpr std::size_t newest = 4; ///< readings that no block takes yet
+constexpr int tailShare = 5;      ///< the last fifth tells where it rests
 constexpr std::size_t leastTail = 3;
 constexpr double mostNoise = 2;
 constexpr double leastBand = 3; ///< a servo that stays within it stands still
 constexpr Duration leastRest = std::chrono::milliseconds(100);
 
+using Points = std::vector<LegPoint>::const_iterator;
+
+/// Lowest and highest in order of time; each stands for one half of them.
+std::pair<LegPoint, LegPoint> extremes(Points begin, Points end)
+{
+    const auto [low, high] =
+        std::minmax_element(begin, end, [](const LegPoint& one, const LegPoint& other) {
+            return one.position < other.position;
+        });
+    LegPoint first = *std::min(low, high);
+    LegPoint second = *std::max(low, high);
+    first.sum = second.sum = 0;
+    first.count = second.count = 0;
+    const Points middle = begin + (end - begin) / 2;
+    for (Points point = begin; point != end; ++point) {
+        LegPoint& half = point < middle ? first : second;
+        half.sum += point->sum;
+        half.count += point->count;
+    }
+    return {first, second};
+}
+
 struct Tail {
     double mean = 0;
     double spread = 0;
+    double readings = 0;
 };
 
 /// Of the points from `first` on: the last fifth of their time, at least three of them.
@@ -36,7 +59,7 @@ Tail tailOf(const std::vector<LegPoint>& points, std::size_t first)
         sum += points[i].sum;
         count += points[i].count;
     }
-    Tail tail{sum / count, 0};
+    Tail tail{sum / count, 0, count};
     for (std::size_t i = begin; i < points.size(); ++i)
         tail.spread = std::max(tail.spread, std::abs(points[i].position - tail.mean));
     return tail;
@@ -64,6 +87,7 @@ void standAt(LegRest& rest, const std::vector<LegPoint>& points, std::size_t sin
     rest.steady = true;
     rest.place = tail.mean;
     rest.spread = tail.spread;
+    rest.readings = tail.readings;
 }
 
 /// When the stay within tolerance began that lasts till the end. `since`: the first point of it
@@ -102,35 +126,35 @@ void restElsewhere(LegRest& rest, const std::vector<LegPoint>& points, const Res
 
 void LegTrace::add(Duration at, double position)
 {
+    m_points.push_back({at, position, position, 1});
+    if (m_block > 0 && m_points.size() - m_fresh >= m_block + newest) {
+        const auto begin = m_points.begin() + std::ptrdiff_t(m_fresh);
+        const auto end = begin + std::ptrdiff_t(m_block);
+        const auto [first, second] = extremes(begin, end);
+        begin[0] = first;
+        begin[1] = second;
+        m_points.erase(begin + 2, end);
+        m_fresh += 2;
+    }
     if (m_points.size() >= room)
         thin();
-    m_points.push_back({at, position, position, 1});
 }
 
-/// The last reading stays as it is, the odd ones before it too.
 void LegTrace::thin()
 {
+    const std::size_t end = m_block == 0 ? m_points.size() - newest : m_fresh;
     std::size_t kept = untouched;
     std::size_t next = untouched;
-    for (; next + blockSize < m_points.size(); next += blockSize) {
+    for (; next + 4 <= end; next += 4) {
         const auto begin = m_points.begin() + std::ptrdiff_t(next);
-        const auto [low, high] =
-            std::minmax_element(begin, begin + std::ptrdiff_t(blockSize),
-                                [](const LegPoint& one, const LegPoint& other) {
-                                    return one.position < other.position;
-                                });
-        LegPoint first = low < high ? *low : *high;
-        LegPoint second = low < high ? *high : *low;
-        first.sum = begin[0].sum + begin[1].sum;
-        first.count = begin[0].count + begin[1].count;
-        second.sum = begin[2].sum + begin[3].sum;
-        second.count = begin[2].count + begin[3].count;
+        const auto [first, second] = extremes(begin, begin + 4);
         m_points[kept++] = first;
         m_points[kept++] = second;
     }
-    while (next < m_points.size())
-        m_points[kept++] = m_points[next++];
-    m_points.resize(kept);
+    m_fresh = kept + (end - next);
+    m_block = m_block == 0 ? 4 : 2 * m_block;
+    m_points.erase(m_points.begin() + std::ptrdiff_t(kept),
+                   m_points.begin() + std::ptrdiff_t(next));
 }
 
 Duration crossing(Duration before, double from, Duration after, double to, double level)
