@@ -3,7 +3,6 @@
 
 namespace sim {
 namespace {
-constexpr double rateShare = 0.25; ///< smoothing of the error's rate: time constant of 4 ticks
 constexpr double fullDuty = 1000.0;
 } // namespace
 
@@ -24,13 +23,6 @@ double Controller::proportional(const Settings& s, double error) const
 {
     const double duty = s.positionP * error;
     return std::abs(duty) < s.startupForce ? std::copysign(s.startupForce, error) : duty;
-}
-
-double Controller::rateOf(double error)
-{
-    m_errorRate += ((error - m_lastError) / tick - m_errorRate) * rateShare;
-    m_lastError = error;
-    return m_errorRate;
 }
 
 double Controller::holdPosition(const Settings& s, double goal, double topSpeed, double position,

@@ -36,7 +36,13 @@ public:
 private:
     double proportional(const Settings& s, double error) const;
 
-    double rateOf(double error);
+    double rateOf(double error)
+    {
+        constexpr double share = 0.25; // smoothing: a time constant of 4 ticks
+        m_errorRate += ((error - m_lastError) / tick - m_errorRate) * share;
+        m_lastError = error;
+        return m_errorRate;
+    }
 
     Trajectory m_path;
     BentGoal m_bent;
