@@ -17,6 +17,7 @@ constexpr double spreads = 2;    ///< the last fifth has not seen the worst
 constexpr double enough = 10;    ///< readings that tell the noise
 constexpr double restShare = 64; ///< as in device/arrival.cpp
 constexpr Duration onTheWire = milliseconds(5);
+constexpr Duration shortLoss = milliseconds(50);
 constexpr Duration flagPatience = milliseconds(500);
 constexpr Duration shortestRest = milliseconds(100);
 
@@ -136,8 +137,9 @@ void LegMeter::lookForArrival(Duration at, double position)
     const bool through = !within && std::signbit(before) != std::signbit(now);
     if (!m_leg.timeToTarget && (within || through)) {
         const double edge = m_leg.target + std::copysign(m_axis.tolerance, before);
+        const bool unseen = m_lostSince && at - m_last.at > shortLoss;
         const Duration moment =
-            m_lostSince ? at : crossing(m_last.at, m_last.position, at, position, edge);
+            unseen ? at : crossing(m_last.at, m_last.position, at, position, edge);
         m_leg.timeToTarget = moment - m_at;
     }
     if (within && !m_inside)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures one leg of a sweep test from the readings that came during it. Pure; the job's thread.
-// Times are bus time; between two readings the moment of crossing is interpolated, unless readings
-// between them were lost: then it is the later one's.
+// Times are bus time; between two readings the moment of crossing is interpolated, but not across
+// lost ones of more than 50 ms together: then it is the later reading's.
 //   time to target: from the goal to the first moment within tolerance; 0 if it stood there
 //   settling:       from then to the moment after which it never left tolerance again, but for the
 //                   noise it shows at rest (at most 2 steps). If it was still outside at the end,
