@@ -8,16 +8,15 @@
 //                   until the end, which is the least it can be. Not measured where it was never
 //                   seen to leave, but not long enough either to say that it stays
 //   at rest:        three readings within tolerance (or, away from its target, within tolerance and
-//                   3 steps of one place), for 100 ms and the time its speed needs for as much way
-//   reached:        at rest, the mean of the readings in the last fifth of the time it was, at
-//   least
-//                   three of them; else the last reading
+//                   at least 3 steps of one place), for 100 ms and the time its speed needs for as
+//                   much way (away from its target: twice as much)
+//   reached:        at rest, the mean of the readings in the last fifth of the time it was so, at
+//                   least three of them; else the last reading
 //   steady error:   reached − target, at rest only
 //   overshoot:      how far beyond the place of rest it has been in the direction of the way, by
-//   the
-//                   mean of 10 ms; none if not more than twice the noise at rest (2 to 3.5 steps;
-//                   3.5 if fewer than ten readings tell it). If it did not come to rest, beyond the
-//                   target. In % of the way: on ways of more than twice the tolerance
+//                   the mean of 10 ms; none if not more than twice the noise at rest (2 to 3.5
+//                   steps; 3.5 if fewer than ten readings tell it). If it did not come to rest,
+//                   beyond the target. In % of the way: on ways over twice the tolerance
 //   speeds:         SpeedMeter; moving flag: FlagMeter
 //   following error: how far behind the planned path, at most, by the mean of 10 ms. A reading is
 //                   held against the path as it was one reading earlier (at most 5 ms): so long
