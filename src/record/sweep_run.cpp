@@ -24,7 +24,7 @@ constexpr Names<Grade, 4> grades{{
     {Grade::Fail, "fail"},
     {Grade::NotMeasured, "not-measured"},
 }};
-constexpr Names<SweepEnd, 7> ends{{
+constexpr Names<SweepEnd, 8> ends{{
     {SweepEnd::Finished, "finished"},
     {SweepEnd::Stopped, "stopped"},
     {SweepEnd::Emergency, "emergency"},
@@ -32,6 +32,7 @@ constexpr Names<SweepEnd, 7> ends{{
     {SweepEnd::Stall, "stall"},
     {SweepEnd::Failure, "failure"},
     {SweepEnd::LinkLost, "link-lost"},
+    {SweepEnd::Refused, "refused"},
 }};
 
 template <typename Word, std::size_t Count>
@@ -67,6 +68,7 @@ Grade gradeOf(SweepEnd end)
     case SweepEnd::Stopped:
     case SweepEnd::Emergency:
     case SweepEnd::LinkLost:
+    case SweepEnd::Refused:
         break;
     }
     return Grade::NotMeasured;

@@ -72,6 +72,7 @@ enum class SweepEnd : std::uint8_t {
     Stall,
     Failure, ///< the first failed line, when asked to stop there
     LinkLost,
+    Refused, ///< a servo no longer took a goal: its limits or its mode have changed
 };
 QString sweepEndName(SweepEnd end);
 std::optional<SweepEnd> sweepEndFromName(const QString& name);

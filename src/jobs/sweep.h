@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sweep test: drives one servo or several together through a path again and again, measures
+// every leg, judges the run. Writes goals, speed, acceleration and torque, never EPROM. However it
+// ends, the servos are left safe: the one at fault without torque, the others as the order says,
+// and after an emergency stop as that left them. A silence of up to 5 s is waited out and noted as
+// a gap. The job's thread; times are the bus clock's.
+// Errors, all before anything has moved: those of sweep_axis.h and of reading; Refused no-start
+// (the first place was not reached). Whatever happens later is SweepRun::end.
+#pragma once
+
+#include "device/servo.h"
+#include "jobs/job.h"
+#include "jobs/leg_meter.h"
+
+namespace jobs {
+struct SweepOrder {
+    record::SweepSpec spec{};
+    std::vector<record::SweepLimits> limits{}; ///< one a servo
+    QString program{};                         ///< name and version, for the report
+    bool simulated = false;
+};
+
+struct SweepProgress {
+    double fraction = 0; ///< 0…1
+    base::Duration elapsed{};
+    base::Duration remaining{}; ///< estimate
+    int leg = 0;                ///< 0: on the way to the start, or warming up
+    int cycle = 0;
+    bool warmingUp = false;
+};
+
+/// Called on the job's thread while it runs; each may be empty.
+struct SweepWatch {
+    /// In time order for each servo; `goal` in steps, `leg` 0 outside of the measured part.
+    std::function<void(std::size_t servo, const SweepSample&, double goal, int leg)> onSample{};
+    std::function<void(std::size_t servo, const record::SweepLeg&)> onLeg{};
+    std::function<void(const SweepProgress&)> onProgress{};
+    /// The run with all but its legs and figures, once everything has been found possible.
+    std::function<void(const record::SweepRun&)> onBegin{};
+};
+
+/// All servos on one bus; their settings are read. What is in `servos` afterwards is what the job
+/// knows of them.
+base::Result<record::SweepRun> sweep(const device::Context& context,
+                                     std::vector<device::Servo>& servos, const SweepOrder& order,
+                                     const SweepWatch& watch);
+} // namespace jobs

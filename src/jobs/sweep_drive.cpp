@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/sweep_drive.h"
+
+#include "device/move_limits.h"
+#include "jobs/sweep_axis.h"
+
+#include <algorithm>
+
+namespace jobs {
+using record::SweepEnd;
+
+namespace {
+/// One packet where all of them can share it, else one by one.
+device::MoveHow howFor(const std::vector<device::Servo>& servos)
+{
+    const bool together =
+        servos.size() > 1 && std::all_of(servos.begin(), servos.end(), [](const auto& servo) {
+            return device::offers(servo, device::MoveHow::Sync);
+        });
+    return together ? device::MoveHow::Sync : device::MoveHow::Write;
+}
+} // namespace
+
+base::Result<void> sendSweepGoals(const device::Context& context,
+                                  std::vector<device::Servo>& servos, const record::SweepSpec& spec,
+                                  std::vector<double>& targets)
+{
+    std::vector<device::MovePlan> plans;
+    for (std::size_t i = 0; i < servos.size(); ++i) {
+        auto plan = device::planMove(context, sweepMove(servos[i], spec, targets[i]));
+        if (!plan)
+            return tl::unexpected(plan.error());
+        plans.push_back(std::move(*plan));
+    }
+    return device::sendMoves(context, plans, howFor(servos));
+}
+
+void leaveSafe(const device::Context& context, std::vector<device::Servo>& servos,
+               const record::SweepRun& run, int atFault)
+{
+    if (run.end == SweepEnd::Emergency || context.bus.lost())
+        return;
+    // The user's stop has ended the test, not what makes its end safe.
+    const base::Stop unstopped;
+    const device::Context last{context.bus,     context.catalog,  context.journal, unstopped,
+                               context.notices, context.priority, context.hold,    context.epoch};
+    for (std::size_t i = 0; i < servos.size(); ++i) {
+        const bool fault = int(i) == atFault;
+        if (run.end != SweepEnd::Finished && !fault)
+            (void)device::halt(last, servos[i]);
+        // Neither heat nor a jammed lever gets better by pushing on.
+        if (fault || run.spec.releaseAtEnd)
+            (void)device::setTorque(last, servos[i], device::Torque::Off);
+    }
+}
+} // namespace jobs

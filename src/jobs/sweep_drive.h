@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sweep's hands: goals for all servos at once, and how they are left. Internal to the sweep
+// job; its thread.
+#pragma once
+
+#include "jobs/sweep.h"
+
+namespace jobs {
+/// Every servo its goal, together where the family can. `targets` become what was really said.
+base::Result<void> sendSweepGoals(const device::Context& context,
+                                  std::vector<device::Servo>& servos, const record::SweepSpec& spec,
+                                  std::vector<double>& targets);
+
+/// After the last leg or an early end; `atFault`: place of the servo that ended it, -1: none. Does
+/// what it can when servos do not answer.
+void leaveSafe(const device::Context& context, std::vector<device::Servo>& servos,
+               const record::SweepRun& run, int atFault);
+} // namespace jobs

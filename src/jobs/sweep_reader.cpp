@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/sweep_reader.h"
+
+#include "device/alarms.h"
+#include "device/turn_count.h"
+#include "jobs/sweep_axis.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace jobs {
+using catalog::Role;
+
+namespace {
+constexpr std::array measured{Role::PresentPosition, Role::PresentSpeed,   Role::PresentLoad,
+                              Role::PresentCurrent,  Role::PresentVoltage, Role::PresentTemperature,
+                              Role::Moving,          Role::Status};
+} // namespace
+
+SweepReader::SweepReader(const std::vector<device::Servo>& servos)
+{
+    PollFamilies families;
+    for (const device::Servo& servo : servos) {
+        Source source;
+        source.servo = servo;
+        source.stepsPerTurn = stepsPerTurn(servo);
+        source.group = families.of(*servo.profile);
+        const device::TurnBasis basis = device::turnBasis(servo);
+        const catalog::Mode* mode = servo.mode();
+        source.wraps =
+            basis.steps > 0 && !basis.countsItself && mode != nullptr && mode->limitsZero;
+        for (const Role role : measured) {
+            const catalog::Register* reg = servo.profile->byRole(role);
+            const bool inReply = role == Role::Status && servo.repliesCarryStatus();
+            if (reg != nullptr && servo.measures(*reg) && !inReply)
+                source.registers.push_back(reg);
+        }
+        source.spans = pollSpans(*servo.profile, source.registers, {});
+        m_sources.push_back(std::move(source));
+    }
+}
+
+bus::PollPlan SweepReader::plan() const
+{
+    bus::PollPlan plan;
+    for (const Source& source : m_sources) {
+        const catalog::Profile& profile = *source.servo.profile;
+        plan.servos.push_back({source.servo.id, source.spans, profile.syncRead, source.group,
+                               source.servo.protocol, profile.readGap, profile.maxRead});
+    }
+    return plan;
+}
+
+std::optional<SweepReader::Reading> SweepReader::add(const bus::Sample& sample)
+{
+    const auto found = std::find_if(m_sources.begin(), m_sources.end(), [&](const Source& source) {
+        return source.servo.id == sample.id && source.servo.protocol == sample.protocol;
+    });
+    if (found == m_sources.end())
+        return std::nullopt;
+    Source& source = *found;
+    const std::size_t block = blockOf(sample, source.spans);
+    if (source.cut.startsAnew(block)) {
+        source.cut.close();
+        source.pending = {};
+    }
+    source.pending.at = sample.at;
+    if (sample.answered)
+        take(source, sample);
+    if (!source.cut.take(block, sample))
+        return std::nullopt;
+    source.cut.close();
+    return Reading{std::size_t(found - m_sources.begin()), std::exchange(source.pending, {})};
+}
+
+void SweepReader::take(Source& source, const bus::Sample& sample)
+{
+    source.pending.answered = true;
+    device::Servo& servo = source.servo;
+    if (servo.repliesCarryStatus()) {
+        source.pending.status = sample.status;
+    } else {
+        servo.image.store(sample.address, sample.data, sample.at);
+        device::takeStatus(servo, sample.address, int(sample.data.size()));
+        source.pending.status = servo.status;
+    }
+    for (const catalog::Register* reg : source.registers) {
+        const int offset = reg->offset - sample.address;
+        if (offset < 0 || offset + reg->size > int(sample.data.size()))
+            continue;
+        const auto wire =
+            base::ByteView(sample.data).subspan(std::size_t(offset), std::size_t(reg->size));
+        put(source.pending, source, *reg,
+            catalog::decodeRaw(wire, *reg, servo.meaning(*reg), servo.profile->byteOrder));
+    }
+}
+
+/// A reading is never half a turn away from the one before.
+double SweepReader::unwrapped(Source& source, double position)
+{
+    if (!source.wraps)
+        return position;
+    if (source.last)
+        source.turns += std::round((*source.last - position - source.turns) / source.stepsPerTurn) *
+                        source.stepsPerTurn;
+    source.last = position + source.turns;
+    return *source.last;
+}
+
+void SweepReader::anchor(std::size_t servo, double position)
+{
+    Source& source = m_sources.at(servo);
+    if (!source.wraps || !source.last)
+        return;
+    const double turns =
+        std::round((position - *source.last) / source.stepsPerTurn) * source.stepsPerTurn;
+    source.turns += turns;
+    *source.last += turns;
+}
+
+void SweepReader::put(SweepSample& into, Source& source, const catalog::Register& reg,
+                      std::int64_t raw)
+{
+    const catalog::Meaning meaning = source.servo.meaning(reg);
+    const double physical = catalog::toPhysical(raw, meaning);
+    switch (reg.role) {
+    case Role::PresentPosition: // in steps, whatever unit is shown
+        into.position = unwrapped(source, double(raw));
+        break;
+    case Role::PresentSpeed:
+        into.speed = stepsOf(physical, meaning.unit, source.stepsPerTurn);
+        break;
+    case Role::PresentLoad:
+        into.load = physical;
+        break;
+    case Role::PresentCurrent:
+        into.current = physical;
+        break;
+    case Role::PresentVoltage:
+        into.voltage = physical;
+        break;
+    case Role::PresentTemperature:
+        into.temperature = physical;
+        break;
+    case Role::Moving:
+        into.moving = raw != 0;
+        break;
+    default:
+        break;
+    }
+}
+} // namespace jobs

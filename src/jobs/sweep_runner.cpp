@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/sweep_runner.h"
+
+#include "jobs/sweep_axis.h"
+#include "jobs/sweep_meter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jobs {
+using base::Duration;
+using base::ErrorCode;
+using record::SweepEnd;
+using record::SweepShape;
+using namespace std::chrono_literals;
+
+namespace {
+constexpr Duration readEvery = 20ms;
+constexpr Duration reportEvery = 100ms;
+
+/// A line that says nothing for so long is a gap; for longer, it is the end.
+constexpr Duration gapFrom = 300ms;
+constexpr Duration mostSilence = 5s;
+
+/// At rest within tolerance for so long it has arrived at the start.
+constexpr Duration approachRest = 200ms;
+/// Without motion for so long away from its target it is jammed.
+constexpr Duration stallTime = 1s;
+
+/// Goals of a sine follow each other so fast that the servo's own ramp does not show.
+constexpr Duration waveStep = 20ms;
+
+/// A leg that is not over after thrice its time has missed its target.
+constexpr Duration slowestStart = 2s;
+constexpr Duration unknownTravel = 20s;
+} // namespace
+
+SweepRunner::SweepRunner(const device::Context& context, std::vector<device::Servo>& servos,
+                         record::SweepRun run, const SweepWatch& watch)
+    : m_context(context)
+    , m_servos(servos)
+    , m_run(std::move(run))
+    , m_watch(watch)
+    , m_reader(servos)
+    , m_emergencies(context.bus.emergencies())
+{
+    for (const record::SweepServo& servo : m_run.servos)
+        m_tracks.push_back({SweepPath(m_run.spec, servo.axis)});
+}
+
+base::Result<record::SweepRun> SweepRunner::run()
+{
+    m_poll = m_context.bus.startPoll(m_reader.plan());
+    for (Track& track : m_tracks)
+        track.heardAt = now();
+    const auto moved = goThrough();
+    m_context.bus.stopPoll(m_poll);
+    leaveSafe(m_context, m_servos, m_run, m_fault);
+    if (!moved)
+        return tl::unexpected(moved.error());
+    return std::move(m_run);
+}
+
+base::Result<void> SweepRunner::goThrough()
+{
+    if (const auto there = approach(); !there)
+        return there;
+    if (m_run.spec.warmUp > Duration::zero() && !ended()) {
+        warmUp();
+        if (const auto back = ended() ? base::Result<void>{} : approach(); !back)
+            return back;
+    }
+    if (!ended()) {
+        measure();
+        finish();
+    }
+    return {};
+}
+
+/// To the first place of the path, which is no leg.
+base::Result<void> SweepRunner::approach()
+{
+    std::vector<double> targets;
+    for (const Track& track : m_tracks)
+        targets.push_back(track.path.first());
+    if (const auto sent = send(targets); !sent || ended())
+        return sent;
+    const Duration at = now();
+    for (std::size_t i = 0; i < m_tracks.size(); ++i) {
+        Track& track = m_tracks[i];
+        track.meter.emplace(m_run.servos[i].axis, 0, 0, at, track.position.value_or(track.goal),
+                            track.goal);
+    }
+    read(at + patience(), [this] { return arrived(approachRest); });
+    for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
+        if (!m_tracks[i].meter->arrived(Duration::zero()))
+            return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("sweep"),
+                                              QStringLiteral("no-start"), m_servos[i].id});
+        m_reader.anchor(i, m_tracks[i].goal);
+    }
+    for (Track& track : m_tracks)
+        track.meter.reset();
+    return {};
+}
+
+/// The same legs, not measured.
+void SweepRunner::warmUp()
+{
+    const Duration end = now() + m_run.spec.warmUp;
+    for (int number = 1; !ended() && now() < end; ++number)
+        step(number);
+    for (Track& track : m_tracks)
+        track.meter.reset();
+}
+
+void SweepRunner::measure()
+{
+    m_measuring = true;
+    m_start = now();
+    m_nextAt = {};
+    m_before = m_context.bus.statistics();
+    for (Track& track : m_tracks)
+        track.answered = 0;
+    for (int number = 1; !ended() && !over(number); ++number)
+        step(number);
+}
+
+bool SweepRunner::over(int number) const
+{
+    const int planned = legCount();
+    const Duration length = m_run.spec.length;
+    return (planned > 0 && number > planned) ||
+           (length > Duration::zero() && now() - m_start >= length);
+}
+
+int SweepRunner::legCount() const
+{
+    return m_run.spec.cycles * m_tracks.front().path.legsPerCycle();
+}
+
+/// One leg of all servos: goals, and reading until it is over.
+void SweepRunner::step(int number)
+{
+    if (m_run.spec.shape == SweepShape::Sine) {
+        wave(number);
+        return;
+    }
+    std::vector<double> targets;
+    Duration pause = m_run.spec.pause;
+    for (const Track& track : m_tracks) {
+        const SweepStop stop = track.path.leg(number);
+        targets.push_back(stop.target);
+        pause = stop.pause.value_or(pause);
+    }
+    if (!sendOrEnd(targets))
+        return;
+    const Duration at = now();
+    begin(number, at);
+    if (m_run.spec.pace == record::SweepPace::Delay) {
+        // From instant to instant, so that delays do not add up with what sending takes.
+        const bool onTime = m_nextAt > Duration::zero() && at - m_nextAt < pause;
+        m_nextAt = (onTime ? m_nextAt : at) + pause;
+        read(m_nextAt, [] { return false; });
+    } else {
+        read(at + patience() + pause, [&] { return arrived(pause); });
+    }
+    close();
+    judgeCycle(number);
+}
+
+/// Goals along half a period.
+void SweepRunner::wave(int number)
+{
+    const Duration half = m_run.spec.period / 2;
+    if (number == 1)
+        m_waveStart = now();
+    const Duration end = m_waveStart + number * half;
+    begin(number, now());
+    for (Track& track : m_tracks) {
+        const Duration before = now() - m_waveStart;
+        track.meter->follow(
+            [&track, before](Duration since) { return track.path.wave(before + since); });
+    }
+    while (!ended() && now() < end) {
+        std::vector<double> targets;
+        for (const Track& track : m_tracks)
+            targets.push_back(track.path.wave(now() - m_waveStart));
+        if (!sendOrEnd(targets))
+            break;
+        read(std::min(end, now() + waveStep), [] { return false; });
+    }
+    close();
+    judgeCycle(number);
+}
+
+void SweepRunner::begin(int number, Duration at)
+{
+    m_leg = m_measuring ? number : 0;
+    for (std::size_t i = 0; i < m_tracks.size(); ++i) {
+        Track& track = m_tracks[i];
+        const SweepStop stop = track.path.leg(number);
+        double target = stop.target;
+        (void)sweepMove(m_servos[i], m_run.spec, target);
+        track.meter.emplace(m_run.servos[i].axis, number, stop.cycle, at,
+                            track.position.value_or(track.goal), target);
+    }
+}
+
+/// The leg is over: its figures are worked out and kept.
+void SweepRunner::close()
+{
+    drain();
+    for (std::size_t i = 0; i < m_tracks.size(); ++i) {
+        Track& track = m_tracks[i];
+        if (!track.meter || !m_measuring)
+            continue;
+        record::SweepLeg leg = track.meter->finish(now(), m_start);
+        // A target that there was no time for is not missed.
+        leg.missed = leg.missed && !ended();
+        m_run.servos[i].legs.push_back(leg);
+        if (m_watch.onLeg)
+            m_watch.onLeg(i, leg);
+    }
+    for (Track& track : m_tracks)
+        track.meter.reset();
+}
+
+/// Tries again while the line is silent; what else goes wrong is said to the caller.
+base::Result<void> SweepRunner::send(std::vector<double> targets)
+{
+    for (;;) {
+        const auto sent = sendSweepGoals(m_context, m_servos, m_run.spec, targets);
+        if (sent) {
+            for (std::size_t i = 0; i < m_tracks.size(); ++i)
+                m_tracks[i].goal = targets[i];
+            return {};
+        }
+        switch (sent.error().code) {
+        case ErrorCode::NoAnswer:
+        case ErrorCode::Garbled:
+        case ErrorCode::WrongAnswer:
+            break;
+        case ErrorCode::Stopped:
+            endRun(SweepEnd::Stopped);
+            return {};
+        case ErrorCode::Preempted:
+            endRun(SweepEnd::Emergency);
+            return {};
+        case ErrorCode::LinkLost:
+            endRun(SweepEnd::LinkLost);
+            return {};
+        default:
+            return sent;
+        }
+        read(now() + gapFrom, [] { return false; });
+        if (ended())
+            return {};
+    }
+}
+
+bool SweepRunner::sendOrEnd(const std::vector<double>& targets)
+{
+    const auto sent = send(targets);
+    if (!sent) {
+        // The servo does not take a goal it took before: its limits or mode have changed.
+        endRun(SweepEnd::Refused, placeOf(sent.error().id));
+    }
+    return !ended();
+}
+
+int SweepRunner::placeOf(int id) const
+{
+    for (std::size_t i = 0; i < m_servos.size(); ++i) {
+        if (m_servos[i].id == id)
+            return int(i);
+    }
+    return -1;
+}
+
+template <typename Done>
+void SweepRunner::read(Duration until, const Done& done)
+{
+    while (!ended()) {
+        drain();
+        if (ended() || done() || now() >= until)
+            return;
+        if (!m_context.bus.pauseUntil(std::min(until, now() + readEvery), &m_context.stop))
+            endRun(m_context.bus.emergencies() != m_emergencies ? SweepEnd::Emergency
+                                                                : SweepEnd::Stopped);
+        tellProgress();
+    }
+}
+
+void SweepRunner::drain()
+{
+    for (const bus::Sample& sample : m_context.bus.takeSamples(m_poll)) {
+        if (const auto reading = m_reader.add(sample))
+            take(reading->servo, reading->sample);
+    }
+    watchLine();
+}
+
+void SweepRunner::take(std::size_t i, const SweepSample& sample)
+{
+    Track& track = m_tracks[i];
+    if (sample.answered) {
+        const Duration silence = sample.at - track.heardAt;
+        if (m_measuring && silence >= gapFrom)
+            noteGap(track.heardAt - m_start, silence);
+        track.heardAt = sample.at;
+        ++track.answered;
+        if (sample.position)
+            track.position = sample.position;
+        if (!track.startCelsius || !m_measuring)
+            track.startCelsius = sample.temperature ? sample.temperature : track.startCelsius;
+    }
+    if (track.meter)
+        track.meter->add(sample);
+    if (m_watch.onSample)
+        m_watch.onSample(i, sample, track.goal, m_leg);
+    if (m_run.spec.stopOnAlarm && sample.answered && sample.status != 0)
+        endRun(SweepEnd::Alarm, int(i));
+    if (m_run.spec.stopOnStall && track.meter && track.meter->stalled(stallTime))
+        endRun(SweepEnd::Stall, int(i));
+}
+
+/// A silence of the line is heard of by every servo.
+void SweepRunner::noteGap(Duration from, Duration span)
+{
+    if (!m_run.gaps.empty() && from < m_run.gaps.back().at + m_run.gaps.back().span) {
+        record::SweepGap& last = m_run.gaps.back();
+        last.span = std::max(last.at + last.span, from + span) - last.at;
+    } else {
+        m_run.gaps.push_back({from, span});
+    }
+}
+
+void SweepRunner::watchLine()
+{
+    if (ended())
+        return;
+    if (m_context.bus.lost())
+        endRun(SweepEnd::LinkLost);
+    else if (m_context.bus.emergencies() != m_emergencies)
+        endRun(SweepEnd::Emergency);
+    for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
+        if (now() - m_tracks[i].heardAt > mostSilence)
+            endRun(SweepEnd::LinkLost, int(i));
+    }
+}
+
+void SweepRunner::endRun(SweepEnd end, int servo)
+{
+    if (m_ended)
+        return;
+    m_ended = true;
+    m_fault = servo;
+    m_run.end = end;
+    m_run.endedBy = servo < 0 ? -1 : m_servos[std::size_t(servo)].id;
+}
+
+bool SweepRunner::arrived(Duration rest) const
+{
+    return std::all_of(m_tracks.begin(), m_tracks.end(),
+                       [rest](const Track& track) { return track.meter->arrived(rest); });
+}
+
+/// So long a servo may take for what it has been told.
+Duration SweepRunner::patience() const
+{
+    Duration longest{};
+    for (std::size_t i = 0; i < m_tracks.size(); ++i) {
+        const Track& track = m_tracks[i];
+        const double way = track.goal - track.position.value_or(track.goal);
+        const auto travel = travelTime(std::abs(way), m_run.servos[i].axis);
+        longest = std::max(longest, travel ? 3 * *travel + slowestStart : unknownTravel);
+    }
+    return longest;
+}
+
+void SweepRunner::tellProgress()
+{
+    if (!m_watch.onProgress || (m_toldAt > Duration::zero() && now() - m_toldAt < reportEvery))
+        return;
+    m_toldAt = now();
+    SweepProgress progress;
+    progress.warmingUp = !m_measuring;
+    progress.leg = m_leg;
+    if (m_measuring) {
+        const int planned = legCount();
+        progress.elapsed = now() - m_start;
+        progress.cycle = m_tracks.front().path.leg(std::max(1, m_leg)).cycle;
+        double done = planned > 0 ? double(m_leg) / planned : 0;
+        if (m_run.spec.length > Duration::zero())
+            done = std::max(done,
+                            double(progress.elapsed.count()) / double(m_run.spec.length.count()));
+        progress.fraction = std::clamp(done, 0.0, 1.0);
+        if (progress.fraction > 0)
+            progress.remaining = Duration(
+                std::llround(double(progress.elapsed.count()) * (1 / progress.fraction - 1)));
+    }
+    m_watch.onProgress(progress);
+}
+
+/// After each cycle, when the first failure is to end the test.
+void SweepRunner::judgeCycle(int number)
+{
+    if (!m_run.spec.stopOnFailure || !m_measuring || ended() ||
+        number % m_tracks.front().path.legsPerCycle() != 0)
+        return;
+    const bus::Statistics statistics = m_context.bus.statistics();
+    for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
+        work(i, statistics);
+        if (m_run.servos[i].verdict == record::Grade::Fail)
+            endRun(SweepEnd::Failure, int(i));
+    }
+}
+
+/// Figures and grades of one servo from what there is so far.
+void SweepRunner::work(std::size_t i, const bus::Statistics& statistics)
+{
+    record::SweepServo& servo = m_run.servos[i];
+    const auto of = [id = m_servos[i].id](const bus::Statistics& all) {
+        const auto found = all.byId.find(id);
+        return found != all.byId.end() ? found->second : bus::Counters{};
+    };
+    const bus::Counters after = of(statistics);
+    const bus::Counters before = of(m_before);
+    servo.errors = {after.sent - before.sent, after.timeOuts - before.timeOuts,
+                    after.badChecks - before.badChecks, after.foreign - before.foreign,
+                    after.late - before.late};
+    servo.metrics = sweepMetrics(servo.legs, servo.errors, m_tracks[i].startCelsius);
+    servo.lines = judge(servo.metrics, servo.limits);
+    servo.verdict = worst(servo.lines);
+}
+
+void SweepRunner::finish()
+{
+    m_run.length = now() - m_start;
+    const bus::Statistics statistics = m_context.bus.statistics();
+    std::uint64_t answered = 0;
+    for (std::size_t i = 0; i < m_tracks.size(); ++i) {
+        work(i, statistics);
+        answered += m_tracks[i].answered;
+    }
+    const double seconds = std::chrono::duration<double>(m_run.length).count();
+    if (seconds > 0)
+        m_run.sampleRate = double(answered) / double(m_tracks.size()) / seconds;
+}
+} // namespace jobs

@@ -1,0 +1,478 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sweep test against simulated servos on a manual clock: what it drives, what it refuses, how
+// it ends, and that it never touches EPROM.
+#include "device/stop_frames.h"
+#include "jobs/sweep.h"
+#include "support/sim_bench.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include <cmath>
+
+using base::ErrorCode;
+using record::Grade;
+using record::SweepEnd;
+using record::SweepShape;
+using support::SimBench;
+using namespace std::chrono_literals;
+
+namespace {
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+record::SweepSpec sweepSpec(const char* from = "1000", const char* to = "3000")
+{
+    record::SweepSpec spec;
+    spec.range = {text(from), text(to)};
+    spec.pause = 2s;
+    spec.cycles = 3;
+    spec.speed = text("2000");
+    spec.acceleration = text("50");
+    return spec;
+}
+
+base::Result<record::SweepRun> run(SimBench& bench, std::vector<device::Servo>& servos,
+                                   const record::SweepSpec& spec,
+                                   const jobs::SweepWatch& watch = {})
+{
+    jobs::SweepOrder order;
+    order.spec = spec;
+    for (const device::Servo& servo : servos)
+        order.limits.push_back(
+            record::builtInSweepLimits(servo.profile->modelName, servo.profile->series));
+    return jobs::sweep(bench.context(), servos, order, watch);
+}
+
+std::optional<double> metric(const record::SweepServo& servo, const char* key)
+{
+    for (const record::SweepMetric& one : servo.metrics) {
+        if (one.key == text(key))
+            return one.value;
+    }
+    return std::nullopt;
+}
+
+/// Bytes of EPROM (below 40 on STS and SCS) written since the last forgetFrames().
+int epromWrites(SimBench& bench)
+{
+    int found = 0;
+    for (const base::Bytes& frame : bench.tap().written) {
+        const bool one =
+            frame.size() > 5 && (frame[4] == support::Write || frame[4] == support::RegWrite ||
+                                 frame[4] == support::SyncWrite);
+        found += one && frame[5] < 40 ? 1 : 0;
+    }
+    return found;
+}
+} // namespace
+
+class TestSweep : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void aGoodServoPasses_data();
+    void aGoodServoPasses();
+    void shapes_data();
+    void shapes();
+    void severalTogether();
+    void aDelayShorterThanTheMoveMissesTheTarget();
+    void whatForbidsATest_data();
+    void whatForbidsATest();
+    void otherModesAreRefused();
+    void aJammedServoEndsTheTestWithoutTorque();
+    void anAlarmEndsIt();
+    void aSilentSecondIsAGap();
+    void aLongSilenceEndsIt();
+    void theUserStops();
+    void theEmergencyStopEndsIt();
+    void anHourWritesNoEprom();
+    void warmUpIsNotMeasured();
+    void limitsMoveDuringTheRun();
+};
+
+void TestSweep::aGoodServoPasses_data()
+{
+    QTest::addColumn<QString>("servo");
+    QTest::addColumn<QString>("from");
+    QTest::addColumn<QString>("to");
+    QTest::addColumn<QString>("speed");
+    QTest::addColumn<QString>("acceleration");
+    QTest::addColumn<QString>("time");
+    QTest::newRow("STS") << text("sts3215@1") << text("1000") << text("3000") << text("2000")
+                         << text("50") << QString();
+    QTest::newRow("STS by degrees") << text("sts3215@1") << text("90deg") << text("180deg")
+                                    << text("20rpm") << text("50") << QString();
+    QTest::newRow("SCS") << text("scs15@1:1000000") << text("300") << text("700") << text("500")
+                         << QString() << QString();
+    QTest::newRow("HLS") << text("hls3606@1") << text("1000") << text("3000") << text("40")
+                         << text("50") << QString();
+    QTest::newRow("SMCL") << text("sm60-360m@1:1000000") << text("1000") << text("2000")
+                          << QString() << QString() << QString();
+}
+
+void TestSweep::aGoodServoPasses()
+{
+    QFETCH(QString, servo);
+    QFETCH(QString, from);
+    QFETCH(QString, to);
+    QFETCH(QString, speed);
+    QFETCH(QString, acceleration);
+    QFETCH(QString, time);
+    SimBench bench(servo);
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec;
+    spec.range = {from, to};
+    spec.speed = speed;
+    spec.acceleration = acceleration;
+    spec.time = time;
+    spec.pace = record::SweepPace::Dwell;
+    spec.pause = 400ms;
+    spec.cycles = 2;
+    bench.forgetFrames();
+    const auto done = run(bench, servos, spec);
+    QVERIFY2(done,
+             done ? "" : qPrintable(base::errorName(done.error().code) + done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Finished);
+    const record::SweepServo& one = done->servos.at(0);
+    QCOMPARE(one.legs.size(), std::size_t(4));
+    for (const record::SweepLeg& leg : one.legs) {
+        QVERIFY(!leg.missed);
+        QVERIFY(leg.timeToTarget && leg.reached && leg.steadyError);
+        QVERIFY(std::abs(*leg.reached - leg.target) < 12);
+        QVERIFY(leg.samples > 20);
+    }
+    QVERIFY2(done->verdict() != Grade::Fail, "a healthy servo");
+    QCOMPARE(*metric(one, "missed_targets"), 0.0);
+    QVERIFY(done->sampleRate > 50);
+    QCOMPARE(epromWrites(bench), 0);
+    QVERIFY(!one.parameters.registers.empty());
+    QCOMPARE(bench.raw(1, text("torque_switch")), 1); // it holds at the end
+}
+
+void TestSweep::shapes_data()
+{
+    QTest::addColumn<int>("shape");
+    QTest::addColumn<int>("legs"); ///< of one cycle
+    QTest::newRow("sweep") << int(SweepShape::Sweep) << 2;
+    QTest::newRow("stairs") << int(SweepShape::Stairs) << 8;
+    QTest::newRow("both sides") << int(SweepShape::BothSides) << 4;
+    QTest::newRow("random") << int(SweepShape::Random) << 2;
+    QTest::newRow("sine") << int(SweepShape::Sine) << 2;
+    QTest::newRow("points") << int(SweepShape::Points) << 3;
+}
+
+void TestSweep::shapes()
+{
+    QFETCH(int, shape);
+    QFETCH(int, legs);
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = sweepSpec();
+    spec.shape = SweepShape(shape);
+    spec.step = text("500");
+    spec.period = 4s;
+    spec.points = {{text("1000")}, {text("2000")}, {text("1500")}};
+    spec.cycles = 2;
+    const auto done = run(bench, servos, spec);
+    QVERIFY2(done,
+             done ? "" : qPrintable(base::errorName(done.error().code) + done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Finished);
+    const auto& found = done->servos.at(0).legs;
+    QCOMPARE(int(found.size()), 2 * legs);
+    for (const record::SweepLeg& leg : found) {
+        QVERIFY(!leg.missed);
+        QVERIFY(leg.target >= 990 && leg.target <= 3010);
+    }
+    const bool measuresHysteresis =
+        spec.shape == SweepShape::Stairs || spec.shape == SweepShape::BothSides;
+    if (measuresHysteresis)
+        QVERIFY(metric(done->servos.at(0), "hysteresis").has_value());
+    if (spec.shape == SweepShape::Sine)
+        QVERIFY(metric(done->servos.at(0), "following_error").has_value());
+    if (spec.shape == SweepShape::Sweep)
+        QVERIFY(!metric(done->servos.at(0), "hysteresis").has_value());
+}
+
+void TestSweep::severalTogether()
+{
+    SimBench bench(text("sts3215@1,sts3215@2,sts3215@3"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2), bench.servo(3)};
+    record::SweepSpec spec = sweepSpec();
+    spec.ranges[2] = {text("2000"), text("2500")};
+    bench.forgetFrames();
+    const auto done = run(bench, servos, spec);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QVERIFY(bench.frames(support::SyncWrite) >= 7);
+    QCOMPARE(done->servos.size(), std::size_t(3));
+    for (const record::SweepServo& servo : done->servos) {
+        QCOMPARE(servo.legs.size(), std::size_t(6));
+        QCOMPARE(servo.legs.front().target, servo.parameters.servo.id == 2 ? 2500.0 : 3000.0);
+        QCOMPARE(servo.legs.front().at, done->servos.front().legs.front().at);
+    }
+}
+
+/// The classic mistake: it turns round before it has arrived.
+void TestSweep::aDelayShorterThanTheMoveMissesTheTarget()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = sweepSpec();
+    spec.pause = 600ms; // 2000 steps at 2000 steps/s
+    const auto done = run(bench, servos, spec);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QVERIFY(*metric(done->servos.at(0), "missed_targets") >= 5);
+    QCOMPARE(done->verdict(), Grade::Fail);
+}
+
+void TestSweep::whatForbidsATest_data()
+{
+    QTest::addColumn<QString>("what");
+    QTest::addColumn<int>("code");
+    QTest::newRow("same ends") << text("same-ends") << int(ErrorCode::BadArgument);
+    QTest::newRow("no delay") << text("no-pause") << int(ErrorCode::BadArgument);
+    QTest::newRow("no end") << text("no-end") << int(ErrorCode::BadArgument);
+    QTest::newRow("step 0") << text("no-step") << int(ErrorCode::BadArgument);
+    QTest::newRow("step beyond") << text("step-too-long") << int(ErrorCode::BadArgument);
+    QTest::newRow("one point") << text("no-points") << int(ErrorCode::BadArgument);
+    QTest::newRow("no period") << text("no-period") << int(ErrorCode::BadArgument);
+    QTest::newRow("limits") << QString() << int(ErrorCode::OutOfRange);
+    QTest::newRow("no number") << QString() << int(ErrorCode::BadArgument);
+}
+
+void TestSweep::whatForbidsATest()
+{
+    QFETCH(QString, what);
+    QFETCH(int, code);
+    SimBench bench(text("sts3215@1"));
+    bench.poke(1, text("min_angle_limit"), 500);
+    bench.poke(1, text("max_angle_limit"), 3500);
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = sweepSpec();
+    const QByteArray row = QTest::currentDataTag();
+    if (row == "same ends")
+        spec.range.to = spec.range.from;
+    else if (row == "no delay")
+        spec.pause = {};
+    else if (row == "no end")
+        spec.cycles = 0;
+    else if (row.startsWith("step"))
+        spec.shape = SweepShape::Stairs, spec.step = row == "step 0" ? text("0") : text("5000");
+    else if (row == "one point")
+        spec.shape = SweepShape::Points, spec.points = {{text("1000")}};
+    else if (row == "no period")
+        spec.shape = SweepShape::Sine;
+    else if (row == "limits")
+        spec.range.to = text("3600");
+    else
+        spec.range.to = text("three");
+    bench.forgetFrames();
+    const auto done = run(bench, servos, spec);
+    QVERIFY(!done);
+    QCOMPARE(int(done.error().code), code);
+    if (!what.isEmpty())
+        QCOMPARE(done.error().detail, what);
+    QCOMPARE(done.error().id, 1);
+    QVERIFY(bench.onlyAsked());
+}
+
+void TestSweep::otherModesAreRefused()
+{
+    SimBench bench(text("sts3215@1"));
+    bench.poke(1, text("operating_mode"), 1);
+    std::vector<device::Servo> servos{bench.servo(1)};
+    bench.forgetFrames();
+    const auto done = run(bench, servos, sweepSpec());
+    QVERIFY(!done);
+    QCOMPARE(done.error().code, ErrorCode::NotSupported);
+    QCOMPARE(done.error().detail, text("not-position"));
+    QCOMPARE(done.error().registerKey, text("speed"));
+    QVERIFY(bench.onlyAsked());
+}
+
+void TestSweep::aJammedServoEndsTheTestWithoutTorque()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = sweepSpec();
+    spec.stopOnAlarm = false; // what is asked here is whether it sees the stall itself
+    jobs::SweepWatch watch;
+    watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
+        if (leg.number == 2)
+            bench.withWire([](sim::VirtualBus& wire) {
+                // 2000 of 4096 steps
+                wire.servo(1)->load().stopHigh = 2000.0 / 4096 * 2 * M_PI;
+            });
+    };
+    const auto done = run(bench, servos, spec, watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Stall);
+    QCOMPARE(done->endedBy, 1);
+    QCOMPARE(done->verdict(), Grade::Fail);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+}
+
+void TestSweep::anAlarmEndsIt()
+{
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    jobs::SweepWatch watch;
+    watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
+        if (leg.number == 1)
+            bench.withWire([](sim::VirtualBus& wire) { wire.servo(2)->injectStatus(4); });
+    };
+    const auto done = run(bench, servos, sweepSpec(), watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Alarm);
+    QCOMPARE(done->endedBy, 2);
+    QCOMPARE(done->verdict(), Grade::Fail);
+    QCOMPARE(bench.raw(2, text("torque_switch")), 0);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 1); // stopped where it was, and holds
+    QVERIFY(done->servos.at(1).legs.back().alarms != 0);
+}
+
+void TestSweep::aSilentSecondIsAGap()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    base::Duration silentUntil{};
+    bench.tap().onWrite = [&](const base::Bytes&) {
+        bench.wireConfig().faults.dropRequest = bench.clock().now() < silentUntil ? 1.0 : 0.0;
+    };
+    jobs::SweepWatch watch;
+    watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
+        if (leg.number == 2)
+            silentUntil = bench.clock().now() + 1500ms;
+    };
+    const auto done = run(bench, servos, sweepSpec(), watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QCOMPARE(done->gaps.size(), std::size_t(1));
+    QVERIFY(done->gaps[0].span > 1300ms && done->gaps[0].span < 2300ms);
+    QCOMPARE(done->servos.at(0).legs.size(), std::size_t(6));
+    QVERIFY(*metric(done->servos.at(0), "communication_errors") > 0);
+}
+
+void TestSweep::aLongSilenceEndsIt()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    jobs::SweepWatch watch;
+    watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
+        if (leg.number == 2)
+            bench.wireConfig().faults.dropRequest = 1.0;
+    };
+    const auto done = run(bench, servos, sweepSpec(), watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::LinkLost);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+    QVERIFY(done->servos.at(0).legs.size() >= 2);
+    QCOMPARE(done->servos.at(0).legs[0].number, 1);
+}
+
+void TestSweep::theUserStops()
+{
+    for (const bool release : {false, true}) {
+        SimBench bench(text("sts3215@1"));
+        std::vector<device::Servo> servos{bench.servo(1)};
+        record::SweepSpec spec = sweepSpec();
+        spec.releaseAtEnd = release;
+        jobs::SweepWatch watch;
+        int samples = 0;
+        watch.onSample = [&](std::size_t, const jobs::SweepSample&, double, int leg) {
+            if (leg == 2 && ++samples == 50)
+                bench.stop().request();
+        };
+        const auto done = run(bench, servos, spec, watch);
+        QVERIFY(done);
+        QCOMPARE(done->end, SweepEnd::Stopped);
+        QCOMPARE(done->verdict(), Grade::NotMeasured);
+        QCOMPARE(bench.raw(1, text("torque_switch")), release ? 0 : 1);
+        const auto before = bench.raw(1, text("present_position"));
+        bench.letTimePass(2s);
+        QVERIFY(std::abs(bench.raw(1, text("present_position")) - before) < 60); // it has stopped
+    }
+}
+
+void TestSweep::theEmergencyStopEndsIt()
+{
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    bench.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
+    jobs::SweepWatch watch;
+    int samples = 0;
+    watch.onSample = [&](std::size_t, const jobs::SweepSample&, double, int leg) {
+        if (leg == 2 && ++samples == 50)
+            bench.bus().emergency();
+    };
+    const auto done = run(bench, servos, sweepSpec(), watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Emergency);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QCOMPARE(bench.raw(2, text("torque_switch")), 0);
+}
+
+void TestSweep::anHourWritesNoEprom()
+{
+    // A slow line has fewer readings to work out.
+    SimBench bench(text("sts3215@1"), {.baud = 57'600, .servoBaud = 57'600});
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = sweepSpec();
+    spec.cycles = 0;
+    spec.length = 1h;
+    bench.forgetFrames();
+    const auto eprom =
+        bench.withWire([](sim::VirtualBus& wire) { return wire.servo(1)->epromImage(); });
+    const auto done = run(bench, servos, spec);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QVERIFY(done->servos.at(0).legs.size() >= 1795);
+    QCOMPARE(epromWrites(bench), 0);
+    const auto after =
+        bench.withWire([](sim::VirtualBus& wire) { return wire.servo(1)->epromImage(); });
+    QVERIFY(eprom == after);
+    // Delays do not add up with the time that sending takes.
+    const auto& legs = done->servos.at(0).legs;
+    QVERIFY(legs.back().at - legs.front().at < 2s * int(legs.size() - 1) + 100ms);
+}
+
+void TestSweep::warmUpIsNotMeasured()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = sweepSpec();
+    spec.warmUp = 10s;
+    const base::Duration before = bench.clock().now();
+    const auto done = run(bench, servos, spec);
+    QVERIFY(done);
+    QCOMPARE(done->servos.at(0).legs.size(), std::size_t(6));
+    QVERIFY(done->length < 12500ms);
+    QVERIFY(bench.clock().now() - before > 22s);
+}
+
+/// Another program narrows the limits: goals are refused, and the test says so.
+void TestSweep::limitsMoveDuringTheRun()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    jobs::SweepWatch watch;
+    watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
+        if (leg.number == 2)
+            bench.poke(1, text("max_angle_limit"), 2000);
+    };
+    record::SweepSpec spec = sweepSpec();
+    spec.stopOnStall = false;
+    const auto done = run(bench, servos, spec, watch);
+    QVERIFY(done);
+    // The servo itself keeps to its new limit, so the targets beyond are missed.
+    QCOMPARE(done->verdict(), Grade::Fail);
+}
+
+QTEST_GUILESS_MAIN(TestSweep)
+#include "tst_sweep.moc"
