@@ -39,6 +39,22 @@ const char* const switchCss = R"(
 #lang-en:checked ~ main .zh, #lang-zh:checked ~ main .en { display: none; }
 )";
 
+// QTextDocument takes pixels for those of the printer, so paper is measured in points.
+const char* const paperCss = R"(
+body { font-family: "Noto Sans", "Noto Sans CJK SC", "Segoe UI", "Microsoft YaHei", sans-serif;
+  font-size: 8pt; color: #1f2328; }
+h1 { font-size: 16pt; }
+h2 { font-size: 12pt; }
+h3 { font-size: 9pt; }
+td, th { font-size: 7pt; }
+.many td, .many th { font-size: 6pt; }
+th { background-color: #f3f5f7; }
+.verdict { font-weight: 700; }
+.overall { font-size: 14pt; }
+.simulated { color: #8a5a00; font-weight: 700; font-size: 10pt; }
+.user { white-space: pre-wrap; }
+)";
+
 bool isNumber(const QString& cell)
 {
     const QString digits = cell.startsWith(u'-') ? cell.mid(1) : cell;
@@ -127,10 +143,12 @@ QString Scribe::optional(std::optional<double> value, const catalog::Text& other
     return value && std::isfinite(*value) ? figure(*value) : say(otherwise);
 }
 
-QString table(const QStringList& headings, const std::vector<QStringList>& rows)
+QString table(const QStringList& headings, const std::vector<QStringList>& rows, bool many)
 {
-    QString text = QStringLiteral("<div class=\"wide\"><table border=\"1\" cellspacing=\"0\" "
-                                  "cellpadding=\"3\">\n<thead><tr>");
+    QString text = QStringLiteral("<div class=\"wide\"><table%1 border=\"1\" cellspacing=\"0\" "
+                                  "cellpadding=\"%2\">\n<thead><tr>")
+                       .arg(many ? QStringLiteral(" class=\"many\"") : QString())
+                       .arg(many ? 2 : 3);
     for (const QString& heading : headings)
         text += QStringLiteral("<th>") + heading + QStringLiteral("</th>");
     text += QStringLiteral("</tr></thead>\n<tbody>\n");
@@ -168,8 +186,9 @@ QString page(const Scribe& scribe, const catalog::Text& title, const QString& bo
         "<link rel=\"icon\" href=\"data:,\"/>\n");
     text = text.arg(chinese ? QStringLiteral("zh") : QStringLiteral("en"));
     text += QStringLiteral("<title>") + escaped(title.in(chinese)) + QStringLiteral("</title>\n") +
-            QStringLiteral("<style>") + QString::fromUtf8(css) +
-            (both ? QString::fromUtf8(switchCss) : QString()) +
+            QStringLiteral("<style>") +
+            (both ? QString::fromUtf8(css) + QString::fromUtf8(switchCss)
+                  : QString::fromUtf8(paperCss)) +
             QStringLiteral("</style>\n</head>\n<body>\n");
     if (both)
         text += radio("en", "English", !chinese) + radio("zh", "中文", chinese);

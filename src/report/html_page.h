@@ -42,10 +42,11 @@ private:
 };
 
 /// Rows of cells of markup. A cell that begins with a digit or a sign before one stands right.
-QString table(const QStringList& headings, const std::vector<QStringList>& rows);
+/// `many`: columns, so that paper takes smaller letters.
+QString table(const QStringList& headings, const std::vector<QStringList>& rows, bool many = false);
 /// Two columns, names and values.
 QString pairs(const std::vector<QStringList>& rows);
 
-/// The whole page; `chinese` is the language it opens in.
+/// The whole page; `chinese` is the language it opens in. One language: for a QTextDocument.
 QString page(const Scribe& scribe, const catalog::Text& title, const QString& body, bool chinese);
 } // namespace report

@@ -154,12 +154,19 @@ Bars barsOf(const std::vector<double>& errors)
     return bars;
 }
 
-QString limitLines(const Axis& x, std::optional<double> limit, const char* style)
+/// With what it is, `place` from the right, above the frame.
+QString limitLines(const Scribe& scribe, const Axis& x, std::optional<double> limit,
+                   const Text& name, double place, const char* style)
 {
-    QString lines;
+    if (!limit)
+        return {};
+    const QString number = QStringLiteral(" > ") + figure(*limit);
+    QString lines = line(right - place, top - 16, right - place + 30, top - 16, style) +
+                    text(right - place + 36, top - 12, "start",
+                         scribe.sayInSvg({name.en + number, name.zh + number}));
     for (const double side : {-1.0, 1.0}) {
-        const double at = side * limit.value_or(0);
-        if (limit && at >= x.low && at <= x.high)
+        const double at = side * *limit;
+        if (at >= x.low && at <= x.high)
             lines += line(x.at(at), top, x.at(at), bottom, style);
     }
     return lines;
@@ -242,10 +249,11 @@ QString errorHistogram(const Scribe& scribe, const std::vector<double>& errors,
                        .arg(number(from), number(bottom - height), number(std::max(1.0, to - from)),
                             number(height));
     }
-    content +=
-        line(x.at(0), top, x.at(0), bottom, "stroke=\"#1f2328\" stroke-width=\"1\"") +
-        limitLines(x, warn, "stroke=\"#8a5a00\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\"") +
-        limitLines(x, fail, "stroke=\"#b3261e\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\"");
+    content += line(x.at(0), top, x.at(0), bottom, "stroke=\"#1f2328\" stroke-width=\"1\"") +
+               limitLines(scribe, x, warn, words.warnLimit, 250,
+                          "stroke=\"#8a5a00\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\"") +
+               limitLines(scribe, x, fail, words.failLimit, 120,
+                          "stroke=\"#b3261e\" stroke-width=\"1.5\" stroke-dasharray=\"2 2\"");
     return picture(scribe, words.histogram, content);
 }
 } // namespace report

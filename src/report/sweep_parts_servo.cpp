@@ -126,7 +126,7 @@ QString remarksOf(const Scribe& scribe, const record::SweepLeg& leg)
     QStringList remarks;
     if (leg.missed)
         remarks.append(QStringLiteral("✘ ") + scribe.say(words.missed));
-    if (leg.flagWrong)
+    if (leg.flagWrong.value_or(false))
         remarks.append(QStringLiteral("⚠ ") + scribe.say(words.flagWrong));
     if (leg.alarms != 0)
         remarks.append(QStringLiteral("⚠ ") + scribe.say(alarmBitsWords(leg.alarms)));
@@ -167,7 +167,7 @@ QString legsTable(const Scribe& scribe, const record::SweepServo& servo)
           words.following, words.current, words.load, words.voltage, words.temperature, words.lost,
           words.remarks})
         headings.append(scribe.say(heading));
-    return text + table(headings, rows);
+    return text + table(headings, rows, true);
 }
 
 QString axisRows(const Scribe& scribe, const record::SweepServo& servo)

@@ -136,8 +136,8 @@ void fillLegs(SweepWords& words)
     words.current = both("Peak current, mA", "峰值电流，mA");
     words.load = both("Peak load, %", "峰值负载，%");
     words.voltage = both("Min voltage, V", "最低电压，V");
-    words.temperature = both("Temperature, °C", "温度，°C");
-    words.lost = both("Lost readings", "丢失读数");
+    words.temperature = both("Temp., °C", "温度，°C");
+    words.lost = both("Lost", "丢失");
     words.remarks = both("Remarks", "备注");
     words.missed = both("missed", "未到位");
     words.flagWrong = both("moving flag wrong", "运动标志错误");
@@ -304,6 +304,10 @@ Text endWords(record::SweepEnd end)
         return both(
             "Ended early: a servo no longer took its goal; its limits or mode have changed.",
             "提前结束：舵机不再接受目标；其限位或模式已改变。");
+    case record::SweepEnd::Refused:
+        return both("Ended early: a servo no longer took its goal; its limits or its mode have "
+                    "changed.",
+                    "提前结束：舵机不再接受目标，其限位或模式已改变。");
     case record::SweepEnd::LinkLost:
         break;
     }

@@ -39,6 +39,7 @@ inline record::SweepLeg leg(int number)
     leg.voltageMin = 11.7;
     leg.temperatureMax = 38;
     leg.samples = 401;
+    leg.flagWrong = false;
     return leg;
 }
 

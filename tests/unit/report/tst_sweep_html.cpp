@@ -243,6 +243,34 @@ private Q_SLOTS:
         QVERIFY(seen.text.contains(sweep_example::hostileLabel));
     }
 
+    void aFlagThatWasRightIsNoRemark()
+    {
+        record::SweepRun run = sweep_example::run();
+        run.servos.pop_back();
+        run.servos[0].metrics.clear();
+        for (const std::optional<bool> flag : {std::optional<bool>(), std::optional<bool>(false)}) {
+            run.servos[0].legs[0].flagWrong = flag;
+            QVERIFY(!report::sweepHtml(run, {}, false).contains("moving flag wrong"));
+        }
+        run.servos[0].legs[0].flagWrong = true;
+        QVERIFY(report::sweepHtml(run, {}, false).contains("moving flag wrong"));
+    }
+
+    void everyEndHasItsWords()
+    {
+        using record::SweepEnd;
+        QSet<QString> english;
+        for (int end = 0; !record::sweepEndName(SweepEnd(end)).isEmpty(); ++end) {
+            const catalog::Text words = report::endWords(SweepEnd(end));
+            QVERIFY(!words.en.isEmpty() && hasChinese(words.zh));
+            QVERIFY2(!english.contains(words.en), qPrintable(words.en));
+            english.insert(words.en);
+        }
+        QVERIFY(english.size() >= 8);
+        for (const record::SweepMetricKind& kind : record::sweepMetricKinds())
+            QVERIFY2(hasChinese(report::metricWords(kind.key).zh), qPrintable(kind.key));
+    }
+
     void longRunsAreShortened()
     {
         record::SweepRun run = sweep_example::run(1000);

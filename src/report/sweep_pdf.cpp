@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/sweep_pdf.h"
+
+#include "record/text_file.h"
+#include "report/sweep_words.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QPageLayout>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSvgRenderer>
+#include <QTextDocument>
+#include <QUrl>
+
+namespace report {
+namespace {
+constexpr int imageScale = 2;
+constexpr int shownWidth = 620;
+
+/// A text document knows no SVG, so a chart becomes a picture, sharp enough for paper.
+QImage pictureOf(const QString& svg)
+{
+    QSvgRenderer renderer(svg.toUtf8());
+    QImage image(renderer.defaultSize() * imageScale, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    renderer.render(&painter);
+    return image;
+}
+} // namespace
+
+QByteArray sweepPdf(const record::SweepRun& run, const std::vector<SweepSeries>& series,
+                    bool chinese)
+{
+    const Scribe scribe(chinese ? Tongue::Chinese : Tongue::English);
+    QTextDocument document;
+    int charts = 0;
+    const QString body = sweepBody(scribe, run, series, [&](const QString& svg) {
+        const QString name = QStringLiteral("chart-%1").arg(++charts);
+        document.addResource(QTextDocument::ImageResource, QUrl(name), pictureOf(svg));
+        return QStringLiteral("<p><img src=\"%1\" width=\"%2\"/></p>\n").arg(name).arg(shownWidth);
+    });
+    document.setHtml(page(scribe, sweepWords().title, body, chinese));
+
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter writer(&buffer);
+        // The table of legs needs the width.
+        writer.setPageLayout({QPageSize(QPageSize::A4), QPageLayout::Landscape, {}});
+        writer.setTitle(sweepWords().title.in(chinese));
+        writer.setCreator(run.program);
+        document.print(&writer);
+    }
+    return buffer.data();
+}
+
+base::Result<void> saveSweepPdf(const record::SweepRun& run, const std::vector<SweepSeries>& series,
+                                bool chinese, const QString& path)
+{
+    return record::saveTextFile(QStringLiteral("save-report"), sweepPdf(run, series, chinese),
+                                path);
+}
+} // namespace report

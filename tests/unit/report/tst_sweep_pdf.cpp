@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report on paper, read back by somebody else's program (poppler): the same figures as on the
+// page, in both languages, charts as pictures, nothing cut off at the right.
+#include "report/sweep_pdf.h"
+#include "report/sweep_words.h"
+#include "unit/record/sweep_example.h"
+
+#include <QGuiApplication>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+
+namespace {
+std::vector<report::SweepSeries> exampleSeries()
+{
+    report::SweepSeries series;
+    series.servo = 5;
+    for (int i = 0; i < 900; ++i)
+        series.samples.push_back({i * 0.01, 2000 + 1000 * std::sin(i * 0.02), 2000});
+    return {series};
+}
+
+QString outputOf(const QString& program, const QStringList& arguments)
+{
+    QProcess process;
+    process.start(program, arguments);
+    if (!process.waitForFinished() || process.exitCode() != 0)
+        return QStringLiteral("failed: ") + QString::fromUtf8(process.readAllStandardError());
+    return QString::fromUtf8(process.readAllStandardOutput());
+}
+
+QString written(double value)
+{
+    QString text = QString::number(value, 'f', 2);
+    static const QRegularExpression zeros(QStringLiteral("\\.?0+$"));
+    return text.remove(zeros);
+}
+} // namespace
+
+class TestSweepPdf : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        m_path = m_folder.filePath(QStringLiteral("report.pdf"));
+    }
+
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void itHasTheSameFigures()
+    {
+        const record::SweepRun run = sweep_example::run();
+        QVERIFY(report::saveSweepPdf(run, exampleSeries(), false, m_path));
+        const QString text = textOf();
+        for (const record::SweepMetric& metric : run.servos[0].metrics) {
+            for (const auto& value : {metric.value, metric.mean, metric.min, metric.max})
+                QVERIFY2(text.contains(written(*value)), qPrintable(metric.key));
+        }
+        for (const record::SweepLeg& leg : run.servos[0].legs) {
+            for (const auto& value : {leg.reached, leg.overshoot, leg.steadyError, leg.meanSpeed})
+                QVERIFY2(text.contains(written(*value)), qPrintable(written(*value)));
+        }
+        for (const char* fact : {"Failed", "SIMULATED", "STS3215", "2026-03-09 09:00:01 UTC",
+                                 "above 8 step", "not measured", "min_angle", "12345",
+                                 "<script>alert('note')</script>", "O'Neill <b>&amp;</b>"})
+            QVERIFY2(text.contains(QString::fromUtf8(fact)), fact);
+    }
+
+    void itSpeaksChinese()
+    {
+        QVERIFY(report::saveSweepPdf(sweep_example::run(), exampleSeries(), true, m_path));
+        QFile file(m_path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().startsWith("%PDF-"));
+        const QString text = textOf();
+        QVERIFY(!text.contains(QStringLiteral("Verdict")));
+        QVERIFY(!text.contains(QStringLiteral("English")));
+    }
+
+    void chartsAreInIt()
+    {
+        QVERIFY(report::saveSweepPdf(sweep_example::run(), exampleSeries(), false, m_path));
+        const QString images =
+            outputOf(QStringLiteral("pdfimages"), {QStringLiteral("-list"), m_path});
+        const QString size =
+            QStringLiteral("%1\\s+%2\\s").arg(2 * report::chartWidth).arg(2 * report::chartHeight);
+        QVERIFY2(images.count(QRegularExpression(size)) == 2, qPrintable(images));
+    }
+
+    /// Every word of the text lies on the paper, in one piece, and large enough to be read there.
+    void nothingIsCutOff()
+    {
+        record::SweepRun run = sweep_example::run(300);
+        for (record::SweepLeg& leg : run.servos[0].legs) {
+            leg.number += 10000; // as wide as a night makes them
+            leg.at += std::chrono::hours(8);
+            leg.start = leg.target = -28672.25;
+            leg.reached = -28669.33;
+            leg.missed = true;
+            leg.flagWrong = true;
+            leg.alarms = 0x25;
+        }
+        QVERIFY(report::saveSweepPdf(run, exampleSeries(), false, m_path));
+        const QString boxes = outputOf(QStringLiteral("pdftotext"),
+                                       {QStringLiteral("-bbox"), m_path, QStringLiteral("-")});
+        static const QRegularExpression word(
+            QStringLiteral("yMin=\"([0-9.]+)\" xMax=\"([0-9.]+)\" yMax=\"([0-9.]+)\""));
+        constexpr double paper = 842; // A4 across, in points
+        int words = 0;
+        for (auto it = word.globalMatch(boxes); it.hasNext(); ++words) {
+            const auto match = it.next();
+            QVERIFY(match.captured(2).toDouble() < paper - 10);
+            QVERIFY(match.captured(3).toDouble() - match.captured(1).toDouble() > 5);
+        }
+        for (const char* whole : {">-28669.33<", ">-28672.25<", ">10300<", ">29100<", ">2345.68<"})
+            QVERIFY2(boxes.contains(QString::fromLatin1(whole)), whole);
+        QVERIFY(words > 300);
+    }
+
+    void savingSaysWhatIsWrong()
+    {
+        const auto saved = report::saveSweepPdf(sweep_example::run(), {}, false,
+                                                m_folder.filePath(QStringLiteral("none/x.pdf")));
+        QCOMPARE(saved.error().code, base::ErrorCode::FileUnwritable);
+    }
+
+private:
+    /// Blanks as they may be; lines are broken where the paper ends.
+    QString textOf() const
+    {
+        return outputOf(QStringLiteral("pdftotext"),
+                        {QStringLiteral("-layout"), m_path, QStringLiteral("-")})
+            .simplified();
+    }
+
+    QTemporaryDir m_folder;
+    QString m_path;
+};
+
+int main(int argc, char** argv)
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QGuiApplication application(argc, argv);
+    TestSweepPdf test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_sweep_pdf.moc"
