@@ -304,10 +304,6 @@ Text endWords(record::SweepEnd end)
         return both(
             "Ended early: a servo no longer took its goal; its limits or mode have changed.",
             "提前结束：舵机不再接受目标；其限位或模式已改变。");
-    case record::SweepEnd::Refused:
-        return both("Ended early: a servo no longer took its goal; its limits or its mode have "
-                    "changed.",
-                    "提前结束：舵机不再接受目标，其限位或模式已改变。");
     case record::SweepEnd::LinkLost:
         break;
     }
