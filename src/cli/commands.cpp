@@ -13,9 +13,9 @@ const std::vector<Command>& commands()
                                           clearAlarmCommand(),   torqueCommand(),
                                           stopCommand(),         modeCommand(),
                                           moveCommand(),         watchCommand(),
-                                          rawCommand(),          recoverCommand(),
-                                          snapshotSaveCommand(), snapshotShowCommand(),
-                                          tourCommand()};
+                                          sweepCommand(),        rawCommand(),
+                                          recoverCommand(),      snapshotSaveCommand(),
+                                          snapshotShowCommand(), tourCommand()};
     return all;
 }
 } // namespace cli

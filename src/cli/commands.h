@@ -23,6 +23,7 @@ Command stopCommand();
 Command modeCommand();
 Command moveCommand();
 Command watchCommand();
+Command sweepCommand();
 Command rawCommand();
 Command recoverCommand();
 Command snapshotSaveCommand();

@@ -49,8 +49,8 @@ base::Result<record::SweepRun> sweep(const device::Context& context,
     auto run = prepare(context, servos, order);
     if (!run)
         return tl::unexpected(run.error());
-    if (watch.onBegin)
-        watch.onBegin(*run);
+    if (const auto refusal = watch.onBegin ? watch.onBegin(*run) : std::nullopt)
+        return tl::unexpected(*refusal);
     return SweepRunner(context, servos, std::move(*run), watch).run();
 }
 } // namespace jobs

@@ -35,8 +35,9 @@ struct SweepWatch {
     std::function<void(std::size_t servo, const SweepSample&, double goal, int leg)> onSample{};
     std::function<void(std::size_t servo, const record::SweepLeg&)> onLeg{};
     std::function<void(const SweepProgress&)> onProgress{};
-    /// The run with all but its legs and figures, once everything has been found possible.
-    std::function<void(const record::SweepRun&)> onBegin{};
+    /// The run with all but its legs and figures, once everything has been found possible. An error
+    /// keeps it from beginning and becomes the job's.
+    std::function<std::optional<base::Error>(const record::SweepRun&)> onBegin{};
 };
 
 /// All servos on one bus; their settings are read. What is in `servos` afterwards is what the job

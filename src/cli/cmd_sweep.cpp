@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/progress.h"
+#include "cli/run.h"
+#include "cli/sweep_input.h"
+#include "cli/sweep_report.h"
+#include "cli/table.h"
+#include "cli/translate.h"
+#include "jobs/sweep.h"
+#include "record/sweep_json.h"
+#include "report/sweep_words.h"
+#include "session/safety_snapshot.h"
+#include "text/language.h"
+
+namespace cli {
+namespace {
+QString in(const catalog::Text& words)
+{
+    return words.in(text::inChinese());
+}
+
+QString number(std::optional<double> value)
+{
+    return value ? QString::number(*value, 'g', 6) : QStringLiteral("–");
+}
+
+/// "≤ 8" as the verdict reads it.
+QString bound(const record::SweepLimit& limit, std::optional<double> value)
+{
+    if (!value)
+        return QStringLiteral("–");
+    return (limit.atLeast ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) + number(value);
+}
+
+QString verdictText(const record::SweepServo& servo)
+{
+    const record::SnapshotServo& who = servo.parameters.servo;
+    QString text = QStringLiteral("%1 %2 · %3: %4\n")
+                       .arg(report::gradeSign(servo.verdict), who.model, QString::number(who.id),
+                            in(report::gradeWords(servo.verdict)));
+    Table table({translate("cli", "Figure"), translate("cli", "Value"), translate("cli", "Unit"),
+                 translate("cli", "Warn"), translate("cli", "Fail"), translate("cli", "Grade")});
+    table.right({1, 3, 4});
+    for (const record::SweepMetric& metric : servo.metrics) {
+        const auto line = std::find_if(
+            servo.lines.begin(), servo.lines.end(),
+            [&](const record::VerdictLine& one) { return one.limit.metric == metric.key; });
+        const bool judged = line != servo.lines.end();
+        if (!metric.value && !judged)
+            continue;
+        table.add({in(report::metricWords(metric.key)), number(metric.value),
+                   in(report::unitWords(metric.unit)),
+                   judged ? bound(line->limit, line->limit.warn) : QString(),
+                   judged ? bound(line->limit, line->limit.fail) : QString(),
+                   judged ? in(report::gradeWords(line->grade)) : QString()});
+    }
+    return text + table.text();
+}
+
+/// The test, from the options to the files.
+class SweepCommand {
+public:
+    SweepCommand(Run& run, const Values& values)
+        : m_run(run)
+        , m_values(values)
+        , m_line(std::make_unique<ProgressLine>(run.console(), translate("cli", "Sweep test")))
+    {}
+
+    base::Result<Exit> run();
+
+private:
+    base::Result<void> collect();
+    jobs::SweepWatch watch();
+    base::Result<void> save(const record::SweepRun& run);
+    void show(const record::SweepRun& run);
+
+    Run& m_run;
+    const Values& m_values;
+    std::unique_ptr<ProgressLine> m_line;
+    std::vector<device::Servo> m_servos;
+    jobs::SweepOrder m_order;
+    SweepFormat m_format = SweepFormat::None;
+    QString m_path;
+    std::unique_ptr<jobs::SweepRecording> m_readings;
+};
+
+base::Result<void> SweepCommand::collect()
+{
+    const auto ids = parseIds(m_values.words("ID"));
+    if (!ids)
+        return tl::unexpected(ids.error());
+    auto spec = sweepSpec(m_values);
+    if (!spec)
+        return tl::unexpected(spec.error());
+    m_order.spec = std::move(*spec);
+    const auto limits = sweepLimits(m_values);
+    if (!limits)
+        return tl::unexpected(limits.error());
+    const auto path = m_values.option("--report");
+    const auto format = sweepFormat(path);
+    if (!format)
+        return tl::unexpected(format.error());
+    m_format = *format;
+    m_path = path.value_or(QString());
+    for (const int id : *ids) {
+        auto servo = m_run.servoWithSettings(id);
+        if (!servo)
+            return tl::unexpected(servo.error());
+        m_order.limits.push_back(*limits ? **limits
+                                         : record::builtInSweepLimits(servo->profile->modelName,
+                                                                      servo->profile->series));
+        m_servos.push_back(std::move(*servo));
+    }
+    m_order.program = session::programName();
+    const auto connection = m_run.connect();
+    m_order.simulated = connection && (*connection)->simulated();
+    return {};
+}
+
+jobs::SweepWatch SweepCommand::watch()
+{
+    jobs::SweepWatch watch;
+    watch.onBegin = [this](const record::SweepRun& run) {
+        auto made = jobs::SweepRecording::start(
+            run, m_format == SweepFormat::None ? QString() : sweepReadingsPath(m_path));
+        if (made)
+            m_readings = std::move(*made);
+        return made ? std::nullopt : std::optional(made.error());
+    };
+    watch.onSample = [this](std::size_t servo, const jobs::SweepSample& sample, double goal,
+                            int leg) { m_readings->add(servo, sample, goal, leg); };
+    watch.onProgress = [this](const jobs::SweepProgress& progress) {
+        m_line->show(progress.warmingUp
+                         ? translate("cli", "on the way to the start, or warming up")
+                         : translate("cli", "cycle %1, %2 %, about %3 s left")
+                               .arg(progress.cycle)
+                               .arg(int(progress.fraction * 100))
+                               .arg(progress.remaining / std::chrono::seconds(1) + 1));
+    };
+    return watch;
+}
+
+base::Result<void> SweepCommand::save(const record::SweepRun& run)
+{
+    m_readings->finish();
+    if (const auto trouble = m_readings->failure())
+        return tl::unexpected(*trouble);
+    if (m_format == SweepFormat::None)
+        return {};
+    return saveSweepReport(run, *m_readings, m_format, m_path);
+}
+
+void SweepCommand::show(const record::SweepRun& run)
+{
+    if (m_run.console().json()) {
+        m_run.console().write(record::encodeSweepRun(run));
+        return;
+    }
+    QString text;
+    for (const record::SweepServo& servo : run.servos)
+        text += verdictText(servo) + QLatin1Char('\n');
+    if (run.end != record::SweepEnd::Finished) {
+        text += in(report::endWords(run.end)) +
+                (run.endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run.endedBy) : QString()) +
+                QLatin1Char('\n');
+    }
+    text += translate("cli", "Verdict: %1").arg(in(report::gradeWords(run.verdict()))) +
+            QLatin1Char('\n');
+    if (m_format != SweepFormat::None)
+        text +=
+            translate("cli", "Report: %1, readings: %2").arg(m_path, sweepReadingsPath(m_path)) +
+            QLatin1Char('\n');
+    m_run.console().print(text + m_run.takeNotices());
+}
+
+base::Result<Exit> SweepCommand::run()
+{
+    if (const auto ready = collect(); !ready)
+        return tl::unexpected(ready.error());
+    const auto context = m_run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    const auto done = jobs::sweep(*context, m_servos, m_order, watch());
+    m_line.reset();
+    if (!done)
+        return tl::unexpected(done.error());
+    const auto saved = save(*done);
+    show(*done);
+    if (!saved)
+        return tl::unexpected(saved.error());
+    switch (done->verdict()) {
+    case record::Grade::Pass:
+    case record::Grade::Warn:
+        return Exit::Done;
+    default:
+        return done->end == record::SweepEnd::LinkLost ? Exit::Port : Exit::NotDone;
+    }
+}
+
+base::Result<Exit> run(Run& run, const Values& values)
+{
+    return SweepCommand(run, values).run();
+}
+} // namespace
+
+Command sweepCommand()
+{
+    return {"sweep",
+            QT_TRANSLATE_NOOP("cli", "move servos to and fro, measure and judge them"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "servos: 1 2 3, 1-6, 1,3"), 1, many}},
+            sweepOptions(),
+            run};
+}
+} // namespace cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options of the command "sweep" as a test. Pure but for the files they name; main thread.
+// BadArgument says what an option takes; files fail as record/sweep_points.h and sweep_limits.h
+// say.
+#pragma once
+
+#include "cli/command.h"
+#include "record/sweep_limits.h"
+#include "record/sweep_spec.h"
+
+namespace cli {
+std::vector<Option> sweepOptions();
+base::Result<record::SweepSpec> sweepSpec(const Values& values);
+/// The user's file; none: the built-in ones are meant.
+base::Result<std::optional<record::SweepLimits>> sweepLimits(const Values& values);
+} // namespace cli

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep_report.h"
+
+#include "cli/arguments.h"
+#include "cli/translate.h"
+#include "record/sweep_csv.h"
+#include "record/sweep_json.h"
+#include "report/sweep_html.h"
+#include "report/sweep_pdf.h"
+#include "text/language.h"
+
+#include <QFileInfo>
+
+#include <limits>
+
+namespace cli {
+namespace {
+constexpr int chartColumns = 1000; ///< two readings in each: its lowest and its highest
+
+double secondsOf(base::Duration span)
+{
+    return std::chrono::duration<double>(span).count();
+}
+
+report::SweepSeries seriesOf(const record::SweepRun& run, const jobs::SweepRecording& readings,
+                             std::size_t servo)
+{
+    report::SweepSeries series{run.servos[servo].parameters.servo.id};
+    const record::SampleStore& store = readings.store();
+    const auto span = store.span(readings.positions(servo));
+    if (!span)
+        return series;
+    std::vector<record::SampleColumn> columns;
+    store.columns(readings.positions(servo), *span, chartColumns, columns);
+    for (const record::SampleColumn& column : columns) {
+        const auto at = [&](base::Duration instant, double position) {
+            const auto goal = store.at(readings.goals(servo), instant);
+            series.samples.push_back(
+                {secondsOf(instant - span->from), position, goal ? goal->value : position});
+        };
+        if (column.gapBefore)
+            at(column.from, std::numeric_limits<double>::quiet_NaN());
+        const bool rising = column.first <= column.last;
+        at(column.from, rising ? column.min : column.max);
+        if (column.to > column.from)
+            at(column.to, rising ? column.max : column.min);
+    }
+    return series;
+}
+} // namespace
+
+base::Result<SweepFormat> sweepFormat(const std::optional<QString>& path)
+{
+    if (!path)
+        return SweepFormat::None;
+    const QString end = QFileInfo(*path).suffix().toLower();
+    if (end == QLatin1String("html"))
+        return SweepFormat::Html;
+    if (end == QLatin1String("pdf"))
+        return SweepFormat::Pdf;
+    if (end == QLatin1String("json"))
+        return SweepFormat::Json;
+    if (end == QLatin1String("csv"))
+        return SweepFormat::Csv;
+    return badArgument(translate("cli", "a report ends with .html, .pdf, .json or .csv"));
+}
+
+QString sweepReadingsPath(const QString& report)
+{
+    const QFileInfo file(report);
+    return file.path() + QLatin1Char('/') + file.completeBaseName() +
+           QStringLiteral(".readings.csv");
+}
+
+base::Result<void> saveSweepReport(const record::SweepRun& run,
+                                   const jobs::SweepRecording& readings, SweepFormat format,
+                                   const QString& path)
+{
+    if (format == SweepFormat::Json)
+        return record::saveSweepRun(run, path);
+    if (format == SweepFormat::Csv)
+        return record::saveSweepLegs(run, path);
+    std::vector<report::SweepSeries> series;
+    for (std::size_t i = 0; i < run.servos.size(); ++i)
+        series.push_back(seriesOf(run, readings, i));
+    return format == SweepFormat::Pdf ? report::saveSweepPdf(run, series, text::inChinese(), path)
+                                      : report::saveSweepHtml(run, series, text::inChinese(), path);
+}
+} // namespace cli

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/sweep_points.h"
+
+#include "record/csv_cells.h"
+
+#include <QFile>
+
+namespace record {
+using base::ErrorCode;
+
+namespace {
+const QString operation = QStringLiteral("load");
+constexpr int longestPause = 3'600'000; ///< ms
+
+QString words(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+base::Result<SweepPoint> pointOf(const std::vector<std::string_view>& cells, int line)
+{
+    SweepPoint point{words(cells.front())};
+    if (point.target.isEmpty() || cells.size() > 2)
+        return base::fail(ErrorCode::FileFormat, operation, QStringLiteral("line %1").arg(line));
+    if (cells.size() == 2 && !cells[1].empty()) {
+        bool whole = false;
+        const int pause = words(cells[1]).toInt(&whole);
+        if (!whole || pause < 1 || pause > longestPause)
+            return base::fail(ErrorCode::FileFormat, operation,
+                              QStringLiteral("line %1, pause").arg(line));
+        point.pause = std::chrono::milliseconds(pause);
+    }
+    return point;
+}
+} // namespace
+
+base::Result<std::vector<SweepPoint>> decodeSweepPoints(const QByteArray& text)
+{
+    std::vector<SweepPoint> points;
+    CsvCells split;
+    int number = 0;
+    for (const QByteArray& whole : text.split('\n')) {
+        ++number;
+        const QByteArray line =
+            whole.left(whole.indexOf('#') < 0 ? whole.size() : whole.indexOf('#')).trimmed();
+        if (line.isEmpty())
+            continue;
+        const auto& cells =
+            split.split(std::string_view(line.constData(), std::size_t(line.size())));
+        if (points.empty() && cells.front() == "target")
+            continue;
+        const auto point = pointOf(cells, number);
+        if (!point)
+            return tl::unexpected(point.error());
+        points.push_back(*point);
+    }
+    return points;
+}
+
+base::Result<std::vector<SweepPoint>> loadSweepPoints(const QString& path)
+{
+    QFile file(path);
+    if (!file.exists())
+        return base::fail(ErrorCode::FileMissing, operation, path);
+    if (!file.open(QIODevice::ReadOnly))
+        return base::fail(ErrorCode::FileUnreadable, operation,
+                          path + QStringLiteral(": ") + file.errorString());
+    return decodeSweepPoints(file.readAll());
+}
+} // namespace record
