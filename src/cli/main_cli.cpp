@@ -3,13 +3,31 @@
 #include "cli/program.h"
 #include "cli/utf8_locale.h"
 
-#include <QCoreApplication>
+#include <QGuiApplication>
+
+#include <algorithm>
+#include <memory>
+
+namespace {
+/// Paper needs fonts, and those a GUI application; nothing else here does, so that the program also
+/// runs where there is none.
+std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv)
+{
+    const bool paper = std::any_of(argv, argv + argc, [](const char* word) {
+        return QByteArray(word).toLower().endsWith(".pdf");
+    });
+    if (!paper)
+        return std::make_unique<QCoreApplication>(argc, argv);
+    qputenv("QT_QPA_PLATFORM", "offscreen"); // a display is of no use
+    return std::make_unique<QGuiApplication>(argc, argv);
+}
+} // namespace
 
 int main(int argc, char** argv)
 {
     cli::useUtf8();
     const cli::Interrupt interrupt; // before Qt starts threads of its own
-    QCoreApplication application(argc, argv);
+    const auto application = makeApplication(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("servodesk"));
     QCoreApplication::setApplicationVersion(QStringLiteral(SERVODESK_VERSION));
     return cli::runProgram(QCoreApplication::arguments().mid(1), interrupt.stop());

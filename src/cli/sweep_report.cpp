@@ -67,9 +67,8 @@ base::Result<SweepFormat> sweepFormat(const std::optional<QString>& path)
 
 QString sweepReadingsPath(const QString& report)
 {
-    const QFileInfo file(report);
-    return file.path() + QLatin1Char('/') + file.completeBaseName() +
-           QStringLiteral(".readings.csv");
+    const QString end = QFileInfo(report).suffix();
+    return report.chopped(end.size()) + QStringLiteral("readings.csv");
 }
 
 base::Result<void> saveSweepReport(const record::SweepRun& run,

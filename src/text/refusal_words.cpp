@@ -8,6 +8,12 @@
 namespace text {
 namespace {
 constexpr std::array notSupported{
+    RefusalWords{"not-position", QT_TRANSLATE_NOOP("text", "it is not in a position mode"),
+                 QT_TRANSLATE_NOOP("text", "In its present mode goals are no places it could come "
+                                           "to."),
+                 QT_TRANSLATE_NOOP("text", "Change to position mode first; the test itself does "
+                                           "not touch the mode, because that is kept in the "
+                                           "servo.")},
     RefusalWords{"fixed-rate", QT_TRANSLATE_NOOP("text", "its baud rate cannot be changed"),
                  QT_TRANSLATE_NOOP("text", "This family runs at one rate and has no command for "
                                            "another."),
@@ -81,6 +87,29 @@ constexpr std::array notSupported{
 };
 
 constexpr std::array badArgument{
+    RefusalWords{"same-ends", QT_TRANSLATE_NOOP("text", "start and end are the same place"),
+                 QT_TRANSLATE_NOOP("text", "There would be no way to measure on."),
+                 QT_TRANSLATE_NOOP("text", "Give two different places.")},
+    RefusalWords{"no-step", QT_TRANSLATE_NOOP("text", "the step is 0"),
+                 QT_TRANSLATE_NOOP("text", "With it the end would never be reached."),
+                 QT_TRANSLATE_NOOP("text", "Give a step of 1 or more.")},
+    RefusalWords{"step-too-long",
+                 QT_TRANSLATE_NOOP("text", "the step is longer than the whole way"),
+                 QT_TRANSLATE_NOOP("text", "Start and end are nearer to each other than that."),
+                 QT_TRANSLATE_NOOP("text", "Give a smaller step, or a longer way.")},
+    RefusalWords{"no-points", QT_TRANSLATE_NOOP("text", "the list has fewer than two targets"),
+                 QT_TRANSLATE_NOOP("text", "A test goes from one place to another."),
+                 QT_TRANSLATE_NOOP("text", "Put at least two lines with a target into the file.")},
+    RefusalWords{"no-pause", QT_TRANSLATE_NOOP("text", "the delay is 0"),
+                 QT_TRANSLATE_NOOP("text", "The servo would be turned round before it has moved."),
+                 QT_TRANSLATE_NOOP("text", "Give the time a move needs and some more, or a dwell "
+                                           "after arrival.")},
+    RefusalWords{"no-end", QT_TRANSLATE_NOOP("text", "the test would never end"),
+                 QT_TRANSLATE_NOOP("text", "Neither cycles nor a duration are given."),
+                 QT_TRANSLATE_NOOP("text", "Give a number of cycles or a duration.")},
+    RefusalWords{"no-period", QT_TRANSLATE_NOOP("text", "the sine has no period"),
+                 QT_TRANSLATE_NOOP("text", "Nothing says how fast it is to be followed."),
+                 QT_TRANSLATE_NOOP("text", "Give the seconds of one period.")},
     RefusalWords{"nothing-read", QT_TRANSLATE_NOOP("text", "nothing is being read"),
                  QT_TRANSLATE_NOOP("text", "There is nothing that could be recorded."),
                  QT_TRANSLATE_NOOP("text", "Connect, select a servo and choose curves first.")},
@@ -119,6 +148,11 @@ constexpr std::array consent{
 };
 
 constexpr std::array refused{
+    RefusalWords{"no-start", QT_TRANSLATE_NOOP("text", "it did not reach the start of the test"),
+                 QT_TRANSLATE_NOOP("text", "It is blocked, too weak or too slow, or its limits "
+                                           "lie before that place."),
+                 QT_TRANSLATE_NOOP("text", "Free its way, then look at torque limit, speed and "
+                                           "alarms.")},
     RefusalWords{"mode-changed", QT_TRANSLATE_NOOP("text", "its operating mode is another one now"),
                  QT_TRANSLATE_NOOP("text", "Something else has switched it. In the new mode this "
                                            "goal would mean something else."),

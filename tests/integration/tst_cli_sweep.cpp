@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// servodesk-cli sweep as a user runs it: exit codes, the files it leaves, and that what the report
+// says can be worked out again from the readings, with arithmetic of this file's own.
+#include "record/sweep_json.h"
+#include "support/cli_program.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <cmath>
+#include <csignal>
+#include <map>
+
+using support::CliProgram;
+using support::Ran;
+
+namespace {
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+/// One reading of servo 1 out of the file: numbers by column name, NaN where it is empty.
+using Reading = std::map<QString, double>;
+
+std::vector<Reading> readings(const QString& path)
+{
+    QFile file(path);
+    std::vector<Reading> found;
+    if (!file.open(QIODevice::ReadOnly))
+        return found;
+    QStringList names;
+    for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
+        if (line.isEmpty() || line.startsWith(QLatin1Char('#')))
+            continue;
+        const QStringList cells = line.split(QLatin1Char(','));
+        if (names.isEmpty()) {
+            names = cells;
+            continue;
+        }
+        Reading reading;
+        for (int i = 0; i < cells.size() && i < names.size(); ++i) {
+            const QString name = names.at(i).section(QLatin1Char('['), 0, 0); // "1.goal[step]"
+            reading[name.section(QLatin1Char('.'), -1)] =
+                cells.at(i).isEmpty() ? NAN : cells.at(i).toDouble();
+        }
+        found.push_back(reading);
+    }
+    return found;
+}
+
+/// The readings of one leg.
+std::vector<Reading> ofLeg(const std::vector<Reading>& all, int leg)
+{
+    std::vector<Reading> found;
+    for (const Reading& one : all) {
+        if (one.at(text("leg")) == leg && !std::isnan(one.at(text("position"))))
+            found.push_back(one);
+    }
+    return found;
+}
+
+QJsonObject rowOf(const QJsonArray& rows, const char* name, const QJsonValue& value)
+{
+    for (const QJsonValue& row : rows) {
+        if (row[QLatin1String(name)] == value)
+            return row.toObject();
+    }
+    return {};
+}
+
+QJsonObject loaded(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object()
+                                          : QJsonObject();
+}
+} // namespace
+
+class TestCliSweep : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void goodAndBadServos();
+    void reportsOfEveryKind_data();
+    void reportsOfEveryKind();
+    void figuresCanBeWorkedOutFromTheReadings();
+    void mistakesAreNamed_data();
+    void mistakesAreNamed();
+    void ctrlCEndsItSafely();
+};
+
+void TestCliSweep::goodAndBadServos()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1,sts3215@2+overshoot=10"));
+    const char* good = "sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 1 --speed 3000";
+    const Ran passed = cli.run(good);
+    QVERIFY2(passed.exit == 0, qPrintable(passed.out + passed.err));
+    QVERIFY(passed.out.contains(text("Passed")));
+    const Ran failed =
+        cli.json("sweep 2 --from 1500 --to 2500 --dwell 200 --cycles 1 --speed 3000");
+    QCOMPARE(failed.exit, 1);
+    QCOMPARE(failed.json()[text("verdict")].toString(), text("fail"));
+    QCOMPARE(failed.json()[text("legs")].toArray().size(), 2);
+    const auto decoded = record::decodeSweepRun(failed.out.toUtf8());
+    QVERIFY2(decoded, decoded ? "" : qPrintable(decoded.error().detail));
+    QVERIFY(decoded->simulated);
+}
+
+void TestCliSweep::reportsOfEveryKind_data()
+{
+    QTest::addColumn<QByteArray>("begins");
+    QTest::newRow("html") << QByteArray("<!DOCTYPE html>");
+    QTest::newRow("pdf") << QByteArray("%PDF-");
+    QTest::newRow("json") << QByteArray("{");
+    QTest::newRow("csv") << QByteArray("servo,leg,");
+}
+
+void TestCliSweep::reportsOfEveryKind()
+{
+    QFETCH(QByteArray, begins);
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const QString path =
+        cli.dataFolder() + text("/report.") + QLatin1String(QTest::currentDataTag());
+    const Ran ran = cli.run(text("sweep 1 --from 1800 --to 2200 --delay 500 --cycles 1 --report ")
+                                .split(QLatin1Char(' '), Qt::SkipEmptyParts)
+                            << path);
+    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().startsWith(begins));
+    QVERIFY(QFile::exists(cli.dataFolder() + text("/report.readings.csv")));
+}
+
+/// A defect of each kind, so that no figure is 0 by chance.
+void TestCliSweep::figuresCanBeWorkedOutFromTheReadings()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1+overshoot=4+static-error=5+supply-ohms=0.4"));
+    const QString path = cli.dataFolder() + text("/report.json");
+    const Ran ran =
+        cli.run(text("sweep 1 --from 1500 --to 2500 --dwell 400 --cycles 2 --speed 3000 --report ")
+                    .split(QLatin1Char(' '), Qt::SkipEmptyParts)
+                << path);
+    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+    const QJsonObject report = loaded(path);
+    const auto all = readings(cli.dataFolder() + text("/report.readings.csv"));
+    const QJsonArray legs = report[text("legs")].toArray();
+    QCOMPARE(legs.size(), 4);
+    double worst = 0;
+    double overshoot = 0;
+    double peak = 0;
+    double lowest = HUGE_VAL;
+    for (const QJsonValue& leg : legs) {
+        const auto rows = ofLeg(all, leg[text("leg")].toInt());
+        QVERIFY(std::abs(double(rows.size()) - leg[text("samples")].toDouble()) <= 2);
+        const double target = leg[text("target")].toDouble();
+        QCOMPARE(rows.back().at(text("goal")), target);
+        double sum = 0; // of the last ten readings: it has long been at rest
+        for (std::size_t i = rows.size() - 10; i < rows.size(); ++i)
+            sum += rows[i].at(text("position")) / 10;
+        QVERIFY(std::abs(sum - leg[text("reached")].toDouble()) < 1);
+        QVERIFY(std::abs(leg[text("steady_error")].toDouble() - (sum - target)) < 1);
+        worst = std::max(worst, std::abs(sum - target));
+        const double sense = target > rows.front().at(text("position")) ? 1 : -1;
+        double beyond = 0;
+        for (const Reading& row : rows) {
+            beyond = std::max(beyond, sense * (row.at(text("position")) - sum));
+            peak = std::max(peak, std::abs(row.at(text("current"))));
+            lowest = std::min(lowest, row.at(text("voltage")));
+        }
+        const double way = std::abs(target - leg[text("start")].toDouble());
+        QVERIFY(std::abs(100 * beyond / way - leg[text("overshoot")].toDouble()) < 1);
+        overshoot = std::max(overshoot, 100 * beyond / way);
+    }
+    const QJsonArray metrics = report[text("metrics")].toArray();
+    const auto value = [&](const char* key) {
+        return rowOf(metrics, "metric", text(key))[text("value")].toDouble(NAN);
+    };
+    QVERIFY(std::abs(value("steady_error") - worst) < 1);
+    QVERIFY(std::abs(value("overshoot") - overshoot) < 1);
+    QCOMPARE(value("current_peak"), peak);
+    QCOMPARE(value("voltage_min"), lowest);
+    QVERIFY(lowest < 7.3); // the supply sags
+    QVERIFY(overshoot > 3 && overshoot < 5);
+    QVERIFY(worst > 4 && worst < 6);
+}
+
+void TestCliSweep::mistakesAreNamed_data()
+{
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<int>("exit");
+    QTest::addColumn<QString>("word"); ///< what the message speaks of
+    const auto row = [](const char* options, int exit, const char* word) {
+        QTest::newRow(options) << text(options) << exit << text(word);
+    };
+    row("--from 1000 --to 1000 --delay 500", 2, "same place");
+    row("--from 1000 --to 2000", 2, "--delay");
+    row("--from 1000 --delay 500", 2, "--to");
+    row("--from 1000 --to 2000 --delay 0", 2, "0");
+    row("--from 1000 --to 2000 --delay 500 --dwell 5", 2, "--dwell");
+    row("--from 1000 --to 2000 --delay 500 --step 5000", 2, "step");
+    row("--from 1000 --to 5000 --delay 500", 2, "goal_position");
+    row("--from 1000 --to 2000 --delay 500 --report /nowhere/report.html", 5, "/nowhere");
+    row("--from 1000 --to 2000 --delay 500 --report report.doc", 2, ".html");
+    row("--from 1000 --to 2000 --delay 500 --limits /nowhere.json", 5, "/nowhere.json");
+    row("--points /nowhere.csv --delay 500", 5, "/nowhere.csv");
+    row("--from 1000 --to 2000 --delay 500 --sine 2 --step 3", 2, "--sine");
+}
+
+void TestCliSweep::mistakesAreNamed()
+{
+    QFETCH(QString, options);
+    QFETCH(int, exit);
+    QFETCH(QString, word);
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const Ran ran =
+        cli.run(QStringList{text("sweep"), text("1")} + options.split(QLatin1Char(' ')));
+    QVERIFY2(ran.exit == exit, qPrintable(QString::number(ran.exit) + ran.err));
+    QVERIFY2(ran.err.contains(word), qPrintable(ran.err));
+}
+
+void TestCliSweep::ctrlCEndsItSafely()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const QString path = cli.dataFolder() + text("/report.json");
+    cli.start(text("sweep 1 --from 1000 --to 3000 --delay 1500 --cycles 1000 --release --report ")
+                  .split(QLatin1Char(' '), Qt::SkipEmptyParts)
+              << path);
+    QVERIFY(cli.waitForRemark("cycle 1"));
+    cli.signal(SIGINT);
+    const Ran ran = cli.finish();
+    QCOMPARE(ran.exit, 1);
+    const QJsonObject report = loaded(path);
+    QCOMPARE(report[text("end")].toString(), text("stopped"));
+    QVERIFY(!report[text("legs")].toArray().isEmpty());
+    QVERIFY(readings(cli.dataFolder() + text("/report.readings.csv")).size() > 50);
+}
+
+QTEST_GUILESS_MAIN(TestCliSweep)
+#include "tst_cli_sweep.moc"
