@@ -2829,6 +2829,146 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>make a servo blink its LED for a few seconds</source>
         <translation>让舵机的 LED 闪烁几秒</translation>
     </message>
+    <message>
+        <source>Figure</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Warn</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Sweep test</source>
+        <translation>往返测试</translation>
+    </message>
+    <message>
+        <source>on the way to the start, or warming up</source>
+        <translation>正在前往起点或预热</translation>
+    </message>
+    <message>
+        <source>cycle %1, %2 %, about %3 s left</source>
+        <translation>第 %1 个循环，%2 %，约剩 %3 秒</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>结论：%1</translation>
+    </message>
+    <message>
+        <source>Report: %1, readings: %2</source>
+        <translation>报告：%1，采样数据：%2</translation>
+    </message>
+    <message>
+        <source>move servos to and fro, measure and judge them</source>
+        <translation>让舵机往返运动，测量并判定</translation>
+    </message>
+    <message>
+        <source>--step, --both-sides, --random, --sine and --points exclude each other</source>
+        <translation>--step、--both-sides、--random、--sine 和 --points 只能用一个</translation>
+    </message>
+    <message>
+        <source>with --points there is no --from and no --to</source>
+        <translation>使用 --points 时不能用 --from 和 --to</translation>
+    </message>
+    <message>
+        <source>--from and --to are needed</source>
+        <translation>需要 --from 和 --to</translation>
+    </message>
+    <message>
+        <source>--delay and --dwell exclude each other</source>
+        <translation>--delay 和 --dwell 只能用一个</translation>
+    </message>
+    <message>
+        <source>--delay or --dwell is needed</source>
+        <translation>需要 --delay 或 --dwell</translation>
+    </message>
+    <message>
+        <source>start: raw, or with its unit (90deg)</source>
+        <translation>起点：原始值，或带单位（90deg）</translation>
+    </message>
+    <message>
+        <source>end: raw, or with its unit</source>
+        <translation>终点：原始值，或带单位</translation>
+    </message>
+    <message>
+        <source>from one goal to the next, arrived or not</source>
+        <translation>延时：从一个目标到下一个目标，不管是否到位</translation>
+    </message>
+    <message>
+        <source>rest after arrival instead</source>
+        <translation>改为到位后停留的时间</translation>
+    </message>
+    <message>
+        <source>there and back so many times (usual: 10)</source>
+        <translation>往返次数（默认 10）</translation>
+    </message>
+    <message>
+        <source>end after so many seconds</source>
+        <translation>到这么多秒后结束</translation>
+    </message>
+    <message>
+        <source>go in steps of this size, up and down</source>
+        <translation>按此步长逐步往返</translation>
+    </message>
+    <message>
+        <source>come to the middle from both sides too</source>
+        <translation>还从两侧到达中点</translation>
+    </message>
+    <message>
+        <source>random targets, the same for the same number</source>
+        <translation>随机目标，种子相同则目标相同</translation>
+    </message>
+    <message>
+        <source>follow a sine with this period</source>
+        <translation>按此周期跟随正弦</translation>
+    </message>
+    <message>
+        <source>targets from a CSV file: target,pause in ms</source>
+        <translation>从 CSV 文件读目标：目标,停留毫秒数</translation>
+    </message>
+    <message>
+        <source>travel time in milliseconds (SCS, LX)</source>
+        <translation>运行时间，毫秒（SCS、LX）</translation>
+    </message>
+    <message>
+        <source>move for so many seconds before measuring</source>
+        <translation>测量前先预热这么多秒</translation>
+    </message>
+    <message>
+        <source>torque off at the end (usual: hold)</source>
+        <translation>结束时卸力（默认保持）</translation>
+    </message>
+    <message>
+        <source>end with the first limit that is failed</source>
+        <translation>出现第一个不合格项时结束</translation>
+    </message>
+    <message>
+        <source>limits to judge by (usual: the built-in ones)</source>
+        <translation>判定用的限值（默认用内置的）</translation>
+    </message>
+    <message>
+        <source>write the report; the readings go to a CSV beside it</source>
+        <translation>写报告；采样数据写到旁边的 CSV</translation>
+    </message>
+    <message>
+        <source>who tests, for the report</source>
+        <translation>测试人，写入报告</translation>
+    </message>
+    <message>
+        <source>a remark for the report</source>
+        <translation>备注，写入报告</translation>
+    </message>
+    <message>
+        <source>a report ends with .html, .pdf, .json or .csv</source>
+        <translation>报告文件名以 .html、.pdf、.json 或 .csv 结尾</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -4000,6 +4140,114 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Switch the servo off and on, then it has forgotten the goal.</source>
         <translation>请断电再上电，舵机就会忘记该目标。</translation>
+    </message>
+    <message>
+        <source>it is not in a position mode</source>
+        <translation>它不在位置模式</translation>
+    </message>
+    <message>
+        <source>In its present mode goals are no places it could come to.</source>
+        <translation>在当前模式下，目标不是可以到达的位置。</translation>
+    </message>
+    <message>
+        <source>Change to position mode first; the test itself does not touch the mode, because that is kept in the servo.</source>
+        <translation>请先切换到位置模式；测试本身不改模式，因为模式会保存在舵机中。</translation>
+    </message>
+    <message>
+        <source>start and end are the same place</source>
+        <translation>起点与终点相同</translation>
+    </message>
+    <message>
+        <source>There would be no way to measure on.</source>
+        <translation>没有可测量的行程。</translation>
+    </message>
+    <message>
+        <source>Give two different places.</source>
+        <translation>请给出两个不同的位置。</translation>
+    </message>
+    <message>
+        <source>the step is 0</source>
+        <translation>步长为 0</translation>
+    </message>
+    <message>
+        <source>With it the end would never be reached.</source>
+        <translation>这样永远到不了终点。</translation>
+    </message>
+    <message>
+        <source>Give a step of 1 or more.</source>
+        <translation>请给出不小于 1 的步长。</translation>
+    </message>
+    <message>
+        <source>the step is longer than the whole way</source>
+        <translation>步长大于整个行程</translation>
+    </message>
+    <message>
+        <source>Start and end are nearer to each other than that.</source>
+        <translation>起点与终点的距离比步长还小。</translation>
+    </message>
+    <message>
+        <source>Give a smaller step, or a longer way.</source>
+        <translation>请减小步长或加大行程。</translation>
+    </message>
+    <message>
+        <source>the list has fewer than two targets</source>
+        <translation>列表中的目标少于两个</translation>
+    </message>
+    <message>
+        <source>A test goes from one place to another.</source>
+        <translation>测试需要从一处运动到另一处。</translation>
+    </message>
+    <message>
+        <source>Put at least two lines with a target into the file.</source>
+        <translation>请在文件中至少写两行目标。</translation>
+    </message>
+    <message>
+        <source>the delay is 0</source>
+        <translation>延时为 0</translation>
+    </message>
+    <message>
+        <source>The servo would be turned round before it has moved.</source>
+        <translation>舵机还没动就会被要求返回。</translation>
+    </message>
+    <message>
+        <source>Give the time a move needs and some more, or a dwell after arrival.</source>
+        <translation>延时应大于运动所需时间，或改为到位后停留。</translation>
+    </message>
+    <message>
+        <source>the test would never end</source>
+        <translation>测试不会结束</translation>
+    </message>
+    <message>
+        <source>Neither cycles nor a duration are given.</source>
+        <translation>既没有给循环次数，也没有给时长。</translation>
+    </message>
+    <message>
+        <source>Give a number of cycles or a duration.</source>
+        <translation>请给出循环次数或时长。</translation>
+    </message>
+    <message>
+        <source>the sine has no period</source>
+        <translation>正弦没有周期</translation>
+    </message>
+    <message>
+        <source>Nothing says how fast it is to be followed.</source>
+        <translation>没有说明跟随的快慢。</translation>
+    </message>
+    <message>
+        <source>Give the seconds of one period.</source>
+        <translation>请给出一个周期的秒数。</translation>
+    </message>
+    <message>
+        <source>it did not reach the start of the test</source>
+        <translation>它没有到达测试起点</translation>
+    </message>
+    <message>
+        <source>It is blocked, too weak or too slow, or its limits lie before that place.</source>
+        <translation>可能被卡住、力量不足或太慢，或者限位在起点之前。</translation>
+    </message>
+    <message>
+        <source>Free its way, then look at torque limit, speed and alarms.</source>
+        <translation>请清除阻挡，再检查扭矩限制、速度和报警。</translation>
     </message>
 </context>
 <context>
