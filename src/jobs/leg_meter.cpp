@@ -168,11 +168,22 @@ bool LegMeter::arrived(Duration rest) const
     return m_read && m_inside && m_last.at - std::max(*m_inside, m_calm.since()) >= rest;
 }
 
+/// What friction and load may leave of the way.
+double LegMeter::leftBeside() const
+{
+    return std::max(m_axis.tolerance, m_axis.stepsPerTurn / restShare);
+}
+
+bool LegMeter::standsNear(Duration rest) const
+{
+    return m_read && std::abs(m_last.position - m_leg.target) <= leftBeside() &&
+           m_last.at - std::max(m_calm.since(), m_at + m_startUp) >= rest;
+}
+
 bool LegMeter::stalled(Duration span) const
 {
     const double goal = m_path ? m_path(m_last.at - m_at) : m_leg.target;
-    const double away = std::max(m_axis.tolerance, m_axis.stepsPerTurn / restShare);
-    if (!m_read || std::abs(m_last.position - goal) <= away)
+    if (!m_read || std::abs(m_last.position - goal) <= leftBeside())
         return false;
     const Duration least = std::max(span, 2 * timeAt(m_axis.speed, stirs));
     return m_last.at - std::max(m_still.since(), m_at + m_startUp) >= least;

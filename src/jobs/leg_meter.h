@@ -7,9 +7,9 @@
 //                   noise it shows at rest (at most 2 steps). If it was still outside at the end,
 //                   until the end, which is the least it can be. Not measured where it was never
 //                   seen to leave, but not long enough either to say that it stays
-//   at rest:        three readings within tolerance (or, away from its target, within tolerance and
-//                   at least 3 steps of one place), for 100 ms and the time its speed needs for as
-//                   much way (away from its target: twice as much)
+//   at rest:        three readings within tolerance (or, away from its target, within tolerance,
+//                   at least 3 steps, and the noise of one place), for 100 ms and the time its
+//                   speed needs for as much way (away from its target: twice as much)
 //   reached:        at rest, the mean of the readings in the last fifth of the time it was so, at
 //                   least three of them; else the last reading
 //   steady error:   reached − target, at rest only
@@ -62,6 +62,9 @@ public:
     /// Within tolerance (and 2 steps of noise) and within as much, at least 4 steps, of one place,
     /// both for `rest`.
     bool arrived(base::Duration rest) const;
+    /// For `rest` at one place as arrived() has it, perhaps beside its target, but no further from
+    /// it than a servo that stalled().
+    bool standsNear(base::Duration rest) const;
     /// Further from its target than its tolerance and 1/64 turn, which friction and load may leave,
     /// and within 4 steps of one place for `span`, although it has had that long, and the time that
     /// its speed and acceleration need for more than that.
@@ -71,6 +74,7 @@ public:
     record::SweepLeg finish(base::Duration end, base::Duration runStart) const;
 
 private:
+    double leftBeside() const;
     void addPosition(base::Duration at, double position);
     void lookForArrival(base::Duration at, double position);
     void holdAgainstPath(base::Duration at, double position);

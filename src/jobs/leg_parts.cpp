@@ -20,8 +20,10 @@ constexpr Duration longestHole = milliseconds(250);
 constexpr Duration leastStretch = milliseconds(40);
 constexpr Duration longStretch = std::chrono::seconds(2);
 constexpr double stretchSteps = 60;
-constexpr double stretchShare = 1.0 / 6;
-constexpr double mostNoise = 8; ///< steps; that a fitted line may be steeper than its ends
+constexpr double stretchShare = 1.0 / 6; ///< of a short way
+constexpr double longShare = 1.0 / 16;   ///< of a long way: what noise adds counts for less
+constexpr double doubts = 1;             ///< standard errors of a slope
+constexpr double mostNoise = 8;          ///< steps; that a fitted line may be steeper than its ends
 constexpr Duration flagRises = milliseconds(100);
 
 double seconds(Duration span)
@@ -107,7 +109,7 @@ void SpeedMeter::cross(const Point& point)
 bool SpeedMeter::stretches(const Point& from, const Point& to) const
 {
     const Duration span = to.at - from.at;
-    const double least = std::min(stretchSteps, stretchShare * m_way);
+    const double least = std::max(std::min(stretchSteps, stretchShare * m_way), longShare * m_way);
     return span >= leastStretch && (to.gone - from.gone >= least || span >= longStretch);
 }
 
@@ -126,7 +128,8 @@ void SpeedMeter::measureTop(const Point& point)
     m_top = std::max(m_top.value_or(0), slope());
 }
 
-/// Least squares, about the middle of the stretch.
+/// Least squares, about the middle of the stretch. Less what the scatter about the line makes of
+/// it: of many slopes the steepest is to be told, and that one has been lucky.
 double SpeedMeter::slope() const
 {
     const Duration origin = m_stretch.front().at;
@@ -140,12 +143,19 @@ double SpeedMeter::slope() const
     gone /= double(m_stretch.size());
     double product = 0;
     double square = 0;
+    double scatter = 0;
     for (const Point& point : m_stretch) {
         const double off = seconds(point.at - origin) - time;
         product += off * (point.gone - gone);
         square += off * off;
+        scatter += (point.gone - gone) * (point.gone - gone);
     }
-    return square > 0 ? product / square : 0;
+    if (square <= 0)
+        return 0;
+    const double steepness = product / square;
+    const double about = std::max(0.0, scatter - steepness * product);
+    const double error = std::sqrt(about / double(m_stretch.size() - 2) / square);
+    return steepness - doubts * error;
 }
 
 bool SpeedMeter::known() const

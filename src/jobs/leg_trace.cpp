@@ -117,7 +117,8 @@ void restElsewhere(LegRest& rest, const std::vector<LegPoint>& points, const Res
     for (std::size_t i = 0; i < leastTail; ++i)
         last[i] = points[points.size() - 1 - i].position;
     std::sort(last.begin(), last.end());
-    const double band = std::max(query.tolerance, leastBand);
+    const double noise = std::min(mostNoise, tailOf(points, 0).spread);
+    const double band = std::max(query.tolerance, leastBand) + noise;
     const std::size_t since = stayedSince(points, 0, last[1], band);
     if (since < points.size() && longEnough(points, since, leastRest + 2 * query.slowest))
         standAt(rest, points, since);
@@ -192,8 +193,14 @@ std::optional<LegRest> restOf(const std::vector<LegPoint>& points, const RestQue
         settle(rest, points, since, query);
     else
         rest.settled = query.arrival;
-    if (longEnough(points, since, leastRest + query.slowest))
+    if (longEnough(points, since, leastRest + query.slowest)) {
         standAt(rest, points, since);
+        return rest;
+    }
+    // It may stand just beside, and only its noise be within.
+    restElsewhere(rest, points, query);
+    if (rest.steady && std::abs(rest.place - query.target) > query.tolerance)
+        rest.settled.reset();
     return rest;
 }
 } // namespace jobs

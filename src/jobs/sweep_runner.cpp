@@ -22,7 +22,8 @@ constexpr Duration reportEvery = 100ms;
 constexpr Duration gapFrom = 300ms;
 constexpr Duration mostSilence = 5s;
 
-/// At rest within tolerance for so long it has arrived at the start.
+/// At rest for so long it has arrived at the start. One that rests a little beside it comes no
+/// nearer: how far that is the test will measure.
 constexpr Duration approachRest = 200ms;
 /// Without motion for so long away from its target it is jammed.
 constexpr Duration stallTime = 1s;
@@ -80,9 +81,15 @@ base::Result<void> SweepRunner::goThrough()
 /// To the first place of the path, which is no leg.
 base::Result<void> SweepRunner::approach()
 {
+    // How long it may take is known only from where it stands.
+    const auto placed = [](const Track& track) { return track.position.has_value(); };
+    read(now() + mostSilence,
+         [&] { return std::all_of(m_tracks.begin(), m_tracks.end(), placed); });
     std::vector<double> targets;
     for (const Track& track : m_tracks)
         targets.push_back(track.path.first());
+    if (ended())
+        return {};
     if (const auto sent = send(targets); !sent || ended())
         return sent;
     const Duration at = now();
@@ -91,9 +98,12 @@ base::Result<void> SweepRunner::approach()
         track.meter.emplace(m_run.servos[i].axis, 0, 0, at, track.position.value_or(track.goal),
                             track.goal);
     }
-    read(at + patience(), [this] { return arrived(approachRest); });
+    const auto there = [](const Track& track) {
+        return track.meter->arrived(approachRest) || track.meter->standsNear(approachRest);
+    };
+    read(at + patience(), [&] { return std::all_of(m_tracks.begin(), m_tracks.end(), there); });
     for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
-        if (!m_tracks[i].meter->arrived(Duration::zero()))
+        if (!m_tracks[i].meter->arrived(Duration::zero()) && !there(m_tracks[i]))
             return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("sweep"),
                                               QStringLiteral("no-start"), m_servos[i].id});
         m_reader.anchor(i, m_tracks[i].goal);

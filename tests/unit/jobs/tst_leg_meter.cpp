@@ -59,6 +59,7 @@ private Q_SLOTS:
     void leavesAgainAndStandsElsewhere();
     void aLegOfNoWay();
     void missesItsTargetAndStands();
+    void standsJustBesideWithItsNoiseWithin();
     void theNextGoalComesTooEarly();
     void theNextGoalComesOnArrival();
     void fewReadings_data();
@@ -246,6 +247,20 @@ void TestLegMeter::missesItsTargetAndStands()
         VERIFY_NEAR(leg.steadyError, rest - 2000, 1);
         VERIFY_NEAR(leg.overshootSteps, 0, 0);
         QVERIFY(!leg.meanSpeed || rest > 1900);
+    }
+}
+
+/// Single readings are within tolerance, the place of rest is not; whichever comes last.
+void TestLegMeter::standsJustBesideWithItsNoiseWithin()
+{
+    const Motion motion = ride::trapezoid(1000, 1985, 1500, 6000);
+    for (const double tolerance : {12.0, 13.0}) {
+        for (unsigned seed = 1; seed <= 50; ++seed) {
+            const SweepLeg leg =
+                ride::measure(ride::axis(tolerance), 1000, 2000, motion, 3, {300, 3, 0, 0, seed});
+            VERIFY_NEAR(leg.steadyError, -15, 1);
+            VERIFY_NEAR(leg.reached, 1985, 1);
+        }
     }
 }
 

@@ -80,6 +80,8 @@ private Q_SLOTS:
     void speeds_data();
     void speeds();
     void meanIsOfTheMiddle();
+    void noiseIsNoSpeed();
+    void standsNearItsTarget();
     void tooLittleForASpeed();
     void lagsBehindItsPath_data();
     void lagsBehindItsPath();
@@ -134,6 +136,32 @@ void TestLegMotion::meanIsOfTheMiddle()
     VERIFY_NEAR(leg.meanSpeed, mean, 0.02 * mean);
     const double top = std::sqrt(1000.0 * 2000);
     VERIFY_NEAR(leg.topSpeed, top, 0.02 * top);
+}
+
+/// The steepest of many slopes is the one that noise has made steep.
+void TestLegMotion::noiseIsNoSpeed()
+{
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+        const Motion motion = ride::trapezoid(0, 2800, 2050, 50000);
+        const SweepLeg leg =
+            ride::measure(ride::axis(), 0, 2800, motion, 2.5, {350, 2.6, 0, 0, seed});
+        VERIFY_NEAR(leg.topSpeed, 2050, 0.02 * 2050);
+    }
+}
+
+void TestLegMotion::standsNearItsTarget()
+{
+    const auto stands = [](double place, double until) {
+        const SweepAxis axis = ride::axis();
+        LegMeter meter = ride::meter(axis, 0, 1000);
+        ride::read(ride::trapezoid(0, place, 2000, 50000), until, {300, 1},
+                   [&](const jobs::SweepSample& sample) { meter.add(sample); });
+        return meter.standsNear(milliseconds(200));
+    };
+    QVERIFY(stands(1000, 1));
+    QVERIFY(stands(980, 1)); // out of tolerance, but by no more than friction may leave
+    QVERIFY(!stands(980, 0.6));
+    QVERIFY(!stands(900, 1));
 }
 
 void TestLegMotion::tooLittleForASpeed()
