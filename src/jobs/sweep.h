@@ -31,7 +31,8 @@ struct SweepProgress {
 
 /// Called on the job's thread while it runs; each may be empty.
 struct SweepWatch {
-    /// In time order for each servo; `goal` in steps, `leg` 0 outside of the measured part.
+    /// In time order for each servo; `goal` in steps, `leg` 0 outside of the measured part and
+    /// while goals are being sent.
     std::function<void(std::size_t servo, const SweepSample&, double goal, int leg)> onSample{};
     std::function<void(std::size_t servo, const record::SweepLeg&)> onLeg{};
     std::function<void(const SweepProgress&)> onProgress{};

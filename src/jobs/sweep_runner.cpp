@@ -206,6 +206,7 @@ void SweepRunner::wave(int number)
 void SweepRunner::begin(int number, Duration at)
 {
     m_leg = m_measuring ? number : 0;
+    m_legAt = at;
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
         Track& track = m_tracks[i];
         const SweepStop stop = track.path.leg(number);
@@ -233,6 +234,7 @@ void SweepRunner::close()
     }
     for (Track& track : m_tracks)
         track.meter.reset();
+    m_legAt = Duration::max(); // what comes now belongs to none
 }
 
 /// Tries again while the line is silent; what else goes wrong is said to the caller.
@@ -327,7 +329,7 @@ void SweepRunner::take(std::size_t i, const SweepSample& sample)
     if (track.meter)
         track.meter->add(sample);
     if (m_watch.onSample)
-        m_watch.onSample(i, sample, track.goal, m_leg);
+        m_watch.onSample(i, sample, track.goal, sample.at < m_legAt ? 0 : m_leg);
     if (m_run.spec.stopOnAlarm && sample.answered && sample.status != 0)
         endRun(SweepEnd::Alarm, int(i));
     if (m_run.spec.stopOnStall && track.meter && track.meter->stalled(stallTime))

@@ -77,7 +77,8 @@ private:
     base::Duration m_toldAt{};
     bool m_measuring = false;
     int m_leg = 0;
-    int m_fault = -1; ///< place of the servo that ended it
+    base::Duration m_legAt{}; ///< its goal had been sent
+    int m_fault = -1;         ///< place of the servo that ended it
     bool m_ended = false;
 };
 } // namespace jobs
