@@ -49,7 +49,7 @@ QByteArray list(const Items& items, const Write& write)
 }
 
 /// A document that is a file of its own, further in.
-QByteArray indented(QByteArray document)
+QByteArray indented(const QByteArray& document)
 {
     return document.trimmed().replace("\n", "\n      ");
 }
