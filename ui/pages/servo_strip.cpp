@@ -46,8 +46,10 @@ void ServoStrip::rebuild()
     const auto same = [](const auto& card, ServoRef ref) { return card.first == ref; };
     if (std::equal(m_cards.begin(), m_cards.end(), servos.begin(), servos.end(), same))
         return refresh();
-    for (const auto& [ref, card] : m_cards)
+    for (const auto& [ref, card] : m_cards) {
+        card->hide(); // it may be painted once more before it is gone
         card->deleteLater();
+    }
     m_cards.clear();
     for (const ServoRef ref : servos) {
         auto* card = new ServoCard(m_body);
