@@ -4,13 +4,13 @@
 #include "cli/progress.h"
 #include "cli/run.h"
 #include "cli/sweep_input.h"
-#include "cli/sweep_report.h"
 #include "cli/table.h"
 #include "cli/translate.h"
 #include "jobs/sweep.h"
 #include "record/sweep_json.h"
 #include "report/sweep_words.h"
 #include "session/safety_snapshot.h"
+#include "session/sweep_report.h"
 #include "text/language.h"
 
 namespace cli {
@@ -80,7 +80,7 @@ private:
     std::unique_ptr<ProgressLine> m_line;
     std::vector<device::Servo> m_servos;
     jobs::SweepOrder m_order;
-    SweepFormat m_format = SweepFormat::None;
+    std::optional<session::SweepFormat> m_format{}; ///< none: no report is wanted
     QString m_path;
     std::unique_ptr<jobs::SweepRecording> m_readings;
 };
@@ -97,12 +97,10 @@ base::Result<void> SweepCommand::collect()
     const auto limits = sweepLimits(m_values);
     if (!limits)
         return tl::unexpected(limits.error());
-    const auto path = m_values.option("--report");
-    const auto format = sweepFormat(path);
-    if (!format)
-        return tl::unexpected(format.error());
-    m_format = *format;
-    m_path = path.value_or(QString());
+    m_path = m_values.option("--report").value_or(QString());
+    m_format = session::sweepFormatOf(m_path);
+    if (!m_path.isEmpty() && !m_format)
+        return badArgument(translate("cli", "a report ends with .html, .pdf, .json or .csv"));
     for (const int id : *ids) {
         auto servo = m_run.servoWithSettings(id);
         if (!servo)
@@ -122,8 +120,8 @@ jobs::SweepWatch SweepCommand::watch()
 {
     jobs::SweepWatch watch;
     watch.onBegin = [this](const record::SweepRun& run) {
-        auto made = jobs::SweepRecording::start(
-            run, m_format == SweepFormat::None ? QString() : sweepReadingsPath(m_path));
+        auto made = jobs::SweepRecording::start(run, m_format ? session::sweepReadingsPath(m_path)
+                                                              : QString());
         if (made)
             m_readings = std::move(*made);
         return made ? std::nullopt : std::optional(made.error());
@@ -146,9 +144,9 @@ base::Result<void> SweepCommand::save(const record::SweepRun& run)
     m_readings->finish();
     if (const auto trouble = m_readings->failure())
         return tl::unexpected(*trouble);
-    if (m_format == SweepFormat::None)
+    if (!m_format)
         return {};
-    return saveSweepReport(run, *m_readings, m_format, m_path);
+    return session::saveSweepReport(run, *m_readings, *m_format, text::inChinese(), m_path);
 }
 
 void SweepCommand::show(const record::SweepRun& run)
@@ -167,10 +165,10 @@ void SweepCommand::show(const record::SweepRun& run)
     }
     text += translate("cli", "Verdict: %1").arg(in(report::gradeWords(run.verdict()))) +
             QLatin1Char('\n');
-    if (m_format != SweepFormat::None)
-        text +=
-            translate("cli", "Report: %1, readings: %2").arg(m_path, sweepReadingsPath(m_path)) +
-            QLatin1Char('\n');
+    if (m_format)
+        text += translate("cli", "Report: %1, readings: %2")
+                    .arg(m_path, session::sweepReadingsPath(m_path)) +
+                QLatin1Char('\n');
     m_run.console().print(text + m_run.takeNotices());
 }
 

@@ -73,8 +73,9 @@ public:
     void readTable(ServoRef ref);
     void write(ServoRef ref, const WriteOrder& order);
     void perform(ServoRef ref, Task task);
-    bool busy() const; ///< a task runs or waits
-    void stopTask();   ///< the running task; those that wait are dropped
+    bool busy() const;    ///< a task runs or waits
+    bool testing() const; ///< a lasting task runs; see Task::lasting
+    void stopTask();      ///< the running task; those that wait are dropped
 
     /// Regular reading of what `user` ("memory", "operate", "record") wants to see, of servos that
     /// answer at the port's rate. Replaces this user's wish before; no parts: ends it.

@@ -33,6 +33,12 @@ void Desk::search(const jobs::ScanSpec& spec)
 {
     if (m_state != LinkState::Open)
         return;
+    if (testing()) {
+        tell({.kind = Event::Kind::Failed,
+              .error = base::Error{base::ErrorCode::Held, QStringLiteral("scan"),
+                                   QStringLiteral("test")}});
+        return;
+    }
     stopSearch();
     if (m_search) { // the one before ends first, and this one takes its turn
         m_nextSearch = spec;

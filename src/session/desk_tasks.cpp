@@ -14,6 +14,9 @@ bool losesTurns(const QString& task)
            task == QLatin1StringView("restore-defaults");
 }
 
+/// What everybody beside a test may read; see Task::lasting.
+constexpr base::Duration testFeed = std::chrono::seconds(1);
+
 bool heardSince(const device::Servo& servo, base::Duration since)
 {
     return servo.profile &&
@@ -28,6 +31,11 @@ bool heardSince(const device::Servo& servo, base::Duration since)
 bool Desk::busy() const
 {
     return m_running || !m_queue.empty();
+}
+
+bool Desk::testing() const
+{
+    return m_running && m_running->task.lasting;
 }
 
 void Desk::stopTask()
@@ -55,6 +63,10 @@ void Desk::enqueue(std::shared_ptr<Work> work)
     }
     if (refusedByStop(*work)) {
         endUnrun(*work, {base::ErrorCode::Preempted, {}, QStringLiteral("torque-first")});
+        return;
+    }
+    if (testing() && !work->readOnly) {
+        endUnrun(*work, {base::ErrorCode::Held, {}, QStringLiteral("test")});
         return;
     }
     work->epoch = m_connection->bus().emergencies();
@@ -91,6 +103,7 @@ void Desk::startNext()
     const bool elsewhere =
         m_running->ref == 0 || (hasBaud() && m_running->own.servo.baud != baud());
     m_running->movesRate = m_running->movesRate || elsewhere;
+    m_feeder.slowDown(m_running->task.lasting ? testFeed : base::Duration{});
     updateFeed();
     m_taskThread->start([this, work = m_running] {
         runWork(*work);
@@ -168,6 +181,7 @@ void Desk::runWork(Work& work)
 void Desk::workEnded(const std::shared_ptr<Work>& work)
 {
     m_running.reset();
+    m_feeder.slowDown({});
     if (work->ref != 0)
         work->partEnded(*this, work->own);
     for (const Work::Part& other : work->others)

@@ -25,6 +25,12 @@ void Feeder::wish(const QString& user, const FeedWish& wish)
     m_wishesChanged = true;
 }
 
+void Feeder::slowDown(Duration period)
+{
+    m_wishesChanged = m_wishesChanged || period != m_least;
+    m_least = period;
+}
+
 void Feeder::forget(ServoRef ref)
 {
     for (auto wish = m_wishes.begin(); wish != m_wishes.end();) {
@@ -79,6 +85,8 @@ void Feeder::start(bus::Bus& bus, const std::vector<const ServoEntry*>& present)
     for (const auto& [user, one] : m_wishes)
         wishes.push_back(one);
     FeedPlan plan = planFeed(wishes, present, m_baud);
+    plan.common.period = std::max(plan.common.period, m_least);
+    plan.beside.period = std::max(plan.beside.period, m_least);
     for (auto& [ref, past] : m_past) {
         if (std::none_of(plan.targets.begin(), plan.targets.end(),
                          [r = ref](const FeedTarget& target) { return target.ref == r; }))

@@ -24,6 +24,7 @@ struct FeedBatch {
 class Feeder {
 public:
     void wish(const QString& user, const FeedWish& wish); ///< no parts: ends it
+    void slowDown(base::Duration period); ///< no more often than this; 0: as was wished
     void forget(ServoRef ref);
     void forgetAll();
     bool running() const { return m_polls[0] != 0; }
@@ -86,6 +87,7 @@ private:
 
     std::map<QString, FeedWish> m_wishes;
     bool m_wishesChanged = false;
+    base::Duration m_least{};
     std::vector<Asked> m_asked;
     int m_baud = 0;
     std::array<bus::PollId, 2> m_polls{}; ///< common, beside

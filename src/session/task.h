@@ -41,7 +41,10 @@ struct Task {
     /// Servos the task owns beside its own, all at the same rate; one that is gone ends the task
     /// with NoAnswer before the first byte.
     std::vector<ServoRef> others{};
-    bool quiet = false;                                   ///< no Event unless it failed
+    bool quiet = false; ///< no Event unless it failed
+    /// A test of minutes or hours. While it runs the wire is its own: others are read once a
+    /// second, tables when it has ended, and what writes or searches is refused (Held, "test").
+    bool lasting = false;
     std::function<base::Result<void>(TaskContext&)> work; ///< job thread
     QPointer<QObject> guard;                              ///< `done` is dropped when it is gone
     std::function<void(const TaskEnd&)> done{};           ///< main thread

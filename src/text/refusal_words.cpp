@@ -115,6 +115,13 @@ constexpr std::array badArgument{
                  QT_TRANSLATE_NOOP("text", "Connect, select a servo and choose curves first.")},
 };
 
+constexpr std::array held{
+    RefusalWords{"test", QT_TRANSLATE_NOOP("text", "a test has the bus to itself"),
+                 QT_TRANSLATE_NOOP("text", "Anything else on the wire would spoil what is being "
+                                           "measured."),
+                 QT_TRANSLATE_NOOP("text", "Wait until the test has ended, or stop it.")},
+};
+
 constexpr std::array preempted{
     RefusalWords{"torque-first",
                  QT_TRANSLATE_NOOP("text", "the emergency stop keeps it from moving"),
@@ -190,6 +197,8 @@ const RefusalWords* refusalWords(const base::Error& error)
         return findIn(refused, error.detail);
     if (error.code == base::ErrorCode::Preempted)
         return findIn(preempted, error.detail);
+    if (error.code == base::ErrorCode::Held)
+        return findIn(held, error.detail);
     if (error.code == base::ErrorCode::BadArgument)
         return findIn(badArgument, error.detail);
     return nullptr;

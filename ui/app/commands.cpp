@@ -21,6 +21,7 @@ enum When : unsigned {
     LockIsOpen = 1U << 8, ///< and its EPROM lock reads open
     HasUndo = 1U << 9,
     HasRedo = 1U << 10,
+    NoTest = 1U << 11, ///< no lasting test has the bus
 };
 
 struct Row {
@@ -44,7 +45,7 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
     {Command::PowerCycle, QT_TRANSLATE_NOOP("Commands", "S&witch the simulated servos off and on"),
      QT_TRANSLATE_NOOP("Commands", "What was written temporarily is lost, as at a real power-off"), "system-reboot", "", Open | Simulated},
     {Command::Search, QT_TRANSLATE_NOOP("Commands", "&Search"),
-     QT_TRANSLATE_NOOP("Commands", "Search the bus for servos; writes nothing"), "edit-find", "F5", Open},
+     QT_TRANSLATE_NOOP("Commands", "Search the bus for servos; writes nothing"), "edit-find", "F5", Open | NoTest},
     {Command::StopSearch, QT_TRANSLATE_NOOP("Commands", "S&top"),
      QT_TRANSLATE_NOOP("Commands", "End the search; what was found stays"), "process-stop", "Shift+F5", Searching},
     {Command::StopTask, QT_TRANSLATE_NOOP("Commands", "Stop the running &task"),
@@ -136,6 +137,7 @@ unsigned situation(const session::Desk& desk, const Selection& selection)
     now |= desk.simulated() ? Simulated : 0U;
     now |= desk.searching() ? Searching : 0U;
     now |= desk.busy() ? Busy : 0U;
+    now |= desk.testing() ? 0U : NoTest;
     now |= desk.nextUndo() != nullptr ? HasUndo : 0U;
     now |= desk.nextRedo() != nullptr ? HasRedo : 0U;
     if (const session::ServoEntry* servo = desk.servo(selection.current())) {
@@ -201,7 +203,11 @@ void Commands::updateIcons()
 void Commands::refresh()
 {
     const unsigned now = situation(m_desk, m_selection);
-    for (std::size_t i = 0; i < m_actions.size(); ++i)
-        m_actions[i]->setEnabled((rowOf(i).when & ~now) == 0);
+    for (std::size_t i = 0; i < m_actions.size(); ++i) {
+        unsigned needed = rowOf(i).when;
+        if ((needed & (Writable | HasUndo | HasRedo)) != 0)
+            needed |= NoTest;
+        m_actions[i]->setEnabled((needed & ~now) == 0);
+    }
 }
 } // namespace ui

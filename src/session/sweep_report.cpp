@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sweep_report.h"
+#include "session/sweep_report.h"
 
-#include "cli/arguments.h"
-#include "cli/translate.h"
 #include "record/sweep_csv.h"
 #include "record/sweep_json.h"
 #include "report/sweep_html.h"
 #include "report/sweep_pdf.h"
-#include "text/language.h"
 
 #include <QFileInfo>
 
 #include <limits>
 
-namespace cli {
+namespace session {
 namespace {
 constexpr int chartColumns = 1000; ///< two readings in each: its lowest and its highest
 
@@ -49,11 +46,9 @@ report::SweepSeries seriesOf(const record::SweepRun& run, const jobs::SweepRecor
 }
 } // namespace
 
-base::Result<SweepFormat> sweepFormat(const std::optional<QString>& path)
+std::optional<SweepFormat> sweepFormatOf(const QString& path)
 {
-    if (!path)
-        return SweepFormat::None;
-    const QString end = QFileInfo(*path).suffix().toLower();
+    const QString end = QFileInfo(path).suffix().toLower();
     if (end == QLatin1String("html"))
         return SweepFormat::Html;
     if (end == QLatin1String("pdf"))
@@ -62,7 +57,7 @@ base::Result<SweepFormat> sweepFormat(const std::optional<QString>& path)
         return SweepFormat::Json;
     if (end == QLatin1String("csv"))
         return SweepFormat::Csv;
-    return badArgument(translate("cli", "a report ends with .html, .pdf, .json or .csv"));
+    return std::nullopt;
 }
 
 QString sweepReadingsPath(const QString& report)
@@ -73,7 +68,7 @@ QString sweepReadingsPath(const QString& report)
 
 base::Result<void> saveSweepReport(const record::SweepRun& run,
                                    const jobs::SweepRecording& readings, SweepFormat format,
-                                   const QString& path)
+                                   bool chinese, const QString& path)
 {
     if (format == SweepFormat::Json)
         return record::saveSweepRun(run, path);
@@ -82,7 +77,7 @@ base::Result<void> saveSweepReport(const record::SweepRun& run,
     std::vector<report::SweepSeries> series;
     for (std::size_t i = 0; i < run.servos.size(); ++i)
         series.push_back(seriesOf(run, readings, i));
-    return format == SweepFormat::Pdf ? report::saveSweepPdf(run, series, text::inChinese(), path)
-                                      : report::saveSweepHtml(run, series, text::inChinese(), path);
+    return format == SweepFormat::Pdf ? report::saveSweepPdf(run, series, chinese, path)
+                                      : report::saveSweepHtml(run, series, chinese, path);
 }
-} // namespace cli
+} // namespace session
