@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/sweep_cells.h"
+
+#include "report/html_page.h"
+#include "report/sweep_words.h"
+#include "text/language.h"
+
+#include <cmath>
+
+namespace ui {
+using record::Grade;
+
+namespace {
+QString said(const catalog::Text& words)
+{
+    return words.in(text::inChinese());
+}
+} // namespace
+
+QString sweepNumber(const std::optional<double>& value)
+{
+    return value && std::isfinite(*value) ? report::figure(*value) : QStringLiteral("–");
+}
+
+QString unitName(const QString& unit)
+{
+    return said(report::unitWords(unit));
+}
+
+QString sweepValue(const std::optional<double>& value, const QString& unit)
+{
+    if (!value || !std::isfinite(*value))
+        return said(report::sweepWords().notMeasured);
+    const QString number = report::figure(*value);
+    return unit.isEmpty() ? number : number + QLatin1Char(' ') + unitName(unit);
+}
+
+QString metricName(const QString& key)
+{
+    return said(report::metricWords(key));
+}
+
+QString gradeText(Grade grade)
+{
+    return report::gradeSign(grade) + QLatin1Char(' ') + said(report::gradeWords(grade));
+}
+
+Tone gradeTone(Grade grade)
+{
+    switch (grade) {
+    case Grade::Pass:
+        return Tone::Good;
+    case Grade::Warn:
+        return Tone::Warn;
+    case Grade::Fail:
+        return Tone::Bad;
+    case Grade::NotMeasured:
+        break;
+    }
+    return Tone::Quiet;
+}
+
+QString limitText(const record::SweepLimit& limit, const std::optional<double>& bound)
+{
+    if (!bound)
+        return QStringLiteral("–");
+    return (limit.atLeast ? QStringLiteral("< ") : QStringLiteral("> ")) + report::figure(*bound);
+}
+
+QString reasonText(const record::VerdictLine& line)
+{
+    const report::SweepWords& words = report::sweepWords();
+    if (line.grade == Grade::NotMeasured)
+        return said(words.noFeedback);
+    if (line.grade == Grade::Pass)
+        return said(words.within);
+    const auto bound = line.grade == Grade::Fail ? line.limit.fail : line.limit.warn;
+    const QString& form = said(line.limit.atLeast ? words.under : words.over);
+    return form.arg(bound ? sweepValue(bound, line.limit.unit) : QString());
+}
+} // namespace ui
