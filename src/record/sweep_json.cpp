@@ -223,8 +223,9 @@ void writeList(const SweepRun& run, const char* key, Items SweepServo::*items, c
     }
     sink(text + "\n  ]");
 }
+} // namespace
 
-void writeRun(const SweepRun& run, const TextSink& sink)
+void writeSweepRun(const SweepRun& run, const TextSink& sink)
 {
     sink(headText(run) + ",\n  \"servos\": [");
     const char* separator = "\n    ";
@@ -237,12 +238,11 @@ void writeRun(const SweepRun& run, const TextSink& sink)
     writeList(run, "legs", &SweepServo::legs, legText, sink);
     sink("\n}\n");
 }
-} // namespace
 
 QByteArray encodeSweepRun(const SweepRun& run)
 {
     QByteArray text;
-    writeRun(run, [&](const QByteArray& piece) {
+    writeSweepRun(run, [&](const QByteArray& piece) {
         text += piece;
         return true;
     });
@@ -252,6 +252,7 @@ QByteArray encodeSweepRun(const SweepRun& run)
 base::Result<void> saveSweepRun(const SweepRun& run, const QString& path)
 {
     return saveTextFile(
-        QStringLiteral("save-sweep"), [&](const TextSink& sink) { writeRun(run, sink); }, path);
+        QStringLiteral("save-sweep"), [&](const TextSink& sink) { writeSweepRun(run, sink); },
+        path);
 }
 } // namespace record

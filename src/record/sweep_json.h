@@ -10,10 +10,14 @@
 #pragma once
 
 #include "record/sweep_run.h"
+#include "record/text_file.h"
 
 namespace record {
 QByteArray encodeSweepRun(const SweepRun& run);
 base::Result<SweepRun> decodeSweepRun(const QByteArray& text);
+
+/// The same in pieces of some tens of kB.
+void writeSweepRun(const SweepRun& run, const TextSink& sink);
 
 /// Never holds the whole text in memory; a night's run has a hundred thousand legs.
 base::Result<void> saveSweepRun(const SweepRun& run, const QString& path);

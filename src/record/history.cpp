@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading is in history_read.cpp.
+#include "record/history.h"
+
+#include "record/history_file.h"
+#include "record/sweep_json.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QUuid>
+
+namespace record {
+namespace {
+constexpr qsizetype pieceSize = qsizetype(1) << 20; ///< before it is compressed
+
+/// An SQL NULL is not an empty text.
+QString notNull(const QString& text)
+{
+    return text.isNull() ? QStringLiteral("") : text;
+}
+
+QVariantList valuesOf(const TestRun& head)
+{
+    return {QUuid::createUuid().toString(QUuid::WithoutBraces),
+            notNull(head.kind),
+            head.at.toMSecsSinceEpoch(),
+            notNull(head.program),
+            notNull(head.port),
+            head.simulated,
+            gradeName(head.verdict),
+            notNull(head.end),
+            notNull(head.operatorName),
+            notNull(head.note),
+            qint64(head.length.count())};
+}
+
+QVariantList valuesOf(std::int64_t number, int place, const TestServo& servo)
+{
+    return {qint64(number),
+            place,
+            servo.id,
+            notNull(servo.model),
+            notNull(servo.map),
+            notNull(servo.firmware),
+            gradeName(servo.verdict),
+            notNull(servo.label),
+            servo.reference};
+}
+
+/// Collects pieces of text into parts of one size.
+class Parts {
+public:
+    Parts(const HistoryFile& file, std::int64_t number)
+        : m_file(file)
+        , m_number(number)
+    {}
+
+    bool add(const QByteArray& piece)
+    {
+        m_text += piece;
+        return m_text.size() < pieceSize || flush();
+    }
+
+    base::Result<void> finish()
+    {
+        flush();
+        return m_failure ? base::Result<void>(tl::unexpected(*m_failure)) : base::Result<void>();
+    }
+
+private:
+    bool flush()
+    {
+        if (m_failure || m_text.isEmpty())
+            return !m_failure;
+        const auto done =
+            m_file.run(QStringLiteral("INSERT INTO run_texts (run, part, data) VALUES (?, ?, ?)"),
+                       {qint64(m_number), m_part++, qCompress(m_text)});
+        if (!done)
+            m_failure = done.error();
+        m_text.clear();
+        return !m_failure;
+    }
+
+    const HistoryFile& m_file;
+    std::int64_t m_number;
+    int m_part = 0;
+    QByteArray m_text;
+    std::optional<base::Error> m_failure;
+};
+
+QString fileBeside(const QString& historyPath, const SweepRun& run)
+{
+    const QString name =
+        QStringLiteral("sweep-") + run.at.toUTC().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
+    const QDir folder = QFileInfo(historyPath).absoluteDir();
+    QString path = folder.filePath(name + QStringLiteral(".json"));
+    for (int i = 2; QFile::exists(path); ++i)
+        path = folder.filePath(QStringLiteral("%1-%2.json").arg(name).arg(i));
+    return path;
+}
+} // namespace
+
+base::Result<std::unique_ptr<History>> History::open(const QString& path,
+                                                     std::chrono::milliseconds patience)
+{
+    auto file = HistoryFile::open(path, patience);
+    if (!file)
+        return tl::unexpected(file.error());
+    return std::unique_ptr<History>(new History(std::move(*file)));
+}
+
+History::History(std::unique_ptr<HistoryFile> file)
+    : m_file(std::move(file))
+{}
+
+History::~History() = default;
+
+base::Result<void> History::addParts(const TestRun& head, std::int64_t number,
+                                     const std::function<void(const TextSink&)>& write)
+{
+    int place = 0;
+    for (const TestServo& servo : head.servos) {
+        const auto added = m_file->run(
+            QStringLiteral("INSERT INTO run_servos (run, place, id, model, map, firmware, verdict, "
+                           "label, reference) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+            valuesOf(number, place++, servo));
+        if (!added)
+            return tl::unexpected(added.error());
+    }
+    place = 0;
+    for (const QString& path : head.files) {
+        const auto added =
+            m_file->run(QStringLiteral("INSERT INTO run_files (run, place, path) VALUES (?, ?, ?)"),
+                        {qint64(number), place++, notNull(path)});
+        if (!added)
+            return tl::unexpected(added.error());
+    }
+    Parts parts(*m_file, number);
+    write([&](const QByteArray& piece) { return parts.add(piece); });
+    return parts.finish();
+}
+
+base::Result<std::int64_t> History::add(const TestRun& head,
+                                        const std::function<void(const TextSink&)>& write)
+{
+    std::int64_t number = 0;
+    const auto done = m_file->together([&]() -> base::Result<void> {
+        const auto added = m_file->run(
+            QStringLiteral("INSERT INTO runs (uuid, kind, at, program, port, simulated, verdict, "
+                           "ended, operator, note, length) "
+                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+            valuesOf(head));
+        if (!added)
+            return tl::unexpected(added.error());
+        number = added->insertedId;
+        return addParts(head, number, write);
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return number;
+}
+
+base::Result<std::int64_t> History::add(const SweepRun& run, const QStringList& files)
+{
+    TestRun head = headOf(run);
+    head.files = files;
+    return add(head, [&](const TextSink& sink) { writeSweepRun(run, sink); });
+}
+
+base::Result<void> History::change(const QString& sql, const QVariantList& values,
+                                   std::int64_t number)
+{
+    const auto done = m_file->run(sql, values);
+    if (!done)
+        return tl::unexpected(done.error());
+    if (done->changed < 1)
+        return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history"),
+                          QStringLiteral("no test run %1").arg(qint64(number)));
+    return {};
+}
+
+base::Result<void> History::remove(std::int64_t number)
+{
+    return change(QStringLiteral("DELETE FROM runs WHERE number = ?"), {qint64(number)}, number);
+}
+
+base::Result<void> History::setLabel(std::int64_t number, int servo, const QString& label)
+{
+    return change(QStringLiteral("UPDATE run_servos SET label = ? WHERE run = ? AND id = ?"),
+                  {notNull(label), qint64(number), servo}, number);
+}
+
+base::Result<void> History::setNote(std::int64_t number, const QString& note)
+{
+    return change(QStringLiteral("UPDATE runs SET note = ? WHERE number = ?"),
+                  {notNull(note), qint64(number)}, number);
+}
+
+base::Result<void> History::setReference(std::int64_t number, int servo, bool reference)
+{
+    return m_file->together([&]() -> base::Result<void> {
+        if (reference) {
+            const auto cleared = m_file->run(
+                QStringLiteral("UPDATE run_servos SET reference = 0 WHERE reference = 1 AND model "
+                               "= (SELECT model FROM run_servos WHERE run = ? AND id = ?)"),
+                {qint64(number), servo});
+            if (!cleared)
+                return tl::unexpected(cleared.error());
+        }
+        return change(
+            QStringLiteral("UPDATE run_servos SET reference = ? WHERE run = ? AND id = ?"),
+            {reference, qint64(number), servo}, number);
+    });
+}
+
+TestRun headOf(const SweepRun& run)
+{
+    TestRun head;
+    head.at = run.at;
+    head.program = run.program;
+    head.port = run.port;
+    head.simulated = run.simulated;
+    head.verdict = run.verdict();
+    head.end = sweepEndName(run.end);
+    head.operatorName = run.spec.operatorName;
+    head.note = run.spec.note;
+    head.length = run.length;
+    for (const SweepServo& servo : run.servos) {
+        const SnapshotServo& who = servo.parameters.servo;
+        head.servos.push_back({who.id, who.model, who.map, who.firmware, servo.verdict,
+                               servo.parameters.label, false});
+    }
+    return head;
+}
+
+KeptRun keepRun(const QString& historyPath, const SweepRun& run, const QStringList& files,
+                std::chrono::milliseconds patience)
+{
+    KeptRun kept;
+    const auto history = History::open(historyPath, patience);
+    const auto number = history ? (*history)->add(run, files)
+                                : base::Result<std::int64_t>(tl::unexpected(history.error()));
+    if (number) {
+        kept.number = *number;
+        return kept;
+    }
+    kept.trouble = number.error();
+    const QString beside = fileBeside(historyPath, run);
+    if (saveSweepRun(run, beside))
+        kept.file = beside;
+    return kept;
+}
+} // namespace record

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/history_file.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QSqlRecord>
+#include <QStringList>
+#include <QUuid>
+
+#include <vector>
+
+namespace record {
+namespace {
+const QString operation = QStringLiteral("history");
+const QString driver = QStringLiteral("QSQLITE");
+
+// The result codes of SQLite, as its documentation fixes them; the low byte of the extended ones.
+enum SqliteCode : int {
+    damaged = 11,
+    full = 13,
+    noDatabase = 26,
+    baseCode = 0xff,
+};
+
+/// One schema version each; what has been published is never changed, only added to.
+/// `label` and `reference` belong to a servo in a run, because servos carry no serial number.
+/// The text of a run is kept in pieces, compressed each: a night has more than fits into memory.
+/// `uuid` names a run wherever it is copied to.
+const std::vector<QStringList>& migrations()
+{
+    static const std::vector<QStringList> all{{
+        QStringLiteral(
+            "CREATE TABLE runs (number INTEGER PRIMARY KEY AUTOINCREMENT, uuid TEXT NOT NULL "
+            "UNIQUE, "
+            "kind TEXT NOT NULL, at INTEGER NOT NULL, program TEXT NOT NULL, port TEXT NOT NULL, "
+            "simulated INTEGER NOT NULL, verdict TEXT NOT NULL, ended TEXT NOT NULL, "
+            "operator TEXT NOT NULL, note TEXT NOT NULL, length INTEGER NOT NULL)"),
+        QStringLiteral(
+            "CREATE TABLE run_servos (run INTEGER NOT NULL REFERENCES runs ON DELETE CASCADE, "
+            "place INTEGER NOT NULL, id INTEGER NOT NULL, model TEXT NOT NULL, map TEXT NOT NULL, "
+            "firmware TEXT NOT NULL, verdict TEXT NOT NULL, label TEXT NOT NULL, "
+            "reference INTEGER NOT NULL, PRIMARY KEY (run, place)) WITHOUT ROWID"),
+        QStringLiteral(
+            "CREATE TABLE run_texts (run INTEGER NOT NULL REFERENCES runs ON DELETE CASCADE, "
+            "part INTEGER NOT NULL, data BLOB NOT NULL, PRIMARY KEY (run, part))"),
+        QStringLiteral(
+            "CREATE TABLE run_files (run INTEGER NOT NULL REFERENCES runs ON DELETE CASCADE, "
+            "place INTEGER NOT NULL, path TEXT NOT NULL, PRIMARY KEY (run, place)) WITHOUT ROWID"),
+        QStringLiteral("CREATE INDEX runs_at ON runs (at)"),
+        QStringLiteral("CREATE INDEX run_servos_model ON run_servos (model, reference)"),
+        QStringLiteral("CREATE INDEX run_servos_id ON run_servos (id)"),
+    }};
+    return all;
+}
+
+int newest()
+{
+    return int(migrations().size());
+}
+} // namespace
+
+base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path,
+                                                             std::chrono::milliseconds patience)
+{
+    if (!QSqlDatabase::isDriverAvailable(driver))
+        return base::fail(base::ErrorCode::NotSupported, operation,
+                          QStringLiteral("Qt's SQLite driver is missing (libqt6sql6-sqlite)"));
+    const QString folder = QFileInfo(path).absolutePath();
+    if (!QDir().mkpath(folder))
+        return base::fail(base::ErrorCode::FileUnwritable, operation,
+                          folder + QStringLiteral(": the folder cannot be made"));
+    std::unique_ptr<HistoryFile> file(new HistoryFile(
+        path, QStringLiteral("history-") + QUuid::createUuid().toString(QUuid::WithoutBraces)));
+    {
+        QSqlDatabase database = QSqlDatabase::addDatabase(driver, file->m_connection);
+        database.setDatabaseName(path);
+        database.setConnectOptions(
+            QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(qint64(patience.count())));
+        if (!database.open())
+            return tl::unexpected(file->error(database.lastError()));
+    }
+    if (const auto ready = file->prepare(); !ready)
+        return tl::unexpected(ready.error());
+    return file;
+}
+
+HistoryFile::HistoryFile(QString path, QString connection)
+    : m_path(std::move(path))
+    , m_connection(std::move(connection))
+{}
+
+HistoryFile::~HistoryFile()
+{
+    QSqlDatabase::removeDatabase(m_connection);
+}
+
+base::Error HistoryFile::error(const QSqlError& error) const
+{
+    base::ErrorCode code = base::ErrorCode::FileUnwritable;
+    switch (error.nativeErrorCode().toInt() & baseCode) {
+    case damaged:
+    case noDatabase:
+        code = base::ErrorCode::FileFormat;
+        break;
+    case full:
+        code = base::ErrorCode::DiskFull;
+        break;
+    default:
+        break;
+    }
+    return {code, operation, m_path + QStringLiteral(": ") + error.databaseText()};
+}
+
+base::Result<HistoryAnswer> HistoryFile::run(const QString& sql, const QVariantList& values) const
+{
+    QSqlQuery query(QSqlDatabase::database(m_connection, false));
+    query.setForwardOnly(true);
+    bool fine = query.prepare(sql);
+    for (const QVariant& value : values)
+        query.addBindValue(value);
+    fine = fine && query.exec();
+    HistoryAnswer answer;
+    if (fine && query.isSelect()) {
+        const int columns = query.record().count();
+        while (query.next()) {
+            QVariantList& row = answer.rows.emplace_back();
+            for (int column = 0; column < columns; ++column)
+                row.append(query.value(column));
+        }
+        fine = query.lastError().type() == QSqlError::NoError; // or it ended half-way
+    } else if (fine) {
+        answer.insertedId = query.lastInsertId().toLongLong();
+        answer.changed = query.numRowsAffected();
+    }
+    if (!fine)
+        return tl::unexpected(error(query.lastError()));
+    return answer;
+}
+
+base::Result<void> HistoryFile::together(const std::function<base::Result<void>()>& work) const
+{
+    if (const auto begun = run(QStringLiteral("BEGIN IMMEDIATE")); !begun)
+        return tl::unexpected(begun.error());
+    auto done = work();
+    if (done) {
+        const auto kept = run(QStringLiteral("COMMIT"));
+        if (kept)
+            return {};
+        done = tl::unexpected(kept.error());
+    }
+    // A full disk has rolled back already; then this fails, and nothing is lost by it.
+    (void)run(QStringLiteral("ROLLBACK"));
+    return done;
+}
+
+base::Result<int> HistoryFile::version() const
+{
+    const auto asked = run(QStringLiteral("PRAGMA user_version"));
+    if (!asked)
+        return tl::unexpected(asked.error());
+    const int found = asked->rows.empty() ? 0 : asked->rows.front().value(0).toInt();
+    if (found > newest())
+        return base::fail(base::ErrorCode::FileFormat, operation,
+                          m_path + QStringLiteral(": from a newer version of the program: schema "
+                                                  "%1, this one knows up to %2")
+                                       .arg(found)
+                                       .arg(newest()));
+    return found;
+}
+
+base::Result<void> HistoryFile::prepare() const
+{
+    const auto found = version();
+    if (!found)
+        return tl::unexpected(found.error());
+    // Fails while another program does the same, or where the file may only be read; whether the
+    // file can be used shows without it.
+    (void)run(QStringLiteral("PRAGMA journal_mode = WAL"));
+    if (const auto keys = run(QStringLiteral("PRAGMA foreign_keys = ON")); !keys)
+        return tl::unexpected(keys.error());
+    return *found < newest() ? migrate() : base::Result<void>();
+}
+
+base::Result<void> HistoryFile::migrate() const
+{
+    return together([this]() -> base::Result<void> {
+        // Another program may have been first.
+        const auto found = version();
+        if (!found)
+            return tl::unexpected(found.error());
+        for (int step = *found; step < newest(); ++step) {
+            for (const QString& sql : migrations()[std::size_t(step)]) {
+                if (const auto done = run(sql); !done)
+                    return tl::unexpected(done.error());
+            }
+        }
+        const auto marked = run(QStringLiteral("PRAGMA user_version = %1").arg(newest()));
+        return marked ? base::Result<void>() : tl::unexpected(marked.error());
+    });
+}
+} // namespace record

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The SQLite file of the history: one connection to it, its schema, and errors as values. Internal
+// to record/history.h; the thread that opened it. Several programs may have the file open at once:
+// write-ahead logging, and whoever finds it locked waits as long as `patience` says.
+// Fails with NotSupported (no SQLite driver), FileFormat (from a newer version, no database,
+// damaged), DiskFull, and FileUnwritable for all else, locked included; detail has the path.
+#pragma once
+
+#include "base/error.h"
+
+#include <QVariantList>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <vector>
+
+class QSqlError;
+
+namespace record {
+struct HistoryAnswer {
+    std::vector<QVariantList> rows{};
+    std::int64_t insertedId = 0;
+    int changed = 0; ///< rows
+};
+
+class HistoryFile {
+public:
+    /// Made if it is not there, with its folder; brought up to the present schema.
+    static base::Result<std::unique_ptr<HistoryFile>> open(const QString& path,
+                                                           std::chrono::milliseconds patience);
+    HistoryFile(const HistoryFile&) = delete;
+    HistoryFile& operator=(const HistoryFile&) = delete;
+    ~HistoryFile();
+
+    /// One statement with its values in place of `?`.
+    base::Result<HistoryAnswer> run(const QString& sql, const QVariantList& values = {}) const;
+    /// All of `work` or nothing of it. Has the file to itself from the beginning, since one that
+    /// begins by reading could not wait for another writer.
+    base::Result<void> together(const std::function<base::Result<void>()>& work) const;
+
+    const QString& path() const { return m_path; }
+
+private:
+    HistoryFile(QString path, QString connection);
+    base::Result<void> prepare() const;
+    base::Result<void> migrate() const;
+    base::Result<int> version() const;
+    base::Error error(const QSqlError& error) const;
+
+    QString m_path;
+    QString m_connection;
+};
+} // namespace record

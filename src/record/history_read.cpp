@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/history.h"
+#include "record/history_file.h"
+#include "record/sweep_json.h"
+
+#include <map>
+
+namespace record {
+namespace {
+const QString columns = QStringLiteral("number, uuid, kind, at, program, port, simulated, verdict, "
+                                       "ended, operator, note, length");
+
+Grade gradeIn(const QVariant& value)
+{
+    return gradeFromName(value.toString()).value_or(Grade::NotMeasured);
+}
+
+TestRun runIn(const QVariantList& row)
+{
+    TestRun run;
+    int column = 0;
+    run.number = row.value(column++).toLongLong();
+    run.uuid = row.value(column++).toString();
+    run.kind = row.value(column++).toString();
+    run.at = QDateTime::fromMSecsSinceEpoch(row.value(column++).toLongLong(), Qt::UTC);
+    run.program = row.value(column++).toString();
+    run.port = row.value(column++).toString();
+    run.simulated = row.value(column++).toBool();
+    run.verdict = gradeIn(row.value(column++));
+    run.end = row.value(column++).toString();
+    run.operatorName = row.value(column++).toString();
+    run.note = row.value(column++).toString();
+    run.length = base::Duration(row.value(column++).toLongLong());
+    return run;
+}
+
+TestServo servoIn(const QVariantList& row)
+{
+    return {row.value(1).toInt(),    row.value(2).toString(), row.value(3).toString(),
+            row.value(4).toString(), gradeIn(row.value(5)),   row.value(6).toString(),
+            row.value(7).toBool()};
+}
+
+/// What the user typed, anywhere in a text.
+QString pattern(QString text)
+{
+    text.replace(u'\\', QStringLiteral("\\\\"))
+        .replace(u'%', QStringLiteral("\\%"))
+        .replace(u'_', QStringLiteral("\\_"));
+    return u'%' + text + u'%';
+}
+
+/// The conditions of a filter, and the values that go with them.
+struct Choice {
+    QStringList conditions;
+    QVariantList values;
+
+    void add(const char* condition, const QVariant& value)
+    {
+        conditions.append(QString::fromLatin1(condition));
+        values.append(value);
+    }
+};
+
+Choice choiceOf(const RunFilter& filter)
+{
+    Choice choice;
+    if (!filter.kind.isEmpty())
+        choice.add("kind = ?", filter.kind);
+    if (!filter.model.isEmpty())
+        choice.add("number IN (SELECT run FROM run_servos WHERE model = ? COLLATE NOCASE)",
+                   filter.model);
+    if (filter.id)
+        choice.add("number IN (SELECT run FROM run_servos WHERE id = ?)", *filter.id);
+    if (!filter.text.isEmpty()) {
+        choice.add(R"((note LIKE ? ESCAPE '\' OR operator LIKE ? ESCAPE '\' )"
+                   R"(OR port LIKE ? ESCAPE '\' OR number IN (SELECT run FROM run_servos WHERE )"
+                   R"(model LIKE ? ESCAPE '\' OR firmware LIKE ? ESCAPE '\' )"
+                   R"(OR label LIKE ? ESCAPE '\')))",
+                   pattern(filter.text));
+        for (int i = 0; i < 5; ++i)
+            choice.values.append(pattern(filter.text));
+    }
+    return choice;
+}
+
+base::Error notThere(std::int64_t number)
+{
+    return {base::ErrorCode::BadArgument, QStringLiteral("history"),
+            QStringLiteral("no test run %1").arg(qint64(number))};
+}
+} // namespace
+
+/// `chosen`: what follows FROM runs. Two questions for all servos and files, however many runs.
+base::Result<std::vector<TestRun>> History::read(const QString& chosen,
+                                                 const QVariantList& values) const
+{
+    const auto heads =
+        m_file->run(QStringLiteral("SELECT %1 FROM runs ").arg(columns) + chosen, values);
+    if (!heads)
+        return tl::unexpected(heads.error());
+    std::vector<TestRun> runs;
+    std::map<std::int64_t, std::size_t> places;
+    for (const QVariantList& row : heads->rows) {
+        places[row.value(0).toLongLong()] = runs.size();
+        runs.push_back(runIn(row));
+    }
+    const QString those = QStringLiteral(" WHERE run IN (SELECT number FROM runs ") + chosen +
+                          QStringLiteral(") ORDER BY run, place");
+    const auto each = [&](const QString& what, const auto& take) -> base::Result<void> {
+        const auto rows = m_file->run(what + those, values);
+        if (!rows)
+            return tl::unexpected(rows.error());
+        for (const QVariantList& row : rows->rows) {
+            // Another program may have added one in between.
+            if (const auto place = places.find(row.value(0).toLongLong()); place != places.end())
+                take(runs[place->second], row);
+        }
+        return {};
+    };
+    if (const auto read =
+            each(QStringLiteral("SELECT run, id, model, map, firmware, verdict, label, reference "
+                                "FROM run_servos"),
+                 [](TestRun& run, const QVariantList& row) { run.servos.push_back(servoIn(row)); });
+        !read)
+        return tl::unexpected(read.error());
+    if (const auto read = each(QStringLiteral("SELECT run, path FROM run_files"),
+                               [](TestRun& run, const QVariantList& row) {
+                                   run.files.append(row.value(1).toString());
+                               });
+        !read)
+        return tl::unexpected(read.error());
+    return runs;
+}
+
+base::Result<std::vector<TestRun>> History::runs(const RunFilter& filter) const
+{
+    Choice choice = choiceOf(filter);
+    QString chosen;
+    if (!choice.conditions.isEmpty())
+        chosen = QStringLiteral("WHERE ") + choice.conditions.join(QStringLiteral(" AND "));
+    choice.values.append(filter.most);
+    return read(chosen + QStringLiteral(" ORDER BY at DESC, number DESC LIMIT ?"), choice.values);
+}
+
+base::Result<TestRun> History::run(std::int64_t number) const
+{
+    const auto found = read(QStringLiteral("WHERE number = ?"), {qint64(number)});
+    if (!found)
+        return tl::unexpected(found.error());
+    if (found->empty())
+        return tl::unexpected(notThere(number));
+    return found->front();
+}
+
+base::Result<QByteArray> History::text(std::int64_t number) const
+{
+    const auto rows = m_file->run(QStringLiteral("SELECT data FROM run_texts WHERE run = ? "
+                                                 "ORDER BY part"),
+                                  {qint64(number)});
+    if (!rows)
+        return tl::unexpected(rows.error());
+    QByteArray text;
+    if (rows->rows.empty())
+        return tl::unexpected(notThere(number));
+    for (const QVariantList& row : rows->rows)
+        text += qUncompress(row.value(0).toByteArray());
+    return text;
+}
+
+base::Result<SweepRun> History::sweep(std::int64_t number) const
+{
+    const auto head = run(number);
+    if (!head)
+        return tl::unexpected(head.error());
+    const auto whole = text(number);
+    if (!whole)
+        return tl::unexpected(whole.error());
+    auto sweep = decodeSweepRun(*whole);
+    if (!sweep)
+        return sweep;
+    sweep->spec.note = head->note;
+    const std::size_t count = std::min(head->servos.size(), sweep->servos.size());
+    for (std::size_t i = 0; i < count; ++i)
+        sweep->servos[i].parameters.label = head->servos[i].label;
+    return sweep;
+}
+
+base::Result<std::optional<ReferenceServo>> History::reference(const QString& model) const
+{
+    const auto row =
+        m_file->run(QStringLiteral("SELECT run, id FROM run_servos WHERE model = ? AND "
+                                   "reference = 1 ORDER BY run DESC LIMIT 1"),
+                    {model});
+    if (!row)
+        return tl::unexpected(row.error());
+    if (row->rows.empty())
+        return std::nullopt;
+    const int id = row->rows.front().value(1).toInt();
+    auto found = run(row->rows.front().value(0).toLongLong());
+    if (!found)
+        return tl::unexpected(found.error());
+    for (const TestServo& servo : found->servos) {
+        if (servo.id == id)
+            return ReferenceServo{*found, servo};
+    }
+    return std::nullopt;
+}
+} // namespace record
