@@ -76,6 +76,7 @@ public:
     bool busy() const;    ///< a task runs or waits
     bool testing() const; ///< a lasting task runs; see Task::lasting
     void stopTask();      ///< the running task; those that wait are dropped
+    void stopTest();      ///< the running one, if it is a lasting one; nothing else
 
     /// Regular reading of what `user` ("memory", "operate", "record") wants to see, of servos that
     /// answer at the port's rate. Replaces this user's wish before; no parts: ends it.

@@ -45,6 +45,12 @@ void Desk::stopTask()
     dropQueue(base::ErrorCode::Stopped);
 }
 
+void Desk::stopTest()
+{
+    if (testing())
+        m_running->stop.request();
+}
+
 void Desk::perform(ServoRef ref, Task task)
 {
     const auto work = std::make_shared<Work>();

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/sweep_proposal.h"
+
+#include "device/move_limits.h"
+#include "jobs/sweep_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace jobs {
+using base::Duration;
+using record::SweepShape;
+
+namespace {
+constexpr double margin = 0.02; ///< of the range, at either end
+constexpr double arrivingShare =
+    1.2; ///< load and supply make a servo slower than its registers say
+constexpr Duration settleTime = std::chrono::milliseconds(300);
+constexpr Duration roundTo = std::chrono::milliseconds(100);
+constexpr int mostLegs = 2000; ///< of a cycle that are looked at
+
+Duration roundedUp(double us)
+{
+    return roundTo * std::llround(std::ceil(us / double(roundTo.count())));
+}
+
+double longestWay(const record::SweepSpec& spec, const record::SweepAxis& axis)
+{
+    if (spec.shape == SweepShape::Random)
+        return std::abs(axis.to - axis.from);
+    const SweepPath path(spec, axis);
+    double before = path.first();
+    double longest = 0;
+    const int legs = std::min(mostLegs, path.legsPerCycle() + 1); // the first one of the next too
+    for (int number = 1; number <= legs; ++number) {
+        const double target = path.leg(number).target;
+        longest = std::max(longest, std::abs(target - before));
+        before = target;
+    }
+    return longest;
+}
+
+/// A sine is fastest in its middle.
+void lookAtSine(const record::SweepSpec& spec, SweepOutlook& outlook)
+{
+    const record::SweepAxis& axis = outlook.axis;
+    if (!axis.speed)
+        return;
+    const double way = std::numbers::pi * std::abs(axis.to - axis.from);
+    const double period = double(spec.period.count());
+    outlook.tooShort = way / (period / 1e6) > *axis.speed;
+    outlook.enough = roundedUp(way / *axis.speed * 1e6 * arrivingShare);
+}
+
+bool delayTooShort(const record::SweepSpec& spec, Duration travel)
+{
+    const auto shorter = [travel](Duration pause) { return pause < travel; };
+    if (spec.shape != SweepShape::Points)
+        return shorter(spec.pause);
+    return std::any_of(
+        spec.points.begin(), spec.points.end(),
+        [&](const record::SweepPoint& point) { return shorter(point.pause.value_or(spec.pause)); });
+}
+} // namespace
+
+base::Result<SweepOutlook> lookAtSweep(const device::Context& context, device::Servo& servo,
+                                       const record::SweepSpec& spec,
+                                       const record::SweepLimits& limits)
+{
+    const auto axis = sweepAxis(context, servo, spec, limits);
+    if (!axis)
+        return tl::unexpected(axis.error());
+    SweepOutlook outlook{*axis};
+    outlook.travel = travelTime(longestWay(spec, *axis), *axis);
+    if (spec.shape == SweepShape::Sine) {
+        lookAtSine(spec, outlook);
+    } else if (outlook.travel) {
+        outlook.tooShort =
+            spec.pace == record::SweepPace::Delay && delayTooShort(spec, *outlook.travel);
+        outlook.enough =
+            roundedUp(double(outlook.travel->count()) * arrivingShare + double(settleTime.count()));
+    }
+    return outlook;
+}
+
+std::optional<record::SweepRange> proposedRange(const device::Servo& servo)
+{
+    const auto kind = servo.profile ? device::goalKind(servo) : std::nullopt;
+    const auto text = [](double raw) { return QString::number(std::llround(raw)); };
+    if (kind == device::GoalKind::Turns) {
+        const catalog::Register* position = servo.profile->byRole(catalog::Role::PresentPosition);
+        const auto now = position != nullptr ? servo.raw(*position) : std::nullopt;
+        if (!now)
+            return std::nullopt;
+        const double quarter = stepsPerTurn(servo) / 4;
+        return record::SweepRange{text(double(*now) - quarter), text(double(*now) + quarter)};
+    }
+    const auto span = device::goalSpan(servo);
+    if (kind != device::GoalKind::Position || !span || span->max <= span->min)
+        return std::nullopt;
+    const double room = double(span->max - span->min) * margin;
+    return record::SweepRange{text(double(span->min) + room), text(double(span->max) - room)};
+}
+} // namespace jobs

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs sweep tests for the window, one at a time, and looks beforehand whether one can be run.
+// Beside Desk, which must outlive it; main thread, never waits. What has been measured is here
+// while it is being measured: legs, curves, figures; the readings go to a file in the data folder
+// at the same time. Positions in steps; times are the desk's clock.
+#pragma once
+
+#include "jobs/sweep.h"
+#include "jobs/sweep_proposal.h"
+#include "jobs/sweep_recording.h"
+#include "session/desk.h"
+
+namespace session {
+struct SweepTestOrder {
+    record::SweepSpec spec;
+    std::vector<ServoRef> servos;
+    std::vector<record::SweepLimits> limits; ///< one a servo
+    bool switchMode = false;                 ///< as jobs::SweepOrder
+};
+
+/// What look() has found out of one servo.
+struct SweepLook {
+    ServoRef servo = 0;
+    std::optional<jobs::SweepOutlook> outlook{};
+    std::optional<base::Error> error{};           ///< why it cannot be run
+    std::optional<record::SweepRange> proposed{}; ///< a range that fits it
+};
+
+class SweepTest final : public QObject {
+    Q_OBJECT
+
+public:
+    explicit SweepTest(Desk& desk, QObject* parent = nullptr);
+    ~SweepTest() override;
+
+    /// Reads settings, moves nothing; looked() follows, of the latest wish only. Nothing while a
+    /// test runs.
+    void look(ServoRef servo, const record::SweepSpec& spec, const record::SweepLimits& limits);
+
+    /// False: one runs already, or a servo is gone. Else began() or failed() follow, then ended().
+    bool start(const SweepTestOrder& order);
+    void stop();
+    bool running() const { return m_running; }
+
+    /// The running test or the latest one, with the legs there are; null: none yet.
+    const record::SweepRun* run() const { return m_run ? &*m_run : nullptr; }
+    const jobs::SweepProgress& progress() const { return m_progress; }
+    /// Worked out anew from the legs while it runs; the final ones afterwards.
+    std::vector<record::SweepMetric> figures(std::size_t servo) const;
+
+    struct Curves {
+        record::ChannelId position = -1;
+        record::ChannelId goal = -1;
+    };
+    const record::SampleStore& store() const { return m_store; }
+    Curves curves(std::size_t servo) const { return m_curves.at(servo); }
+    base::Duration startedAt() const { return m_startedAt; } ///< of its first reading
+    QString readingsPath() const { return m_readingsPath; }  ///< empty: could not be written
+
+    /// Of a test that has ended, as its name says; saved() or saveFailed() follow.
+    void save(const QString& path, bool chinese);
+
+Q_SIGNALS:
+    void looked(const session::SweepLook& look);
+    void began();
+    void progressed();
+    void grown();  ///< new readings, about 30 times a second
+    void legged(); ///< new legs; at most as often
+    void ended();
+    void failed(const base::Error& error); ///< nothing has moved, or it could not come to the start
+    void saved(const QString& path);
+    void saveFailed(const base::Error& error);
+
+private:
+    struct Live;
+    struct Ending;
+    void drain();
+    void finish(const Ending& ending, const TaskEnd& end);
+    void openCurves();
+
+    Desk& m_desk;
+    bool m_running = false;
+    std::shared_ptr<Live> m_live; ///< shared with the job
+    std::optional<record::SweepRun> m_run;
+    jobs::SweepProgress m_progress;
+    record::SampleStore m_store;
+    std::vector<Curves> m_curves;
+    base::Duration m_startedAt{};
+    QString m_readingsPath;
+    std::shared_ptr<const jobs::SweepRecording> m_recording; ///< of the latest test, ended
+    int m_looks = 0;
+    QTimer m_drainTimer;
+    Inbox m_inbox;
+    JobThread m_files; ///< last: its jobs use the others
+};
+} // namespace session
