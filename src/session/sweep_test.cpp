@@ -86,42 +86,62 @@ SweepTest::SweepTest(Desk& desk, QObject* parent)
 
 SweepTest::~SweepTest() = default;
 
-void SweepTest::look(ServoRef servo, const record::SweepSpec& spec,
-                     const record::SweepLimits& limits)
+namespace {
+std::vector<device::Servo*> allOf(const TaskContext& context)
 {
-    if (m_running)
+    std::vector<device::Servo*> all{&context.servo};
+    all.insert(all.end(), context.others.begin(), context.others.end());
+    return all;
+}
+
+SweepLook lookAt(TaskContext& context, device::Servo& servo, const record::SweepSpec& spec,
+                 const record::SweepLimits& limits)
+{
+    SweepLook look;
+    auto outlook = jobs::lookAtSweep(context.device, servo, spec, limits);
+    if (outlook)
+        look.outlook = std::move(*outlook);
+    else
+        look.error = outlook.error();
+    look.proposed = jobs::proposedRange(servo);
+    return look;
+}
+} // namespace
+
+void SweepTest::look(const SweepTestOrder& order)
+{
+    if (m_running || order.servos.empty())
         return;
     const int number = ++m_looks;
-    const auto found = std::make_shared<SweepLook>();
-    found->servo = servo;
+    const auto found = std::make_shared<std::vector<SweepLook>>();
     Task task;
     task.name = QStringLiteral("sweep");
     task.quiet = true;
-    task.work = [found, spec, limits](TaskContext& context) -> base::Result<void> {
-        auto outlook = jobs::lookAtSweep(context.device, context.servo, spec, limits);
-        if (outlook)
-            found->outlook = std::move(*outlook);
-        else
-            found->error = outlook.error();
-        found->proposed = jobs::proposedRange(context.servo);
+    task.others.assign(order.servos.begin() + 1, order.servos.end());
+    task.work = [found, order](TaskContext& context) -> base::Result<void> {
+        const auto servos = allOf(context);
+        for (std::size_t i = 0; i < servos.size(); ++i) {
+            found->push_back(lookAt(context, *servos[i], order.spec, order.limits[i]));
+            found->back().servo = order.servos[i];
+        }
         return {};
     };
     task.guard = this;
-    task.done = [this, found, number](const TaskEnd& end) {
-        if (end.error)
-            found->error = end.error;
-        if (number == m_looks)
-            Q_EMIT looked(*found);
+    task.done = [this, found, number, order](const TaskEnd& end) {
+        if (number != m_looks)
+            return;
+        if (end.error) // not one of them was asked
+            found->assign(1, SweepLook{order.servos.front(), {}, end.error});
+        Q_EMIT looked(*found);
     };
-    m_desk.perform(servo, std::move(task));
+    m_desk.perform(order.servos.front(), std::move(task));
 }
 
 namespace {
 base::Result<record::SweepRun> drive(TaskContext& context, const jobs::SweepOrder& order,
                                      const jobs::SweepWatch& watch)
 {
-    std::vector<device::Servo*> all{&context.servo};
-    all.insert(all.end(), context.others.begin(), context.others.end());
+    const auto all = allOf(context);
     std::vector<device::Servo> servos;
     for (const device::Servo* servo : all)
         servos.push_back(*servo);

@@ -33,9 +33,9 @@ public:
     explicit SweepTest(Desk& desk, QObject* parent = nullptr);
     ~SweepTest() override;
 
-    /// Reads settings, moves nothing; looked() follows, of the latest wish only. Nothing while a
+    /// Reads settings, moves nothing; looked() follows, of the latest order only. Nothing while a
     /// test runs.
-    void look(ServoRef servo, const record::SweepSpec& spec, const record::SweepLimits& limits);
+    void look(const SweepTestOrder& order);
 
     /// False: one runs already, or a servo is gone. Else began() or failed() follow, then ended().
     bool start(const SweepTestOrder& order);
@@ -61,7 +61,7 @@ public:
     void save(const QString& path, bool chinese);
 
 Q_SIGNALS:
-    void looked(const session::SweepLook& look);
+    void looked(const std::vector<session::SweepLook>& looks); ///< in the order of the servos
     void began();
     void progressed();
     void grown();  ///< new readings, about 30 times a second

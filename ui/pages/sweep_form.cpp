@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/sweep_form.h"
+
+#include "device/move_limits.h"
+#include "record/sweep_points.h"
+#include "text/error_words.h"
+#include "ui/widgets/flow_layout.h"
+#include "ui/widgets/segment_button.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <limits>
+
+namespace ui {
+using record::SweepPace;
+using record::SweepShape;
+
+namespace {
+constexpr std::array shapes{SweepShape::Sweep, SweepShape::Stairs, SweepShape::BothSides,
+                            SweepShape::Sine,  SweepShape::Random, SweepShape::Points};
+constexpr int columns = 2;
+constexpr int mostPause = 3'600'000; // ms
+constexpr int mostCycles = 1'000'000;
+constexpr double mostMinutes = 7 * 24 * 60;
+constexpr int leastPeriod = 100; // ms
+constexpr double mostPeriod = 3600;
+constexpr int mostWarmUp = 24 * 3600;
+constexpr int usualPause = 2000;
+constexpr int usualCycles = 10;
+constexpr double usualMinutes = 10;
+constexpr double usualPeriod = 4;
+
+const QString paceChoice = QStringLiteral("sweep/pace");
+const QString shapeChoice = QStringLiteral("sweep/shape");
+const QString cyclesChoice = QStringLiteral("sweep/cycles");
+const QString minutesChoice = QStringLiteral("sweep/minutes");
+const QString untilChoice = QStringLiteral("sweep/until");
+const QString operatorChoice = QStringLiteral("sweep/operator");
+const QString folderChoice = QStringLiteral("sweep/list_folder");
+} // namespace
+
+SweepForm::SweepForm(session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_settings(settings)
+{
+    setObjectName(QStringLiteral("sweepForm"));
+    build();
+    recall(settings);
+    retranslate();
+    arrange();
+}
+
+void SweepForm::build()
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(6);
+    auto* kinds = new QWidget(this);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    kinds->setSizePolicy(policy);
+    auto* flow = new FlowLayout(kinds, 2);
+    auto* group = new QButtonGroup(this);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        auto* button = new SegmentButton(kinds);
+        button->setObjectName(QStringLiteral("sweepShape_") + record::sweepShapeName(shapes[i]));
+        button->setCheckable(true);
+        group->addButton(button);
+        flow->addWidget(button);
+        m_shapes[i] = button;
+        connect(button, &QToolButton::clicked, this, [this, i] {
+            choose(shapes[i]);
+            typed();
+        });
+    }
+    m_grid = new QGridLayout;
+    m_grid->setHorizontalSpacing(10);
+    m_grid->setVerticalSpacing(2);
+    column->addWidget(kinds);
+    column->addLayout(m_grid);
+    buildFields();
+    m_earlyTitle = new QLabel(this);
+    auto* early = new QWidget(this);
+    early->setSizePolicy(policy);
+    auto* ticks = new FlowLayout(early, 10);
+    const auto tick = [&](const char* name, bool on) {
+        auto* box = new QCheckBox(early);
+        box->setObjectName(QString::fromLatin1(name));
+        box->setChecked(on);
+        ticks->addWidget(box);
+        connect(box, &QCheckBox::toggled, this, &SweepForm::typed);
+        return box;
+    };
+    m_onAlarm = tick("sweepOnAlarm", true);
+    m_onStall = tick("sweepOnStall", true);
+    m_onFailure = tick("sweepOnFailure", false);
+    column->addWidget(m_earlyTitle);
+    column->addWidget(early);
+}
+
+void SweepForm::add(Cell cell, QWidget* field, const char* name, bool wide)
+{
+    field->setObjectName(QString::fromLatin1(name));
+    field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the panel says how wide
+    auto* title = new QLabel(this);
+    title->setBuddy(field);
+    title->setForegroundRole(QPalette::PlaceholderText);
+    m_cells[cell] = {title, field, wide};
+}
+
+QLineEdit* SweepForm::line(Cell cell, const char* name, bool wide)
+{
+    auto* edit = new QLineEdit(this);
+    add(cell, edit, name, wide);
+    connect(edit, &QLineEdit::textEdited, this, &SweepForm::typed);
+    return edit;
+}
+
+void SweepForm::buildFields()
+{
+    const auto spin = [this](Cell cell, const char* name, int least, int most, int value) {
+        auto* box = new QSpinBox(this);
+        box->setRange(least, most);
+        box->setValue(value);
+        add(cell, box, name);
+        connect(box, &QSpinBox::valueChanged, this, &SweepForm::typed);
+        return box;
+    };
+    const auto real = [this](Cell cell, const char* name, double least, double most, double value) {
+        auto* box = new QDoubleSpinBox(this);
+        box->setRange(least, most);
+        box->setDecimals(1);
+        box->setValue(value);
+        add(cell, box, name);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &SweepForm::typed);
+        return box;
+    };
+    const auto choice = [this](Cell cell, const char* name) {
+        auto* box = new QComboBox(this);
+        box->addItems({QString(), QString()});
+        add(cell, box, name);
+        connect(box, &QComboBox::activated, this, [this] {
+            retranslate(); // a delay becomes a dwell
+            arrange();
+            typed();
+        });
+        return box;
+    };
+    m_start = line(Start, "sweepStart");
+    m_end = line(End, "sweepEnd");
+    m_step = line(Step, "sweepStep");
+    m_step->setText(QStringLiteral("256"));
+    m_period = real(Period, "sweepPeriod", leastPeriod / 1000.0, mostPeriod, usualPeriod);
+    m_seed = spin(Seed, "sweepSeed", 0, std::numeric_limits<int>::max(), 1);
+    m_list = new QPushButton(this);
+    add(List, m_list, "sweepList", true);
+    connect(m_list, &QPushButton::clicked, this, &SweepForm::openList);
+    m_pace = choice(Pace, "sweepPace");
+    m_pause = spin(Pause, "sweepPause", 1, mostPause, usualPause);
+    m_pause->setSingleStep(100);
+    m_until = choice(Until, "sweepUntil");
+    m_cycles = spin(Cycles, "sweepCycles", 1, mostCycles, usualCycles);
+    m_minutes = real(Minutes, "sweepMinutes", 0.1, mostMinutes, usualMinutes);
+    m_speed = line(Speed, "sweepSpeed");
+    m_acceleration = line(Acceleration, "sweepAcceleration");
+    m_time = line(Time, "sweepTime");
+    m_warmUp = spin(WarmUp, "sweepWarmUp", 0, mostWarmUp, 0);
+    m_afterwards = choice(Afterwards, "sweepAfterwards");
+    m_operator = line(Operator, "sweepOperator");
+    m_note = line(Note, "sweepNote", true);
+    const auto range = [this] { m_rangeTyped = true; };
+    connect(m_start, &QLineEdit::textEdited, this, range);
+    connect(m_end, &QLineEdit::textEdited, this, range);
+    connect(m_pause, &QSpinBox::valueChanged, this, [this] { m_pauseTyped = true; });
+    connect(m_period, &QDoubleSpinBox::valueChanged, this, [this] { m_periodTyped = true; });
+}
+
+void SweepForm::recall(session::Settings& settings)
+{
+    const QString shape = settings.choice(shapeChoice, QString()).toString();
+    choose(record::sweepShapeFromName(shape).value_or(SweepShape::Sweep));
+    const QSignalBlocker quiet(this);
+    m_pace->setCurrentIndex(settings.choice(paceChoice, 0).toInt() == 1 ? 1 : 0);
+    m_until->setCurrentIndex(settings.choice(untilChoice, 0).toInt() == 1 ? 1 : 0);
+    m_cycles->setValue(settings.choice(cyclesChoice, usualCycles).toInt());
+    m_minutes->setValue(settings.choice(minutesChoice, usualMinutes).toDouble());
+    m_operator->setText(settings.choice(operatorChoice, QString()).toString());
+}
+
+void SweepForm::remember()
+{
+    m_settings.setChoice(shapeChoice, record::sweepShapeName(m_shape));
+    m_settings.setChoice(paceChoice, m_pace->currentIndex());
+    m_settings.setChoice(untilChoice, m_until->currentIndex());
+    m_settings.setChoice(cyclesChoice, m_cycles->value());
+    m_settings.setChoice(minutesChoice, m_minutes->value());
+    m_settings.setChoice(operatorChoice, m_operator->text().trimmed());
+}
+
+void SweepForm::typed()
+{
+    Q_EMIT changed();
+}
+
+void SweepForm::choose(SweepShape shape)
+{
+    m_shape = shape;
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        m_shapes[i]->setChecked(shapes[i] == shape);
+    arrange();
+}
+
+bool SweepForm::has(Cell cell) const
+{
+    const bool list = m_shape == SweepShape::Points;
+    const bool sine = m_shape == SweepShape::Sine;
+    switch (cell) {
+    case Start:
+    case End:
+        return !list;
+    case Step:
+        return m_shape == SweepShape::Stairs;
+    case Period:
+        return sine;
+    case Seed:
+        return m_shape == SweepShape::Random;
+    case List:
+        return list;
+    case Pace:
+    case Pause:
+        return !sine;
+    case Cycles:
+        return m_until->currentIndex() == 0;
+    case Minutes:
+        return m_until->currentIndex() == 1;
+    case Speed:
+        return m_moves[0];
+    case Acceleration:
+        return m_moves[1];
+    case Time:
+        return m_moves[2];
+    default:
+        return true;
+    }
+}
+
+/// Title above field, two columns.
+void SweepForm::arrange()
+{
+    if (m_cells[Note].field == nullptr)
+        return;
+    int place = 0;
+    for (std::size_t i = 0; i < CellCount; ++i) {
+        const Place& cell = m_cells[i];
+        m_grid->removeWidget(cell.title);
+        m_grid->removeWidget(cell.field);
+        const bool shown = has(static_cast<Cell>(i));
+        cell.title->setVisible(shown);
+        cell.field->setVisible(shown);
+        if (!shown)
+            continue;
+        if (cell.wide && place % columns != 0)
+            ++place;
+        const int row = place / columns * 2;
+        const int width = cell.wide ? columns : 1;
+        m_grid->addWidget(cell.title, row, place % columns, 1, width);
+        m_grid->addWidget(cell.field, row + 1, place % columns, 1, width);
+        place += width;
+    }
+    for (int column = 0; column < columns; ++column)
+        m_grid->setColumnStretch(column, 1);
+}
+
+void SweepForm::showServo(const session::ServoEntry* entry)
+{
+    if (entry == nullptr || !entry->servo.profile)
+        return;
+    const device::MoveFieldSet fields = device::moveFields(entry->servo);
+    // In a mode without positions nothing is known of them yet.
+    const std::array moves{fields.speed, fields.acceleration, fields.time};
+    if (moves != m_moves && moves != decltype(moves){}) {
+        m_moves = moves;
+        arrange();
+    }
+}
+
+void SweepForm::startAnew()
+{
+    m_rangeTyped = false;
+    m_pauseTyped = false;
+    m_periodTyped = false;
+}
+
+void SweepForm::propose(const record::SweepRange& range)
+{
+    if (m_rangeTyped)
+        return;
+    m_start->setText(range.from);
+    m_end->setText(range.to);
+}
+
+void SweepForm::propose(base::Duration enough)
+{
+    if (enough <= base::Duration::zero())
+        return;
+    const auto ms = enough / std::chrono::milliseconds(1);
+    if (m_shape == SweepShape::Sine && !m_periodTyped) {
+        const QSignalBlocker quiet(m_period);
+        m_period->setValue(double(ms) / 1000);
+    } else if (m_shape != SweepShape::Sine && !m_pauseTyped && m_pace->currentIndex() == 0) {
+        const QSignalBlocker quiet(m_pause);
+        m_pause->setValue(int(std::min<std::int64_t>(ms, mostPause)));
+    }
+}
+
+record::SweepSpec SweepForm::spec() const
+{
+    using std::chrono::milliseconds;
+    record::SweepSpec spec;
+    const auto shown = [this](Cell cell, const QLineEdit* edit) {
+        return has(cell) ? edit->text().trimmed() : QString();
+    };
+    spec.shape = m_shape;
+    spec.range = {shown(Start, m_start), shown(End, m_end)};
+    spec.step = shown(Step, m_step);
+    if (has(List))
+        spec.points = m_points;
+    spec.seed = std::uint32_t(m_seed->value());
+    if (has(Period))
+        spec.period = milliseconds(std::llround(m_period->value() * 1000));
+    spec.pace = m_pace->currentIndex() == 1 ? SweepPace::Dwell : SweepPace::Delay;
+    if (has(Pause))
+        spec.pause = milliseconds(m_pause->value());
+    spec.cycles = has(Cycles) ? m_cycles->value() : 0;
+    if (has(Minutes))
+        spec.length = milliseconds(std::llround(m_minutes->value() * 60'000));
+    spec.speed = shown(Speed, m_speed);
+    spec.acceleration = shown(Acceleration, m_acceleration);
+    spec.time = shown(Time, m_time);
+    spec.warmUp = std::chrono::seconds(m_warmUp->value());
+    spec.releaseAtEnd = m_afterwards->currentIndex() == 1;
+    spec.stopOnAlarm = m_onAlarm->isChecked();
+    spec.stopOnStall = m_onStall->isChecked();
+    spec.stopOnFailure = m_onFailure->isChecked();
+    spec.operatorName = m_operator->text().trimmed();
+    spec.note = m_note->text().trimmed();
+    return spec;
+}
+
+void SweepForm::openList()
+{
+    auto* dialog = new QFileDialog(this, tr("Open a list of targets"));
+    dialog->setObjectName(QStringLiteral("sweepListDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters(
+        {tr("Targets, one a line: target,pause in ms (*.csv *.txt)"), tr("All files (*)")});
+    dialog->setDirectory(m_settings.choice(folderChoice, QString()).toString());
+    connect(dialog, &QFileDialog::fileSelected, this, &SweepForm::readList);
+    dialog->open();
+}
+
+void SweepForm::readList(const QString& path)
+{
+    m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
+    m_listPath = path;
+    auto points = record::loadSweepPoints(path);
+    m_points = points ? std::move(*points) : std::vector<record::SweepPoint>{};
+    m_listTrouble.clear();
+    if (!points) {
+        const text::Description words = text::describe(points.error());
+        m_listTrouble = words.what + QLatin1Char(' ') + words.remedy;
+    }
+    retranslate();
+    typed();
+}
+
+void SweepForm::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui
