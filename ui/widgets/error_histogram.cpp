@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/error_histogram.h"
+
+#include "ui/models/sweep_cells.h"
+
+#include <QEvent>
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+constexpr double parts = 64; ///< of a step
+constexpr double mostSteps = 1e9;
+constexpr double leastBar = 9;   ///< pixels
+constexpr double usualBars = 20; ///< over the errors' own range
+constexpr double finest = 0.125; ///< steps a bar
+constexpr int margin = 6;
+
+/// 1, 2 or 5 times a power of ten, not below `rough`.
+double niceStep(double rough)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    const double times = rough / power;
+    return power * (times <= 1 ? 1 : times <= 2 ? 2 : times <= 5 ? 5 : 10);
+}
+
+QString signedNumber(double value)
+{
+    const QString number = sweepNumber(std::abs(value));
+    if (number == QLatin1String("0"))
+        return number;
+    return (value < 0 ? QStringLiteral("−") : QStringLiteral("+")) + number;
+}
+} // namespace
+
+/// Where things stand in the picture.
+struct ErrorHistogram::Frame {
+    QRectF plot;
+    double reach = 1; ///< steps to both sides of 0
+    double width = 1; ///< steps a bar
+    std::uint64_t most = 1;
+    double x(double steps) const { return plot.center().x() + steps / reach * plot.width() / 2; }
+    double y(double count) const { return plot.bottom() - count / double(most) * plot.height(); }
+};
+
+ErrorHistogram::ErrorHistogram(QWidget* parent)
+    : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    describe();
+}
+
+void ErrorHistogram::add(std::span<const double> errors)
+{
+    const std::uint64_t before = m_count;
+    for (const double error : errors) {
+        if (!std::isfinite(error))
+            continue;
+        ++m_errors[std::llround(std::clamp(error, -mostSteps, mostSteps) * parts)];
+        m_sum += error;
+        ++m_count;
+    }
+    if (m_count == before)
+        return;
+    describe();
+    update();
+}
+
+void ErrorHistogram::clear()
+{
+    m_errors.clear();
+    m_count = 0;
+    m_sum = 0;
+    describe();
+    update();
+}
+
+void ErrorHistogram::setLimits(std::optional<double> warn, std::optional<double> fail)
+{
+    if (warn == m_warn && fail == m_fail)
+        return;
+    m_warn = warn;
+    m_fail = fail;
+    describe();
+    update();
+}
+
+/// 0 stands in the middle. The nearer limit is always seen, unless the errors look like one line
+/// beside it; the farther one if it is not far.
+double ErrorHistogram::reach() const
+{
+    double far = 1;
+    if (!m_errors.empty())
+        far = std::max({far, std::abs(double(m_errors.begin()->first)) / parts,
+                        std::abs(double(m_errors.rbegin()->first)) / parts});
+    constexpr double mostEmpty = 4;
+    const double errors = far;
+    for (const auto& limit : {m_warn, m_fail}) {
+        if (limit && *limit <= mostEmpty * errors)
+            far = std::max(far, *limit);
+    }
+    return far;
+}
+
+double ErrorHistogram::barWidth(double room) const
+{
+    double range = 1;
+    if (!m_errors.empty())
+        range = std::max(range, double(m_errors.rbegin()->first - m_errors.begin()->first) / parts);
+    const double ofPixels = 2 * reach() * leastBar / std::max(room, 1.0);
+    const double width = niceStep(std::max(range / usualBars, ofPixels));
+    // Servos count in whole steps; only means of them lie between.
+    return std::max(width, finest);
+}
+
+ErrorHistogram::Frame ErrorHistogram::frame() const
+{
+    const int line = fontMetrics().height();
+    Frame frame;
+    frame.plot = QRectF(rect()).adjusted(margin, line + margin, -margin, -(line + margin));
+    frame.width = barWidth(frame.plot.width());
+    frame.reach = reach() + frame.width;
+    return frame;
+}
+
+std::vector<ErrorHistogram::Bar> ErrorHistogram::bars() const
+{
+    const double width = frame().width;
+    std::vector<Bar> bars;
+    for (const auto& [place, count] : m_errors) {
+        // A bar stands around its value, so that 0 is the middle of one.
+        const double middle = std::floor(double(place) / parts / width + 0.5) * width;
+        if (bars.empty() || bars.back().from + width / 2 < middle - width / 4)
+            bars.push_back({middle - width / 2, middle + width / 2, 0});
+        bars.back().count += count;
+    }
+    return bars;
+}
+
+std::uint64_t ErrorHistogram::beyond(double limit) const
+{
+    std::uint64_t count = 0;
+    for (const auto& [place, times] : m_errors)
+        count += std::abs(double(place)) / parts > limit ? times : 0;
+    return count;
+}
+
+QString ErrorHistogram::summary() const
+{
+    if (m_count == 0)
+        return tr("No steady error has been measured yet.");
+    const QString step = unitName(QStringLiteral("step"));
+    QStringList lines{tr("Legs: %1. From %2 to %3 %4, mean %5 %4.")
+                          .arg(locale().toString(qulonglong(m_count)),
+                               signedNumber(double(m_errors.begin()->first) / parts),
+                               signedNumber(double(m_errors.rbegin()->first) / parts), step,
+                               signedNumber(m_sum / double(m_count)))};
+    if (m_warn)
+        lines << tr("Beyond the warning limit of %1 %2: %3.")
+                     .arg(sweepNumber(m_warn), step,
+                          locale().toString(qulonglong(beyond(*m_warn))));
+    if (m_fail)
+        lines << tr("Beyond the limit of %1 %2: %3.")
+                     .arg(sweepNumber(m_fail), step,
+                          locale().toString(qulonglong(beyond(*m_fail))));
+    return lines.join(QLatin1Char('\n'));
+}
+
+void ErrorHistogram::describe()
+{
+    setAccessibleName(tr("Error at target"));
+    setAccessibleDescription(summary());
+}
+
+QString ErrorHistogram::barText(const QPoint& place) const
+{
+    const Frame frame = this->frame();
+    for (const Bar& bar : bars()) {
+        if (place.x() < frame.x(bar.from) || place.x() >= frame.x(bar.to))
+            continue;
+        const double share = 100.0 * double(bar.count) / double(m_count);
+        return tr("%1 to %2 %3: %4 of %5 legs (%6 %)")
+            .arg(signedNumber(bar.from), signedNumber(bar.to), unitName(QStringLiteral("step")),
+                 locale().toString(qulonglong(bar.count)), locale().toString(qulonglong(m_count)),
+                 locale().toString(share, 'f', 1));
+    }
+    return {};
+}
+
+bool ErrorHistogram::event(QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const QString bar = barText(help->pos());
+    QToolTip::showText(help->globalPos(), bar.isEmpty() ? summary() : bar, this);
+    return true;
+}
+
+void ErrorHistogram::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        describe();
+        update();
+    }
+}
+
+QSize ErrorHistogram::sizeHint() const
+{
+    return {fontMetrics().averageCharWidth() * 36, fontMetrics().height() * 9};
+}
+
+QSize ErrorHistogram::minimumSizeHint() const
+{
+    return {fontMetrics().averageCharWidth() * 18, fontMetrics().height() * 5};
+}
+
+/// The line the bars stand on, with steps below it: as many as find room.
+void ErrorHistogram::paintGround(QPainter& painter, const Frame& frame) const
+{
+    painter.setPen(palette().color(QPalette::Mid));
+    painter.drawLine(frame.plot.bottomLeft(), frame.plot.bottomRight());
+    const QString unit = QLatin1Char(' ') + unitName(QStringLiteral("step"));
+    const double widest = fontMetrics().horizontalAdvance(signedNumber(-frame.reach) + unit);
+    const double labels = std::max(2.0, frame.plot.width() / (widest + 2 * margin));
+    const double every = niceStep(std::max(2 * frame.reach / labels, frame.width));
+    const double last = std::floor(frame.reach / every) * every;
+    painter.setPen(tone(Tone::Quiet, palette()));
+    const double top = frame.plot.bottom() + 2;
+    const double height = fontMetrics().height();
+    for (double at = -last; at <= last + every / 2; at += every) {
+        const bool end = at > last - every / 2;
+        const QString text = signedNumber(at) + (end ? unit : QString());
+        const double width = fontMetrics().horizontalAdvance(text) + 2;
+        const double left =
+            std::clamp(frame.x(at) - width / 2, 0.0, std::max(0.0, this->width() - width));
+        painter.drawText(QRectF(left, top, width, height), Qt::AlignCenter, text);
+    }
+}
+
+void ErrorHistogram::paintBars(QPainter& painter, const Frame& frame) const
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tone(Tone::Accent, palette()));
+    for (const Bar& bar : bars()) {
+        const double left = frame.x(bar.from);
+        const double right = frame.x(bar.to);
+        const double gap = std::min(2.0, (right - left) / 5);
+        // One leg among thousands is still seen.
+        const double top = std::min(frame.y(double(bar.count)), frame.plot.bottom() - 1.5);
+        painter.drawRect(
+            QRectF(left + gap, top, right - left - 2 * gap, frame.plot.bottom() - top));
+    }
+}
+
+void ErrorHistogram::paintLimits(QPainter& painter, const Frame& frame) const
+{
+    const int line = fontMetrics().height();
+    const auto paint = [&](const std::optional<double>& limit, Tone meaning, Qt::PenStyle style,
+                           record::Grade grade) {
+        if (!limit || *limit > frame.reach)
+            return;
+        const QString sign = gradeText(grade).left(1);
+        for (const double side : {-1.0, 1.0}) {
+            const double x = frame.x(side * *limit);
+            painter.setPen(QPen(tone(meaning, palette()), 1.5, style));
+            painter.drawLine(QPointF(x, frame.plot.top()), QPointF(x, frame.plot.bottom()));
+            painter.drawText(QRectF(x - line, 1, 2 * line, line), Qt::AlignCenter, sign);
+        }
+    };
+    paint(m_warn, Tone::Warn, Qt::DashLine, record::Grade::Warn);
+    paint(m_fail, Tone::Bad, Qt::DotLine, record::Grade::Fail);
+}
+
+void ErrorHistogram::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    if (m_count == 0) {
+        painter.setPen(tone(Tone::Quiet, palette()));
+        painter.drawText(rect().adjusted(margin, margin, -margin, -margin),
+                         Qt::AlignCenter | Qt::TextWordWrap, summary());
+        return;
+    }
+    Frame frame = this->frame();
+    for (const Bar& bar : bars())
+        frame.most = std::max(frame.most, bar.count);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintGround(painter, frame);
+    paintBars(painter, frame);
+    paintLimits(painter, frame);
+    painter.setPen(tone(Tone::Quiet, palette()));
+    painter.drawText(QRectF(0, 1, width() - margin, fontMetrics().height()), Qt::AlignHCenter,
+                     QStringLiteral("n = %1").arg(locale().toString(qulonglong(m_count))));
+}
+} // namespace ui
