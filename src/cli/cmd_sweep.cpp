@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/progress.h"
 #include "cli/run.h"
+#include "cli/sweep_history.h"
 #include "cli/sweep_input.h"
 #include "cli/table.h"
 #include "cli/translate.h"
@@ -12,6 +13,8 @@
 #include "session/safety_snapshot.h"
 #include "session/sweep_report.h"
 #include "text/language.h"
+
+#include <QFileInfo>
 
 namespace cli {
 namespace {
@@ -73,7 +76,8 @@ private:
     base::Result<void> collect();
     jobs::SweepWatch watch();
     base::Result<void> save(const record::SweepRun& run);
-    void show(const record::SweepRun& run);
+    QStringList files() const;
+    void show(const record::SweepRun& run, const QString& kept);
 
     Run& m_run;
     const Values& m_values;
@@ -149,7 +153,16 @@ base::Result<void> SweepCommand::save(const record::SweepRun& run)
     return session::saveSweepReport(run, *m_readings, *m_format, text::inChinese(), m_path);
 }
 
-void SweepCommand::show(const record::SweepRun& run)
+/// As the history names them, wherever it is looked at from.
+QStringList SweepCommand::files() const
+{
+    if (!m_format)
+        return {};
+    return {QFileInfo(m_path).absoluteFilePath(),
+            QFileInfo(session::sweepReadingsPath(m_path)).absoluteFilePath()};
+}
+
+void SweepCommand::show(const record::SweepRun& run, const QString& kept)
 {
     if (m_run.console().json()) {
         m_run.console().write(record::encodeSweepRun(run));
@@ -169,6 +182,8 @@ void SweepCommand::show(const record::SweepRun& run)
         text += translate("cli", "Report: %1, readings: %2")
                     .arg(m_path, session::sweepReadingsPath(m_path)) +
                 QLatin1Char('\n');
+    if (!kept.isEmpty())
+        text += kept + QLatin1Char('\n');
     m_run.console().print(text + m_run.takeNotices());
 }
 
@@ -184,7 +199,7 @@ base::Result<Exit> SweepCommand::run()
     if (!done)
         return tl::unexpected(done.error());
     const auto saved = save(*done);
-    show(*done);
+    show(*done, keepSweep(m_run.console(), *done, saved ? files() : QStringList()));
     if (!saved)
         return tl::unexpected(saved.error());
     switch (done->verdict()) {

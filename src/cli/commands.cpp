@@ -4,18 +4,33 @@
 namespace cli {
 const std::vector<Command>& commands()
 {
-    static const std::vector<Command> all{portsCommand(),        scanCommand(),
-                                          infoCommand(),         dumpCommand(),
-                                          readCommand(),         writeCommand(),
-                                          setIdCommand(),        setBaudCommand(),
-                                          centerCommand(),       restoreDefaultsCommand(),
-                                          rebootCommand(),       identifyCommand(),
-                                          clearAlarmCommand(),   torqueCommand(),
-                                          stopCommand(),         modeCommand(),
-                                          moveCommand(),         watchCommand(),
-                                          sweepCommand(),        rawCommand(),
-                                          recoverCommand(),      snapshotSaveCommand(),
-                                          snapshotShowCommand(), tourCommand()};
+    static const std::vector<Command> all{portsCommand(),
+                                          scanCommand(),
+                                          infoCommand(),
+                                          dumpCommand(),
+                                          readCommand(),
+                                          writeCommand(),
+                                          setIdCommand(),
+                                          setBaudCommand(),
+                                          centerCommand(),
+                                          restoreDefaultsCommand(),
+                                          rebootCommand(),
+                                          identifyCommand(),
+                                          clearAlarmCommand(),
+                                          torqueCommand(),
+                                          stopCommand(),
+                                          modeCommand(),
+                                          moveCommand(),
+                                          watchCommand(),
+                                          sweepCommand(),
+                                          sweepRunsCommand(),
+                                          sweepReferenceCommand(),
+                                          sweepCompareCommand(),
+                                          rawCommand(),
+                                          recoverCommand(),
+                                          snapshotSaveCommand(),
+                                          snapshotShowCommand(),
+                                          tourCommand()};
     return all;
 }
 } // namespace cli

@@ -10,6 +10,11 @@ QString dataFolder()
     return own.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) : own;
 }
 
+QString historyFile()
+{
+    return dataFolder() + QStringLiteral("/history.sqlite");
+}
+
 QString modelFolder()
 {
     return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) +

@@ -9,6 +9,9 @@ namespace session {
 /// created by this.
 QString dataFolder();
 
+/// Of the database of record/history.h, in the data folder.
+QString historyFile();
+
 /// The user's own model files (*.json).
 QString modelFolder();
 } // namespace session

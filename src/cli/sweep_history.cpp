@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep_history.h"
+
+#include "cli/arguments.h"
+#include "cli/translate.h"
+#include "record/sweep_json.h"
+#include "session/paths.h"
+#include "text/error_words.h"
+
+#include <QFile>
+#include <QRegularExpression>
+
+namespace cli {
+namespace {
+/// "12:3", "run.json:3"
+const QRegularExpression& withServo()
+{
+    static const QRegularExpression expression(QStringLiteral("^(.+):(\\d{1,3})$"));
+    return expression;
+}
+
+const QRegularExpression& runNumber()
+{
+    static const QRegularExpression expression(QStringLiteral("^#?(\\d{1,15})$"));
+    return expression;
+}
+} // namespace
+
+QString keepSweep(Console& console, const record::SweepRun& run, const QStringList& files)
+{
+    const record::KeptRun kept = record::keepRun(session::historyFile(), run, files);
+    if (!kept.trouble)
+        return translate("cli", "Kept in the history as test run %1").arg(qint64(kept.number));
+    console.say(translate("cli", "The test could not be kept in the history: %1 (%2)")
+                    .arg(text::describe(*kept.trouble).what, kept.trouble->detail));
+    if (kept.file.isEmpty())
+        return {};
+    console.say(translate("cli", "It was left in %1 instead").arg(kept.file));
+    return {};
+}
+
+base::Result<std::vector<record::TestRun>> listSweeps(const record::RunFilter& filter)
+{
+    if (!QFile::exists(session::historyFile()))
+        return std::vector<record::TestRun>();
+    const auto history = record::History::open(session::historyFile());
+    if (!history)
+        return tl::unexpected(history.error());
+    return (*history)->runs(filter);
+}
+
+base::Result<SweepWord> parseSweepWord(const QString& word)
+{
+    SweepWord parsed{word};
+    if (QFile::exists(word))
+        return parsed;
+    if (const auto match = withServo().match(word); match.hasMatch()) {
+        const auto id = parseId(match.captured(2));
+        if (!id)
+            return tl::unexpected(id.error());
+        parsed = {match.captured(1), 0, *id};
+    }
+    if (const auto match = runNumber().match(parsed.name); match.hasMatch()) {
+        parsed.number = match.captured(1).toLongLong();
+        parsed.name = match.captured(1);
+    }
+    return parsed;
+}
+
+base::Result<record::SweepRun> loadSweep(const SweepWord& word)
+{
+    if (word.number == 0)
+        return record::loadSweepRun(word.name);
+    const auto none = [&] {
+        return badArgument(
+            translate("cli", "there is no test run %1 in the history; sweep-runs lists them")
+                .arg(qint64(word.number)));
+    };
+    if (!QFile::exists(session::historyFile()))
+        return none();
+    const auto history = record::History::open(session::historyFile());
+    if (!history)
+        return tl::unexpected(history.error());
+    auto run = (*history)->sweep(word.number);
+    if (!run && run.error().code == base::ErrorCode::BadArgument)
+        return none();
+    return run;
+}
+
+base::Result<const record::SweepServo*> chooseServo(const record::SweepRun& run,
+                                                    const SweepWord& word)
+{
+    if (word.servo) {
+        if (const record::SweepServo* servo = record::servoOf(run, *word.servo))
+            return servo;
+        return badArgument(translate("cli", "%1 has no servo %2").arg(word.name).arg(*word.servo));
+    }
+    if (run.servos.size() == 1)
+        return &run.servos.front();
+    QStringList ids;
+    for (const record::SweepServo& servo : run.servos)
+        ids.append(QString::number(servo.parameters.servo.id));
+    return badArgument(translate("cli", "%1 has servos %2; say which, as in %1:%3 or with --servo")
+                           .arg(word.name, ids.join(QStringLiteral(", ")), ids.value(0)));
+}
+} // namespace cli

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page that holds two tests against each other: well-formed, needs nothing else, says what
+// cannot be compared, escapes what people typed; and the lines about a reference servo.
+#include "report/sweep_compare_html.h"
+#include "report/sweep_compare_words.h"
+#include "report/sweep_words.h"
+#include "unit/record/sweep_example.h"
+
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <QtTest>
+
+using record::SweepRun;
+
+namespace {
+QString text(const char* utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+QByteArray pageOf(const SweepRun& a, const SweepRun& b, bool chinese = false)
+{
+    return report::sweepCompareHtml({text("run <12>"), a, a.servos[0]},
+                                    {text("b.json"), b, b.servos[0]}, chinese);
+}
+
+/// All words of the page; what is wrong with its XML instead.
+QString read(const QByteArray& page, int* charts = nullptr)
+{
+    QXmlStreamReader xml(page);
+    QString words;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (xml.isStartElement() && charts && xml.name() == text("svg"))
+            ++*charts;
+        if (xml.isStartElement() &&
+            (xml.name() == text("script") || xml.attributes().hasAttribute(text("src"))))
+            return text("it would load something");
+        if (xml.isCharacters())
+            words += xml.text().toString() + QLatin1Char(' ');
+    }
+    return xml.hasError() ? xml.errorString() : words;
+}
+} // namespace
+
+class TestSweepCompareHtml : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void itIsOnePageInTwoLanguages();
+    void whatCannotBeComparedIsSaid();
+    void everyWordIsThere();
+    void theReferenceInLines();
+    void itIsSaved();
+};
+
+void TestSweepCompareHtml::itIsOnePageInTwoLanguages()
+{
+    const SweepRun a = sweep_example::run();
+    SweepRun b = a;
+    b.servos[0].parameters.registers[0].raw = 600;
+    b.servos[0].metrics[2].value = 2.5; // overshoot, 8.0625 before
+    int charts = 0;
+    const QString words = read(pageOf(a, b), &charts);
+    QVERIFY2(words.contains(text("run <12>")), qPrintable(words));
+    QCOMPARE(charts, 2);
+    for (const char* part : {"Two sweep tests compared", "两次扫描测试对比", "8.06", "2.5", "−5.56",
+                             "min_angle", "600", "512", "Both did the same test."})
+        QVERIFY2(words.contains(text(part)), part);
+    QVERIFY(words.contains(sweep_example::hostileLabel));
+    QVERIFY(pageOf(a, b, true).contains("id=\"lang-zh\" checked=\"checked\""));
+    QVERIFY(pageOf(a, b, false).contains("id=\"lang-en\" checked=\"checked\""));
+}
+
+void TestSweepCompareHtml::whatCannotBeComparedIsSaid()
+{
+    const SweepRun a = sweep_example::run();
+    SweepRun b = a;
+    b.servos[0].axis.to = 2000;
+    b.servos[0].limits.lines.clear();
+    b.spec.shape = record::SweepShape::Sine;
+    b.end = record::SweepEnd::Alarm;
+    const QString words = read(pageOf(a, b));
+    const report::CompareWords& own = report::compareWords();
+    for (const report::Text& warning : {own.notComparable, own.someDiffer, own.gradesDiffer}) {
+        QVERIFY(words.contains(warning.en));
+        QVERIFY(words.contains(warning.zh));
+    }
+    QVERIFY(words.contains(text("1000 … 2000")));
+    QVERIFY(words.contains(report::shapeWords(record::SweepShape::Sine).zh));
+    QVERIFY(words.contains(report::endWords(record::SweepEnd::Alarm).en));
+}
+
+void TestSweepCompareHtml::everyWordIsThere()
+{
+    for (int item = 0; item <= int(record::TestItem::End); ++item) {
+        const report::Text words = report::testItemWords(record::TestItem(item));
+        QVERIFY(!words.en.isEmpty() && !words.zh.isEmpty());
+        const report::Text none = report::testValueWords(record::TestItem(item), QString());
+        QVERIFY(!none.en.isEmpty() && !none.zh.isEmpty());
+    }
+}
+
+void TestSweepCompareHtml::theReferenceInLines()
+{
+    const SweepRun reference = sweep_example::run();
+    SweepRun run = reference;
+    const auto set = [](SweepRun& into, const char* key, double value) {
+        for (record::SweepMetric& metric : into.servos[0].metrics) {
+            if (metric.key == text(key))
+                metric.value = value;
+        }
+    };
+    SweepRun before = reference;
+    set(before, "hysteresis", 4);
+    set(run, "hysteresis", 9);
+    set(before, "time_to_target", 400);
+    set(run, "time_to_target", 300);
+    set(before, "overshoot", 5);
+    set(run, "overshoot", 5.2); // no more than anybody has
+    const auto lines = report::referenceLines(
+        record::compareSweeps({{}, before, before.servos[0]}, {{}, run, run.servos[0]}));
+    QCOMPARE(lines.size(), std::size_t(2));
+    QCOMPARE(lines[0].en, text("Hysteresis, both sides +5 step (worse)"));
+    QCOMPARE(lines[0].zh, text("回程差（双向） +5 步（更差）"));
+    QCOMPARE(lines[1].en, text("Time to target −100 ms (better)"));
+}
+
+void TestSweepCompareHtml::itIsSaved()
+{
+    const QTemporaryDir dir;
+    const SweepRun run = sweep_example::run();
+    const record::SweepSide side{text("1"), run, run.servos[0]};
+    const QString path = dir.filePath(text("c.html"));
+    QVERIFY(report::saveSweepCompareHtml(side, side, false, path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), report::sweepCompareHtml(side, side, false));
+    QCOMPARE(report::saveSweepCompareHtml(side, side, false, dir.path()).error().code,
+             base::ErrorCode::FileUnwritable);
+}
+
+QTEST_GUILESS_MAIN(TestSweepCompareHtml)
+#include "tst_sweep_compare_html.moc"
