@@ -53,6 +53,7 @@ enum class IntentKind {
     Calibrate,
     Restore,
     Identify, ///< the LED was made to blink: whatever became of it, the old value is wanted
+    Trial,    ///< set for the length of a task: likewise
 };
 
 struct Intent {

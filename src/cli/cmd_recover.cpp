@@ -29,6 +29,8 @@ QString kindName(base::IntentKind kind)
         return QStringLiteral("restore-defaults");
     case base::IntentKind::Identify:
         return QStringLiteral("identify");
+    case base::IntentKind::Trial:
+        return QStringLiteral("trial");
     }
     return {};
 }

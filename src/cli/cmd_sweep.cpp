@@ -61,6 +61,13 @@ QString verdictText(const record::SweepServo& servo)
     return text + table.text();
 }
 
+bool allPutBack(const device::Notices& notices)
+{
+    return std::none_of(notices.begin(), notices.end(), [](const device::Notice& notice) {
+        return notice.code == device::NoticeCode::SettingNotPutBack;
+    });
+}
+
 /// The test, from the options to the files.
 class SweepCommand {
 public:
@@ -114,6 +121,7 @@ base::Result<void> SweepCommand::collect()
                                                                       servo->profile->series));
         m_servos.push_back(std::move(*servo));
     }
+    m_order.switchMode = m_values.has("--switch-mode");
     m_order.program = session::programName();
     const auto connection = m_run.connect();
     m_order.simulated = connection && (*connection)->simulated();
@@ -166,6 +174,9 @@ void SweepCommand::show(const record::SweepRun& run, const QString& kept)
 {
     if (m_run.console().json()) {
         m_run.console().write(record::encodeSweepRun(run));
+        // The document is the report, which others read as it is.
+        if (const QString notices = m_run.takeNotices(); !notices.isEmpty())
+            m_run.console().say(notices.trimmed());
         return;
     }
     QString text;
@@ -199,9 +210,12 @@ base::Result<Exit> SweepCommand::run()
     if (!done)
         return tl::unexpected(done.error());
     const auto saved = save(*done);
+    const bool back = allPutBack(context->notices);
     show(*done, keepSweep(m_run.console(), *done, saved ? files() : QStringList()));
     if (!saved)
         return tl::unexpected(saved.error());
+    if (!back)
+        return Exit::NotDone;
     switch (done->verdict()) {
     case record::Grade::Pass:
     case record::Grade::Warn:

@@ -136,6 +136,8 @@ std::vector<Option> sweepOptions()
         {"--acceleration", QT_TRANSLATE_NOOP("cli", "raw or with its unit"), "A"},
         {"--time", QT_TRANSLATE_NOOP("cli", "travel time in milliseconds (SCS, LX)"), "MS"},
         {"--warm-up", QT_TRANSLATE_NOOP("cli", "move for so many seconds before measuring"), "S"},
+        {"--switch-mode", QT_TRANSLATE_NOOP("cli", "a servo in another mode is in position mode "
+                                                   "while the test lasts, and back afterwards")},
         {"--release", QT_TRANSLATE_NOOP("cli", "torque off at the end (usual: hold)")},
         {"--stop-on-failure", QT_TRANSLATE_NOOP("cli", "end with the first limit that is failed")},
         {"--limits", QT_TRANSLATE_NOOP("cli", "limits to judge by (usual: the built-in ones)"),

@@ -31,11 +31,11 @@ Todo todo(const base::Intent& intent, const device::Servo& servo, RecoverAction 
     for (const base::JournalItem& item : intent.items) {
         const catalog::Register* reg = servo.profile->find(item.key);
         const auto present = reg != nullptr ? servo.raw(*reg) : std::nullopt;
-        if (!present || !device::lasting(*reg) || !reg->writable())
+        if (!present || !concernsRecovery(intent, *reg) || !reg->writable())
             continue;
         // What calibration and restore lead to is not known beforehand: finishing takes what is.
         const std::int64_t finished = newValuesKnown(intent) ? item.newRaw : *present;
-        const bool forward = action == RecoverAction::Finish && intent.kind != IntentKind::Identify;
+        const bool forward = action == RecoverAction::Finish && !onlyBack(intent);
         const std::int64_t wanted = forward ? finished : item.oldRaw;
         (present == wanted ? items.reassert : items.write).push_back({item.key, wanted});
     }
@@ -74,7 +74,7 @@ Outcome writeItems(const device::Context& context, const base::Intent& intent, d
     device::WriteOptions options;
     options.dangerous = true; // consent was given when the intent was made
     options.temporary = intent.temporary;
-    options.asBefore = action == RecoverAction::Undo;
+    options.asBefore = action == RecoverAction::Undo || onlyBack(intent);
     return asOutcome(device::write(context, servo, items, options));
 }
 
@@ -196,8 +196,9 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
     }
     if (before->lockOpen.value_or(false))
         context.note(device::NoticeCode::LockClosed, servo.id);
-    const QString word =
-        action == RecoverAction::Finish ? QStringLiteral("done") : QStringLiteral("undone");
+    const QString word = action == RecoverAction::Finish && intent.kind != IntentKind::Trial
+                             ? QStringLiteral("done")
+                             : QStringLiteral("undone");
     if (const auto ended = context.journal.end(intent.uuid, {word, QString()}); !ended)
         return tl::unexpected(ended.error());
     recovered.done = true;

@@ -93,11 +93,12 @@ base::Result<std::vector<device::Servo>> candidates(const device::Context& conte
     return found;
 }
 
-/// Registers that survive a power-off: the others say nothing about an interrupted write.
-bool comparable(const device::Servo& servo, const base::JournalItem& item)
+/// The others say nothing about an interrupted write.
+bool comparable(const base::Intent& intent, const device::Servo& servo,
+                const base::JournalItem& item)
 {
     const catalog::Register* reg = servo.profile->find(item.key);
-    return reg != nullptr && device::lasting(*reg);
+    return reg != nullptr && concernsRecovery(intent, *reg);
 }
 
 Finding compare(const base::Intent& intent, const device::Servo& servo)
@@ -105,7 +106,7 @@ Finding compare(const base::Intent& intent, const device::Servo& servo)
     int asOld = 0;
     int asNew = 0;
     for (const base::JournalItem& item : intent.items) {
-        if (!comparable(servo, item))
+        if (!comparable(intent, servo, item))
             continue;
         const auto raw = servo.raw(item.key);
         if (!newValuesKnown(intent)) {
@@ -125,6 +126,17 @@ Finding compare(const base::Intent& intent, const device::Servo& servo)
 bool newValuesKnown(const base::Intent& intent)
 {
     return intent.kind != IntentKind::Calibrate && intent.kind != IntentKind::Restore;
+}
+
+bool onlyBack(const base::Intent& intent)
+{
+    return intent.kind == IntentKind::Identify || intent.kind == IntentKind::Trial;
+}
+
+bool concernsRecovery(const base::Intent& intent, const catalog::Register& reg)
+{
+    return device::lasting(reg) ||
+           (intent.kind == IntentKind::Trial && reg.role == Role::OperatingMode);
 }
 
 base::Result<OpenIntent> look(const device::Context& context, const base::Intent& intent,

@@ -10,6 +10,13 @@ namespace jobs {
 /// value twice.
 bool newValuesKnown(const base::Intent& intent);
 
+/// Whichever way it is settled, the old values are wanted.
+bool onlyBack(const base::Intent& intent);
+
+/// What recovery brings to one side or the other: registers that survive a power-off, and a mode
+/// that a test has set, though it may be forgotten then (LX).
+bool concernsRecovery(const base::Intent& intent, const catalog::Register& reg);
+
 /// Leaves the bus at the rate where the servo was found, else at the rate it had. `servo` is filled
 /// in unless nobody answered. LinkLost ends it.
 base::Result<OpenIntent> look(const device::Context& context, const base::Intent& intent,

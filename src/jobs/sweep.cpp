@@ -4,14 +4,46 @@
 #include "jobs/snapshot.h"
 #include "jobs/sweep_axis.h"
 #include "jobs/sweep_runner.h"
+#include "jobs/temporary.h"
 
 namespace jobs {
 using base::Duration;
 using base::ErrorCode;
 
 namespace {
+using Modes = std::vector<std::unique_ptr<TemporarySettings>>;
+
+/// What a servo is, and what the test means for it. `modes` takes what must be put back.
+base::Result<record::SweepServo> prepare(const device::Context& context, device::Servo& servo,
+                                         const SweepOrder& order, std::size_t place, Modes& modes)
+{
+    record::SweepServo prepared;
+    prepared.limits = order.limits.at(place);
+    auto axis = sweepAxis(context, servo, order.spec, prepared.limits);
+    const bool otherMode = !axis && axis.error().detail == QLatin1StringView("not-position");
+    if (!axis && !(otherMode && order.switchMode))
+        return tl::unexpected(axis.error());
+    // The table as the servo keeps it, not as the test has set it.
+    auto table = takeSnapshot(context, servo, order.program);
+    if (!table)
+        return tl::unexpected(table.error());
+    prepared.parameters = std::move(*table);
+    if (!axis) {
+        auto mode = TemporarySettings::positionMode(context, servo);
+        if (!mode)
+            return tl::unexpected(mode.error());
+        modes.push_back(std::move(*mode));
+        axis = sweepAxis(context, servo, order.spec, prepared.limits);
+    }
+    if (!axis)
+        return tl::unexpected(axis.error());
+    prepared.axis = *axis;
+    return prepared;
+}
+
 base::Result<record::SweepRun> prepare(const device::Context& context,
-                                       std::vector<device::Servo>& servos, const SweepOrder& order)
+                                       std::vector<device::Servo>& servos, const SweepOrder& order,
+                                       Modes& modes)
 {
     record::SweepRun run;
     run.program = order.program;
@@ -21,32 +53,33 @@ base::Result<record::SweepRun> prepare(const device::Context& context,
     run.simulated = order.simulated;
     run.spec = order.spec;
     for (std::size_t i = 0; i < servos.size(); ++i) {
-        record::SweepServo servo;
-        servo.limits = order.limits.at(i);
-        const auto axis = sweepAxis(context, servos[i], order.spec, servo.limits);
-        if (!axis)
-            return tl::unexpected(axis.error());
-        servo.axis = *axis;
-        run.servos.push_back(std::move(servo));
-    }
-    for (std::size_t i = 0; i < servos.size(); ++i) {
-        auto table = takeSnapshot(context, servos[i], order.program);
-        if (!table)
-            return tl::unexpected(table.error());
-        run.servos[i].parameters = std::move(*table);
+        auto servo = prepare(context, servos[i], order, i, modes);
+        if (!servo)
+            return tl::unexpected(servo.error());
+        run.servos.push_back(std::move(*servo));
     }
     return run;
 }
+/// No goal may follow an emergency stop, not even one between two legs.
+device::Context endedByEmergency(const device::Context& outer)
+{
+    return {outer.bus,     outer.catalog,
+            outer.journal, outer.stop,
+            outer.notices, outer.priority,
+            outer.hold,    outer.epoch.value_or(outer.bus.emergencies())};
+}
 } // namespace
 
-base::Result<record::SweepRun> sweep(const device::Context& context,
+base::Result<record::SweepRun> sweep(const device::Context& outer,
                                      std::vector<device::Servo>& servos, const SweepOrder& order,
                                      const SweepWatch& watch)
 {
+    const device::Context context = endedByEmergency(outer);
     if (servos.empty() || order.limits.size() != servos.size())
         return base::fail(ErrorCode::BadArgument, QStringLiteral("sweep"),
                           QStringLiteral("no servo"));
-    auto run = prepare(context, servos, order);
+    Modes modes; // go back when this ends, however it does
+    auto run = prepare(context, servos, order, modes);
     if (!run)
         return tl::unexpected(run.error());
     if (const auto refusal = watch.onBegin ? watch.onBegin(*run) : std::nullopt)

@@ -4,8 +4,9 @@
 // ends, the servos are left safe: the one at fault without torque, the others as the order says,
 // and after an emergency stop as that left them. A silence of up to 5 s is waited out and noted as
 // a gap. The job's thread; times are the bus clock's.
-// Errors, all before anything has moved: those of sweep_axis.h and of reading; Refused no-start
-// (the first place was not reached). Whatever happens later is SweepRun::end.
+// Errors, all before anything has moved: those of sweep_axis.h, of reading and of switching the
+// mode; Refused no-start (the first place was not reached). Whatever happens later is
+// SweepRun::end; a mode that could not be put back is a notice.
 #pragma once
 
 #include "device/servo.h"
@@ -18,6 +19,9 @@ struct SweepOrder {
     std::vector<record::SweepLimits> limits{}; ///< one a servo
     QString program{};                         ///< name and version, for the report
     bool simulated = false;
+    /// A servo in a mode without positions is switched for the test, with its EPROM lock closed,
+    /// and back at the end: then it stands without torque. See jobs/temporary.h.
+    bool switchMode = false;
 };
 
 struct SweepProgress {
@@ -35,6 +39,8 @@ struct SweepWatch {
     /// while goals are being sent.
     std::function<void(std::size_t servo, const SweepSample&, double goal, int leg)> onSample{};
     std::function<void(std::size_t servo, const record::SweepLeg&)> onLeg{};
+    /// The goal of a measured leg had been sent at this time of the bus clock.
+    std::function<void(std::size_t servo, int leg, base::Duration at)> onGoal{};
     std::function<void(const SweepProgress&)> onProgress{};
     /// The run with all but its legs and figures, once everything has been found possible. An error
     /// keeps it from beginning and becomes the job's.
@@ -43,7 +49,7 @@ struct SweepWatch {
 
 /// All servos on one bus; their settings are read. What is in `servos` afterwards is what the job
 /// knows of them.
-base::Result<record::SweepRun> sweep(const device::Context& context,
+base::Result<record::SweepRun> sweep(const device::Context& outer,
                                      std::vector<device::Servo>& servos, const SweepOrder& order,
                                      const SweepWatch& watch);
 } // namespace jobs

@@ -214,6 +214,8 @@ void SweepRunner::begin(int number, Duration at)
         (void)sweepMove(m_servos[i], m_run.spec, target);
         track.meter.emplace(m_run.servos[i].axis, number, stop.cycle, at,
                             track.position.value_or(track.goal), target);
+        if (m_measuring && m_watch.onGoal)
+            m_watch.onGoal(i, number, at);
     }
 }
 

@@ -25,6 +25,7 @@ constexpr std::array kindNames{
     KindName{base::IntentKind::Calibrate, QLatin1String("calibrate")},
     KindName{base::IntentKind::Restore, QLatin1String("restore")},
     KindName{base::IntentKind::Identify, QLatin1String("identify")},
+    KindName{base::IntentKind::Trial, QLatin1String("trial")},
 };
 
 QString kindName(base::IntentKind kind)

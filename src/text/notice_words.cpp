@@ -112,6 +112,10 @@ constexpr std::array entries{
     Entry{NoticeCode::LedNotPutBack, "led-not-put-back",
           QT_TRANSLATE_NOOP("text", "The LED setting (%3) could not be put back; it is noted in "
                                     "the journal. Use recover when the servo answers again.")},
+    Entry{NoticeCode::SettingNotPutBack, "setting-not-put-back",
+          QT_TRANSLATE_NOOP("text", "%3 could not be put back to %1 after the test; it is noted in "
+                                    "the journal. Use recover when the servo answers again. At "
+                                    "power-off the servo forgets the trial by itself.")},
 };
 
 const Entry* entryFor(NoticeCode code)

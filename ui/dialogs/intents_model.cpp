@@ -113,6 +113,8 @@ QString intentWord(IntentKind kind)
         return translate("ServoTasks", "restore defaults");
     case IntentKind::Identify:
         return translate("ServoTasks", "identify");
+    case IntentKind::Trial:
+        return translate("ServoTasks", "settings of a test");
     }
     return {};
 }

@@ -142,7 +142,7 @@ private Q_SLOTS:
         for (const auto kind :
              {base::IntentKind::Write, base::IntentKind::SetId, base::IntentKind::SetBaud,
               base::IntentKind::Mode, base::IntentKind::Calibrate, base::IntentKind::Restore,
-              base::IntentKind::Identify}) {
+              base::IntentKind::Identify, base::IntentKind::Trial}) {
             QTest::addRow("kind %d kept", int(kind)) << int(kind) << false;
             QTest::addRow("kind %d temporary", int(kind)) << int(kind) << true;
         }
