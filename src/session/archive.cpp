@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/archive.h"
+
+namespace session {
+using record::History;
+
+namespace {
+base::Result<std::vector<ReferenceResult>> compared(const History& history,
+                                                    const record::SweepRun& run)
+{
+    std::vector<ReferenceResult> results;
+    for (const record::SweepServo& servo : run.servos) {
+        const auto reference = history.reference(servo.parameters.servo.model);
+        if (!reference)
+            return tl::unexpected(reference.error());
+        if (!*reference || (*reference)->run.at == run.at)
+            continue;
+        const auto other = history.sweep((*reference)->run.number);
+        if (!other)
+            return tl::unexpected(other.error());
+        const record::SweepServo* held = record::servoOf(*other, (*reference)->servo.id);
+        if (held)
+            results.push_back(
+                {servo.parameters.servo.id, (*reference)->run, (*reference)->servo,
+                 record::compareSweeps({QString(), *other, *held}, {QString(), run, servo})});
+    }
+    return results;
+}
+} // namespace
+
+Archive::Archive(QString path, QObject* parent)
+    : QObject(parent)
+    , m_path(std::move(path))
+    , m_thread(std::make_unique<JobThread>())
+{}
+
+/// The thread drops what waits; a run is not dropped.
+Archive::~Archive()
+{
+    m_thread.reset();
+    while (!m_pending.empty())
+        keepNext();
+}
+
+/// On the archive's thread, and at the very end on the main thread.
+record::KeptRun Archive::keepNext()
+{
+    Pending next;
+    {
+        const std::lock_guard lock(m_mutex);
+        next = m_pending.front();
+    }
+    record::KeptRun kept = record::keepRun(m_path, *next.run, next.files);
+    const std::lock_guard lock(m_mutex);
+    m_pending.pop_front();
+    return kept;
+}
+
+void Archive::keep(SharedRun run, const QStringList& files)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_pending.push_back({std::move(run), files});
+    }
+    m_thread->start([this] {
+        m_inbox.post([this, kept = keepNext()] {
+            if (kept.trouble) {
+                Q_EMIT keepFailed(*kept.trouble, kept.file);
+                return;
+            }
+            Q_EMIT this->kept(kept.number);
+            Q_EMIT changed();
+        });
+    });
+}
+
+/// Opened for each question: a file that was moved or mended meanwhile is no trouble then.
+template <typename T>
+void Archive::ask(std::function<base::Result<T>(History&)> question, QObject* context,
+                  Answer<T> answer)
+{
+    const QPointer<QObject> guard(context);
+    m_thread->start([this, question = std::move(question), guard, answer = std::move(answer)] {
+        const auto history = History::open(m_path);
+        auto result =
+            history ? question(**history) : base::Result<T>(tl::unexpected(history.error()));
+        m_inbox.post([guard, answer, result = std::move(result)] {
+            if (guard)
+                answer(result);
+        });
+    });
+}
+
+void Archive::change(std::function<base::Result<void>(History&)> deed)
+{
+    ask<void>(std::move(deed), this, [this](const base::Result<void>& done) {
+        if (!done)
+            Q_EMIT failed(done.error());
+        else
+            Q_EMIT changed();
+    });
+}
+
+void Archive::list(const record::RunFilter& filter, QObject* context,
+                   Answer<std::vector<record::TestRun>> answer)
+{
+    ask<std::vector<record::TestRun>>([filter](History& history) { return history.runs(filter); },
+                                      context, std::move(answer));
+}
+
+void Archive::load(std::int64_t number, QObject* context, Answer<SharedRun> answer)
+{
+    ask<SharedRun>(
+        [number](History& history) -> base::Result<SharedRun> {
+            auto run = history.sweep(number);
+            if (!run)
+                return tl::unexpected(run.error());
+            return std::make_shared<const record::SweepRun>(std::move(*run));
+        },
+        context, std::move(answer));
+}
+
+void Archive::compareWithReference(SharedRun run, QObject* context,
+                                   Answer<std::vector<ReferenceResult>> answer)
+{
+    ask<std::vector<ReferenceResult>>(
+        [run = std::move(run)](History& history) { return compared(history, *run); }, context,
+        std::move(answer));
+}
+
+void Archive::setLabel(std::int64_t number, int servo, const QString& label)
+{
+    change([=](History& history) { return history.setLabel(number, servo, label); });
+}
+
+void Archive::setNote(std::int64_t number, const QString& note)
+{
+    change([=](History& history) { return history.setNote(number, note); });
+}
+
+void Archive::setReference(std::int64_t number, int servo, bool reference)
+{
+    change([=](History& history) { return history.setReference(number, servo, reference); });
+}
+
+void Archive::remove(const std::vector<std::int64_t>& numbers)
+{
+    change([numbers](History& history) -> base::Result<void> {
+        for (const std::int64_t number : numbers) {
+            if (const auto done = history.remove(number); !done)
+                return done;
+        }
+        return {};
+    });
+}
+
+void Archive::work(std::function<base::Result<void>()> job, QObject* context, Answer<void> answer)
+{
+    const QPointer<QObject> guard(context);
+    m_thread->start([this, job = std::move(job), guard, answer = std::move(answer)] {
+        m_inbox.post([guard, answer, done = job()] {
+            if (guard)
+                answer(done);
+        });
+    });
+}
+} // namespace session

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The history behind the window: answers come to the main thread, in order; what was to be kept is
+// kept even if the program ends at once; whoever has gone is told nothing.
+#include "record/sweep_json.h"
+#include "session/archive.h"
+#include "unit/record/sweep_example.h"
+
+#include <QDir>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using session::Archive;
+using session::SharedRun;
+
+namespace {
+QString text(const char* utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+SharedRun example(int day = 0)
+{
+    auto run = std::make_shared<record::SweepRun>(sweep_example::run());
+    run->at = run->at.addDays(day);
+    return run;
+}
+} // namespace
+
+class TestArchive : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<QTemporaryDir> m_dir;
+    QString m_path;
+
+private Q_SLOTS:
+    void init()
+    {
+        QTest::failOnWarning(QRegularExpression(text(".*")));
+        m_dir = std::make_unique<QTemporaryDir>();
+        m_path = m_dir->filePath(text("history.sqlite"));
+    }
+
+    void whatIsKeptIsListedAndLoaded();
+    void theEndOfTheProgramLosesNothing();
+    void whoHasGoneIsToldNothing();
+    void changesAreTold();
+    void aRunIsHeldAgainstItsReference();
+    void anUnusableHistoryIsToldWithThePlaceOfTheRun();
+    void workAnswersToo();
+};
+
+void TestArchive::whatIsKeptIsListedAndLoaded()
+{
+    Archive archive(m_path);
+    QSignalSpy kept(&archive, &Archive::kept);
+    QSignalSpy changed(&archive, &Archive::changed);
+    archive.keep(example(), {text("/tmp/x.html")});
+    archive.keep(example(1));
+    std::vector<record::TestRun> runs;
+    QThread* where = nullptr;
+    archive.list({}, this, [&](const base::Result<std::vector<record::TestRun>>& answer) {
+        runs = answer.value();
+        where = QThread::currentThread();
+    });
+    QVERIFY(kept.isEmpty()); // nothing waits, so nothing is there yet
+    QTRY_COMPARE(runs.size(), std::size_t(2));
+    QCOMPARE(where, thread());
+    QCOMPARE(kept.size(), 2);
+    QCOMPARE(changed.size(), 2);
+    QCOMPARE(kept[0][0].toLongLong(), 1);
+    QCOMPARE(runs[1].files, QStringList(text("/tmp/x.html")));
+    SharedRun loaded;
+    archive.load(1, this, [&](const base::Result<SharedRun>& answer) { loaded = answer.value(); });
+    QTRY_VERIFY(loaded);
+    QVERIFY(*loaded == sweep_example::run());
+    std::optional<base::Error> error;
+    archive.load(99, this, [&](const base::Result<SharedRun>& answer) { error = answer.error(); });
+    QTRY_VERIFY(error);
+}
+
+void TestArchive::theEndOfTheProgramLosesNothing()
+{
+    constexpr int many = 12;
+    {
+        Archive archive(m_path);
+        for (int i = 0; i < many; ++i)
+            archive.keep(example(i));
+    }
+    const auto history = record::History::open(m_path).value();
+    QCOMPARE(history->runs().value().size(), std::size_t(many));
+}
+
+void TestArchive::whoHasGoneIsToldNothing()
+{
+    Archive archive(m_path);
+    bool told = false;
+    auto gone = std::make_unique<QObject>();
+    archive.list({}, gone.get(), [&](const auto&) { told = true; });
+    gone.reset();
+    bool after = false;
+    archive.list({}, this, [&](const auto&) { after = true; });
+    QTRY_VERIFY(after);
+    QVERIFY(!told);
+}
+
+void TestArchive::changesAreTold()
+{
+    Archive archive(m_path);
+    QSignalSpy changed(&archive, &Archive::changed);
+    QSignalSpy failed(&archive, &Archive::failed);
+    archive.keep(example());
+    archive.setLabel(1, 5, text("left"));
+    archive.setNote(1, text("new"));
+    archive.setReference(1, 5, true);
+    QTRY_COMPARE(changed.size(), 4);
+    std::vector<record::TestRun> runs;
+    const auto take = [&](const base::Result<std::vector<record::TestRun>>& answer) {
+        runs = answer.value();
+    };
+    archive.list({}, this, take);
+    QTRY_COMPARE(runs.size(), std::size_t(1));
+    QCOMPARE(runs[0].servos[0].label, text("left"));
+    QCOMPARE(runs[0].note, text("new"));
+    QVERIFY(runs[0].servos[0].reference);
+    archive.remove({1});
+    QTRY_COMPARE(changed.size(), 5);
+    QVERIFY(failed.isEmpty());
+    archive.remove({1});
+    QTRY_COMPARE(failed.size(), 1);
+    QCOMPARE(changed.size(), 5);
+}
+
+void TestArchive::aRunIsHeldAgainstItsReference()
+{
+    Archive archive(m_path);
+    archive.keep(example());
+    std::optional<std::vector<session::ReferenceResult>> results;
+    const auto take = [&](const base::Result<std::vector<session::ReferenceResult>>& answer) {
+        results = answer.value();
+    };
+    archive.compareWithReference(example(1), this, take);
+    QTRY_VERIFY(results);
+    QVERIFY(results->empty()); // there is none
+    results.reset();
+    archive.setReference(1, 5, true);
+    auto worse = std::make_shared<record::SweepRun>(*example(1));
+    worse->servos[0].metrics[4].value = *worse->servos[0].metrics[4].value + 5;
+    archive.compareWithReference(worse, this, take);
+    QTRY_VERIFY(results);
+    QCOMPARE(results->size(), std::size_t(1)); // of the two servos one model has a reference
+    QCOMPARE(results->front().servo, 5);
+    QCOMPARE(results->front().run.number, 1);
+    QCOMPARE(results->front().found.figures[4].difference.value(), 5.0);
+    QVERIFY(results->front().found.figures[4].better == record::Better::A);
+    results.reset();
+    archive.compareWithReference(example(), this, take); // the reference itself
+    QTRY_VERIFY(results);
+    QVERIFY(results->empty());
+}
+
+void TestArchive::anUnusableHistoryIsToldWithThePlaceOfTheRun()
+{
+    QVERIFY(QDir().mkpath(m_path));
+    Archive archive(m_path);
+    QSignalSpy failed(&archive, &Archive::keepFailed);
+    archive.keep(example());
+    QTRY_COMPARE(failed.size(), 1);
+    QCOMPARE(failed[0][0].value<base::Error>().code, base::ErrorCode::FileUnwritable);
+    QVERIFY(record::loadSweepRun(failed[0][1].toString()).value() == sweep_example::run());
+}
+
+void TestArchive::workAnswersToo()
+{
+    Archive archive(m_path);
+    std::optional<base::ErrorCode> code;
+    bool fine = false;
+    archive.work([]() -> base::Result<void> { return base::fail(base::ErrorCode::DiskFull); }, this,
+                 [&](const base::Result<void>& done) { code = done.error().code; });
+    archive.work([]() -> base::Result<void> { return {}; }, this,
+                 [&](const base::Result<void>& done) { fine = bool(done); });
+    QTRY_VERIFY(fine);
+    QCOMPARE(code, base::ErrorCode::DiskFull);
+}
+
+QTEST_GUILESS_MAIN(TestArchive)
+#include "tst_archive.moc"
