@@ -15,8 +15,8 @@ namespace ui {
 namespace {
 constexpr double parts = 64; ///< of a step
 constexpr double mostSteps = 1e9;
-constexpr double leastBar = 9;   ///< pixels
-constexpr double usualBars = 20; ///< over the errors' own range
+constexpr double leastBar = 6;   ///< pixels
+constexpr double usualBars = 12; ///< over the errors' own range
 constexpr double finest = 0.125; ///< steps a bar
 constexpr int margin = 6;
 
@@ -228,7 +228,10 @@ void ErrorHistogram::paintGround(QPainter& painter, const Frame& frame) const
     const QString unit = QLatin1Char(' ') + unitName(QStringLiteral("step"));
     const double widest = fontMetrics().horizontalAdvance(signedNumber(-frame.reach) + unit);
     const double labels = std::max(2.0, frame.plot.width() / (widest + 2 * margin));
-    const double every = niceStep(std::max(2 * frame.reach / labels, frame.width));
+    double every = niceStep(std::max(2 * frame.reach / labels, frame.width));
+    // A small one still says how far it goes.
+    if (every > frame.reach && 3 * widest < frame.plot.width())
+        every = niceStep(frame.reach / 2.5);
     const double last = std::floor(frame.reach / every) * every;
     painter.setPen(tone(Tone::Quiet, palette()));
     const double top = frame.plot.bottom() + 2;
@@ -258,14 +261,15 @@ void ErrorHistogram::paintBars(QPainter& painter, const Frame& frame) const
     }
 }
 
+/// A sign above each line, where the two do not run into each other.
 void ErrorHistogram::paintLimits(QPainter& painter, const Frame& frame) const
 {
     const int line = fontMetrics().height();
+    const bool apart = !m_warn || !m_fail || frame.x(*m_fail) - frame.x(*m_warn) > line;
     const auto paint = [&](const std::optional<double>& limit, Tone meaning, Qt::PenStyle style,
-                           record::Grade grade) {
+                           const QString& sign) {
         if (!limit || *limit > frame.reach)
             return;
-        const QString sign = gradeText(grade).left(1);
         for (const double side : {-1.0, 1.0}) {
             const double x = frame.x(side * *limit);
             painter.setPen(QPen(tone(meaning, palette()), 1.5, style));
@@ -273,8 +277,22 @@ void ErrorHistogram::paintLimits(QPainter& painter, const Frame& frame) const
             painter.drawText(QRectF(x - line, 1, 2 * line, line), Qt::AlignCenter, sign);
         }
     };
-    paint(m_warn, Tone::Warn, Qt::DashLine, record::Grade::Warn);
-    paint(m_fail, Tone::Bad, Qt::DotLine, record::Grade::Fail);
+    paint(m_warn, Tone::Warn, Qt::DashLine,
+          apart ? gradeText(record::Grade::Warn).left(1) : QString());
+    paint(m_fail, Tone::Bad, Qt::DotLine, gradeText(record::Grade::Fail).left(1));
+}
+
+/// How many legs, where no limit's sign stands.
+void ErrorHistogram::paintCount(QPainter& painter, const Frame& frame) const
+{
+    const QString text = QStringLiteral("n = %1").arg(locale().toString(qulonglong(m_count)));
+    const double half = fontMetrics().horizontalAdvance(text) / 2.0 + fontMetrics().height();
+    for (const auto& limit : {m_warn, m_fail}) {
+        if (limit && *limit <= frame.reach && frame.x(*limit) - frame.x(0) < half)
+            return;
+    }
+    painter.setPen(tone(Tone::Quiet, palette()));
+    painter.drawText(QRectF(0, 1, width(), fontMetrics().height()), Qt::AlignHCenter, text);
 }
 
 void ErrorHistogram::paintEvent(QPaintEvent*)
@@ -293,8 +311,6 @@ void ErrorHistogram::paintEvent(QPaintEvent*)
     paintGround(painter, frame);
     paintBars(painter, frame);
     paintLimits(painter, frame);
-    painter.setPen(tone(Tone::Quiet, palette()));
-    painter.drawText(QRectF(0, 1, width() - margin, fontMetrics().height()), Qt::AlignHCenter,
-                     QStringLiteral("n = %1").arg(locale().toString(qulonglong(m_count))));
+    paintCount(painter, frame);
 }
 } // namespace ui

@@ -56,6 +56,7 @@ private:
     void paintGround(QPainter& painter, const Frame& frame) const;
     void paintBars(QPainter& painter, const Frame& frame) const;
     void paintLimits(QPainter& painter, const Frame& frame) const;
+    void paintCount(QPainter& painter, const Frame& frame) const;
 
     std::map<std::int64_t, std::uint64_t> m_errors; ///< by 1/64 step
     std::uint64_t m_count = 0;

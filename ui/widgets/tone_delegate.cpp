@@ -11,5 +11,8 @@ void ToneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelInd
     if (wanted.isValid())
         option->palette.setColor(QPalette::Text,
                                  tone(static_cast<Tone>(wanted.toInt()), option->palette));
+    // Words do not stick to the number at their left.
+    if (index.column() > 0 && (option->displayAlignment & Qt::AlignLeft) && !option->text.isEmpty())
+        option->text.prepend(QChar(0x2002));
 }
 } // namespace ui
