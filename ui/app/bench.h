@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every page of the window works with: the desk, what drives and what records beside it, the
+// What every page of the window works with: the desk, what drives, records and tests beside it, the
 // ports of this computer, the selected servo and the commands. Made before the window and gone
 // after it, because its widgets use all of this to their last moment. The session must outlive it.
 // Main thread.
@@ -8,6 +8,7 @@
 #include "session/drive.h"
 #include "session/port_watch.h"
 #include "session/scope.h"
+#include "session/sweep_test.h"
 #include "ui/app/commands.h"
 
 namespace ui {
@@ -16,12 +17,14 @@ struct Bench {
         : desk(session)
         , drive(desk)
         , scope(desk)
+        , sweep(desk)
         , commands(desk, selection)
     {}
 
     session::Desk desk;
     session::Drive drive;
     session::Scope scope;
+    session::SweepTest sweep;
     session::PortWatch ports;
     Selection selection;
     Commands commands;

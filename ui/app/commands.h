@@ -38,6 +38,7 @@ enum class Command : std::uint8_t {
     OpenIntents,
     PageOperate,
     PageMemory,
+    PageSweep,
     PauseTrend,
     Record,
     OpenRecording,

@@ -13,6 +13,7 @@
 #include "ui/dialogs/shortcut_list.h"
 #include "ui/pages/memory_page.h"
 #include "ui/pages/operate_page.h"
+#include "ui/pages/sweep_page.h"
 #include "ui/pages/trend_panel.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/connect_bar.h"
@@ -76,10 +77,11 @@ void MainWindow::start(const Options& options)
         resize(options.size);
     m_wantedId = options.select;
     m_selectFirst = !options.screenshot.isEmpty() && !options.select;
-    if (options.page == QLatin1String("memory"))
-        m_pages->setCurrentWidget(m_memory);
-    else if (options.page == QLatin1String("operate"))
-        m_pages->setCurrentWidget(m_operate);
+    const std::map<QString, QWidget*> pages{{QStringLiteral("operate"), m_operate},
+                                            {QStringLiteral("memory"), m_memory},
+                                            {QStringLiteral("sweep"), m_sweep}};
+    if (const auto page = pages.find(options.page); page != pages.end())
+        m_pages->setCurrentWidget(page->second);
     if (options.port) {
         m_connectBar->setRequest(*options.port);
         m_desk.connectTo(*options.port);
@@ -138,6 +140,7 @@ void MainWindow::connectPages()
     TrendPanel* trend = m_operate->trend();
     on(Command::PageOperate, m_operate, nothing);
     on(Command::PageMemory, m_memory, nothing);
+    on(Command::PageSweep, m_sweep, nothing);
     on(Command::PauseTrend, m_operate, [trend] { trend->toggleFollowing(); });
     on(Command::Record, m_operate, [trend] { trend->toggleRecording(); });
     on(Command::OpenRecording, m_operate, [trend] { trend->openRecording(); });

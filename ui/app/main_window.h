@@ -25,6 +25,7 @@ class Menus;
 class MessageLine;
 class MessageLog;
 class OperatePage;
+class SweepPage;
 class ThemeSwitch;
 
 class MainWindow final : public QMainWindow {
@@ -74,6 +75,7 @@ private:
     QTabWidget* m_pages = nullptr;
     OperatePage* m_operate = nullptr;
     MemoryPage* m_memory = nullptr;
+    SweepPage* m_sweep = nullptr;
     QDockWidget* m_searchDock = nullptr;
     QDockWidget* m_logDock = nullptr;
     MessageLine* m_message = nullptr;

@@ -85,11 +85,15 @@ void SweepForm::build()
             typed();
         });
     }
-    m_grid = new QGridLayout;
-    m_grid->setHorizontalSpacing(10);
-    m_grid->setVerticalSpacing(2);
+    m_middle = new QVBoxLayout;
+    for (QGridLayout** grid : {&m_grid, &m_seldom}) {
+        *grid = new QGridLayout;
+        (*grid)->setHorizontalSpacing(10);
+        (*grid)->setVerticalSpacing(2);
+    }
     column->addWidget(kinds);
     column->addLayout(m_grid);
+    column->addLayout(m_middle);
     buildFields();
     m_earlyTitle = new QLabel(this);
     auto* early = new QWidget(this);
@@ -108,6 +112,12 @@ void SweepForm::build()
     m_onFailure = tick("sweepOnFailure", false);
     column->addWidget(m_earlyTitle);
     column->addWidget(early);
+    column->addLayout(m_seldom);
+}
+
+void SweepForm::insert(QWidget* servos)
+{
+    m_middle->addWidget(servos);
 }
 
 void SweepForm::add(Cell cell, QWidget* field, const char* name, bool wide)
@@ -178,7 +188,7 @@ void SweepForm::buildFields()
     m_time = line(Time, "sweepTime");
     m_warmUp = spin(WarmUp, "sweepWarmUp", 0, mostWarmUp, 0);
     m_afterwards = choice(Afterwards, "sweepAfterwards");
-    m_operator = line(Operator, "sweepOperator");
+    m_operator = line(Operator, "sweepOperator", true);
     m_note = line(Note, "sweepNote", true);
     const auto range = [this] { m_rangeTyped = true; };
     connect(m_start, &QLineEdit::textEdited, this, range);
@@ -256,16 +266,22 @@ bool SweepForm::has(Cell cell) const
     }
 }
 
-/// Title above field, two columns.
 void SweepForm::arrange()
 {
     if (m_cells[Note].field == nullptr)
         return;
+    arrange(*m_grid, Start, Time);
+    arrange(*m_seldom, WarmUp, Note);
+}
+
+/// Title above field, two columns.
+void SweepForm::arrange(QGridLayout& grid, Cell first, Cell last)
+{
     int place = 0;
-    for (std::size_t i = 0; i < CellCount; ++i) {
-        const Place& cell = m_cells[i];
-        m_grid->removeWidget(cell.title);
-        m_grid->removeWidget(cell.field);
+    for (int i = first; i <= last; ++i) {
+        const Place& cell = m_cells[std::size_t(i)];
+        grid.removeWidget(cell.title);
+        grid.removeWidget(cell.field);
         const bool shown = has(static_cast<Cell>(i));
         cell.title->setVisible(shown);
         cell.field->setVisible(shown);
@@ -275,12 +291,12 @@ void SweepForm::arrange()
             ++place;
         const int row = place / columns * 2;
         const int width = cell.wide ? columns : 1;
-        m_grid->addWidget(cell.title, row, place % columns, 1, width);
-        m_grid->addWidget(cell.field, row + 1, place % columns, 1, width);
+        grid.addWidget(cell.title, row, place % columns, 1, width);
+        grid.addWidget(cell.field, row + 1, place % columns, 1, width);
         place += width;
     }
     for (int column = 0; column < columns; ++column)
-        m_grid->setColumnStretch(column, 1);
+        grid.setColumnStretch(column, 1);
 }
 
 void SweepForm::showServo(const session::ServoEntry* entry)
@@ -323,6 +339,12 @@ void SweepForm::propose(base::Duration enough)
         const QSignalBlocker quiet(m_pause);
         m_pause->setValue(int(std::min<std::int64_t>(ms, mostPause)));
     }
+}
+
+void SweepForm::setPace(base::Duration enough)
+{
+    (m_shape == SweepShape::Sine ? m_periodTyped : m_pauseTyped) = false;
+    propose(enough);
 }
 
 record::SweepSpec SweepForm::spec() const

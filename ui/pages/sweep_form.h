@@ -20,6 +20,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QSpinBox;
+class QVBoxLayout;
 
 namespace ui {
 class FlowLayout;
@@ -31,11 +32,15 @@ class SweepForm final : public QWidget {
 public:
     SweepForm(session::Settings& settings, QWidget* parent);
 
+    /// Between what is set for every test and what seldom changes.
+    void insert(QWidget* servos);
+
     /// The fields its family and mode have. Null: as the last one.
     void showServo(const session::ServoEntry* entry);
     /// Into range and delay (or a sine's period) nobody has typed; nothing for 0.
     void propose(const record::SweepRange& range);
     void propose(base::Duration enough);
+    void setPace(base::Duration enough); ///< asked for: typed or not
     /// Another servo: what was typed for the one before is a proposal again.
     void startAnew();
 
@@ -84,6 +89,7 @@ private:
     void add(Cell cell, QWidget* field, const char* name, bool wide = false);
     QLineEdit* line(Cell cell, const char* name, bool wide = false);
     void arrange();
+    void arrange(QGridLayout& grid, Cell first, Cell last);
     bool has(Cell cell) const;
     void choose(record::SweepShape shape);
     void openList();
@@ -96,6 +102,8 @@ private:
     std::array<SegmentButton*, 6> m_shapes{};
     std::array<Place, CellCount> m_cells{};
     QGridLayout* m_grid = nullptr;
+    QGridLayout* m_seldom = nullptr; ///< below the servos
+    QVBoxLayout* m_middle = nullptr;
     QLineEdit* m_start = nullptr;
     QLineEdit* m_end = nullptr;
     QLineEdit* m_step = nullptr;

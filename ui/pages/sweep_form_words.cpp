@@ -81,10 +81,10 @@ void SweepForm::retranslate()
     m_until->setItemText(1, tr("A length of time"));
     m_afterwards->setItemText(0, tr("Hold"));
     m_afterwards->setItemText(1, tr("Torque off"));
-    m_list->setText(m_listPath.isEmpty() || !m_listTrouble.isEmpty()
-                        ? tr("Open a list…")
-                        : tr("%1: %n targets", nullptr, int(m_points.size()))
-                              .arg(QFileInfo(m_listPath).fileName()));
+    m_list->setText(
+        m_listPath.isEmpty() || !m_listTrouble.isEmpty()
+            ? tr("Open a list…")
+            : tr("%1 (targets: %2)").arg(QFileInfo(m_listPath).fileName()).arg(m_points.size()));
     m_earlyTitle->setText(tr("Ends early on"));
     m_onAlarm->setText(tr("alarm"));
     m_onAlarm->setToolTip(tr("Over-temperature, overload, voltage: whatever the servo reports"));

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sweep test in words before it runs and while it does: whether it can be run, whether the time
+// is enough, how far it has got. Pure; main thread, in the language of the moment.
+#pragma once
+
+#include "session/sweep_test.h"
+#include "ui/app/theme.h"
+
+namespace ui {
+struct OutlookWords {
+    Tone tone = Tone::Quiet;
+    QString text; ///< rich text; a link in it means "take the time that is enough"
+};
+
+/// `switching`: servos in another mode will be switched.
+OutlookWords outlookWords(const std::vector<session::SweepLook>& looks,
+                          const record::SweepSpec& spec, const session::Desk& desk, bool switching);
+
+/// `run`: null before it has begun.
+QString progressWords(const jobs::SweepProgress& progress, const record::SweepRun* run);
+} // namespace ui

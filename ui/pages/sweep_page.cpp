@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/sweep_page.h"
+
+#include "text/error_words.h"
+#include "ui/dialogs/ask.h"
+#include "ui/dialogs/limits_dialog.h"
+#include "ui/pages/sweep_form.h"
+#include "ui/pages/sweep_outlook.h"
+#include "ui/pages/sweep_results.h"
+#include "ui/pages/sweep_servos.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/thin_progress.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ui {
+using namespace std::chrono_literals;
+
+namespace {
+constexpr auto lookDelay = 250ms; ///< after the last letter
+constexpr int leastSetup = 300;
+constexpr int mostSetup = 360;
+constexpr int setupPercent = 28;
+
+bool wrongMode(const session::SweepLook& look)
+{
+    return look.error && look.error->code == base::ErrorCode::NotSupported &&
+           look.error->detail == QLatin1StringView("not-position");
+}
+} // namespace
+
+SweepPage::SweepPage(Bench& bench, session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_desk(bench.desk)
+    , m_deskLives(&bench.desk)
+    , m_selection(bench.selection)
+    , m_test(bench.sweep)
+{
+    setObjectName(QStringLiteral("sweepPage"));
+    build(settings);
+    connectAll();
+    retranslate();
+    servoChosen();
+    showState();
+}
+
+SweepPage::~SweepPage() = default;
+
+void SweepPage::build(session::Settings& settings)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 6, 0, 0);
+    m_banner = new Banner(this);
+    m_banner->setObjectName(QStringLiteral("sweepBanner"));
+    m_banner->clear();
+    auto* row = new QHBoxLayout;
+    row->setSpacing(10);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(6);
+    m_scroll = new QScrollArea(this);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_setup = new QWidget(m_scroll);
+    auto* setup = new QVBoxLayout(m_setup);
+    setup->setContentsMargins(0, 0, 4, 0);
+    m_form = new SweepForm(settings, m_setup);
+    m_servos = new SweepServos(m_desk, m_selection, m_setup);
+    setup->addWidget(m_form);
+    m_form->insert(m_servos);
+    setup->addStretch();
+    m_scroll->setWidget(m_setup);
+    left->addWidget(m_scroll, 1);
+    left->addWidget(buildRun());
+    m_results = new SweepResults(m_desk, m_test, settings, this);
+    row->addLayout(left);
+    row->addWidget(m_results, 1);
+    column->addWidget(m_banner);
+    column->addLayout(row, 1);
+}
+
+/// Always in sight, however long the fields above are.
+QWidget* SweepPage::buildRun()
+{
+    auto* box = new QWidget(this);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins({});
+    column->setSpacing(4);
+    m_outlook = new QLabel(box);
+    m_outlook->setObjectName(QStringLiteral("sweepOutlook"));
+    m_outlook->setWordWrap(true);
+    m_outlook->setTextFormat(Qt::RichText);
+    m_switchMode = new QCheckBox(box);
+    m_switchMode->setObjectName(QStringLiteral("sweepSwitchMode"));
+    m_switchMode->hide();
+    m_run = new QPushButton(box);
+    m_run->setObjectName(QStringLiteral("sweepRun"));
+    m_run->setProperty("mainAction", true);
+    m_stop = new QPushButton(box);
+    m_stop->setObjectName(QStringLiteral("sweepStop"));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_run, 1);
+    buttons->addWidget(m_stop);
+    m_progress = new ThinProgress(box);
+    m_progress->setObjectName(QStringLiteral("sweepProgress"));
+    m_progress->setRange(0, 1000);
+    m_progressWords = new QLabel(box);
+    m_progressWords->setObjectName(QStringLiteral("sweepProgressWords"));
+    m_progressWords->setWordWrap(true);
+    column->addWidget(m_outlook);
+    column->addWidget(m_switchMode);
+    column->addLayout(buttons);
+    column->addWidget(m_progress);
+    column->addWidget(m_progressWords);
+    return box;
+}
+
+void SweepPage::connectAll()
+{
+    m_lookTimer.setSingleShot(true);
+    m_lookTimer.setInterval(lookDelay);
+    connect(&m_lookTimer, &QTimer::timeout, this, &SweepPage::look);
+    connect(m_form, &SweepForm::changed, this, &SweepPage::lookSoon);
+    connect(m_servos, &SweepServos::changed, this, &SweepPage::servoChosen);
+    connect(m_servos, &SweepServos::limitsWished, this, &SweepPage::editLimits);
+    connect(m_switchMode, &QCheckBox::toggled, this, &SweepPage::showState);
+    connect(m_outlook, &QLabel::linkActivated, this, [this] {
+        for (const session::SweepLook& one : m_looks) {
+            if (one.outlook)
+                m_form->setPace(one.outlook->enough);
+        }
+        lookSoon();
+    });
+    connect(m_run, &QPushButton::clicked, this, &SweepPage::run);
+    connect(m_stop, &QPushButton::clicked, &m_test, &session::SweepTest::stop);
+    connect(m_results, &SweepResults::earlierWished, this, &SweepPage::earlierWished);
+    connect(&m_test, &session::SweepTest::looked, this, &SweepPage::takeLooks);
+    connect(&m_test, &session::SweepTest::began, this, &SweepPage::showState);
+    connect(&m_test, &session::SweepTest::progressed, this, &SweepPage::showProgress);
+    connect(&m_test, &session::SweepTest::ended, this, &SweepPage::ended);
+    connect(&m_test, &session::SweepTest::failed, this, &SweepPage::failed);
+    for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
+                              &session::Desk::servosCleared, &session::Desk::taskChanged})
+        connect(&m_desk, signal, this, &SweepPage::showState);
+    connect(&m_desk, &session::Desk::linkChanged, this, &SweepPage::lookSoon);
+    connect(&m_desk, &session::Desk::searchChanged, this, &SweepPage::lookSoon);
+}
+
+session::SweepTestOrder SweepPage::order() const
+{
+    session::SweepTestOrder order;
+    order.spec = m_form->spec();
+    order.servos = m_servos->ticked();
+    order.spec.ranges = m_servos->ranges();
+    for (auto& [id, range] : order.spec.ranges) {
+        range.from = range.from.isEmpty() ? order.spec.range.from : range.from;
+        range.to = range.to.isEmpty() ? order.spec.range.to : range.to;
+    }
+    for (const session::ServoRef ref : order.servos)
+        order.limits.push_back(m_servos->limits(ref));
+    order.switchMode = m_switchMode->isVisibleTo(this) && m_switchMode->isChecked();
+    return order;
+}
+
+void SweepPage::servoChosen()
+{
+    const auto ticked = m_servos->ticked();
+    const session::ServoRef first = ticked.empty() ? 0 : ticked.front();
+    if (first != 0 && first != m_shown) {
+        m_shown = first;
+        m_form->startAnew();
+        m_form->showServo(m_desk.servo(first));
+    }
+    lookSoon();
+}
+
+void SweepPage::lookSoon()
+{
+    if (m_test.running() || !isVisible())
+        return;
+    m_lookTimer.start();
+}
+
+void SweepPage::look()
+{
+    if (!m_deskLives || !isVisible())
+        return;
+    if (!whyNot().isEmpty()) {
+        m_looks.clear();
+        showState();
+        return;
+    }
+    m_test.look(order());
+}
+
+/// What is proposed changes the test, so that it has to be looked at once more.
+void SweepPage::takeLooks(const std::vector<session::SweepLook>& looks)
+{
+    m_looks = looks;
+    if (!looks.empty()) {
+        const record::SweepSpec before = m_form->spec();
+        const session::SweepLook& first = looks.front();
+        m_form->showServo(m_desk.servo(first.servo));
+        if (first.proposed)
+            m_form->propose(*first.proposed);
+        base::Duration enough{};
+        for (const session::SweepLook& one : looks)
+            enough = std::max(enough, one.outlook ? one.outlook->enough : base::Duration{});
+        m_form->propose(enough);
+        if (!(m_form->spec() == before))
+            lookSoon();
+    }
+    showState();
+}
+
+QString SweepPage::whyNot() const
+{
+    if (m_desk.state() != session::LinkState::Open)
+        return tr("Connect first: there is no open port.");
+    if (m_desk.searching())
+        return tr("The search goes on; the test can be started when it has ended.");
+    if (m_servos->ticked().empty())
+        return tr("Choose a servo in the list, or tick one below.");
+    return m_form->complaint();
+}
+
+void SweepPage::showState()
+{
+    if (!m_deskLives)
+        return;
+    const bool running = m_test.running();
+    const bool mode = std::any_of(m_looks.begin(), m_looks.end(), wrongMode);
+    m_switchMode->setVisible(mode && !running);
+    const bool refused = std::any_of(m_looks.begin(), m_looks.end(), [&](const auto& one) {
+        return one.error && !(wrongMode(one) && m_switchMode->isChecked());
+    });
+    m_setup->setEnabled(!running);
+    m_run->setEnabled(!running && whyNot().isEmpty() && !refused && !m_looks.empty());
+    m_stop->setEnabled(running);
+    m_progress->setVisible(running);
+    m_progressWords->setVisible(running);
+    m_outlook->setVisible(!running);
+    showOutlook();
+    showProgress();
+}
+
+void SweepPage::showOutlook()
+{
+    OutlookWords words{Tone::Quiet, whyNot()};
+    if (words.text.isEmpty())
+        words = outlookWords(m_looks, m_form->spec(), m_desk, m_switchMode->isChecked());
+    m_outlook->setText(words.text);
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, tone(words.tone, palette()));
+    m_outlook->setPalette(colours);
+}
+
+void SweepPage::showProgress()
+{
+    if (!m_test.running())
+        return;
+    const jobs::SweepProgress& now = m_test.progress();
+    m_progress->setValue(int(now.fraction * 1000));
+    m_progressWords->setText(progressWords(now, m_test.run()));
+}
+
+void SweepPage::run()
+{
+    if (m_asked) {
+        start();
+        return;
+    }
+    const session::SweepTestOrder now = order();
+    QStringList names;
+    for (const session::ServoRef ref : now.servos) {
+        const session::ServoEntry* entry = m_desk.servo(ref);
+        names.append(
+            QStringLiteral("ID %1 · %2").arg(entry->servo.id).arg(entry->servo.profile->modelName));
+    }
+    Question question;
+    question.title = tr("Start the test?");
+    question.text = tr("These servos get torque and move by themselves until the test has ended: "
+                       "%1")
+                        .arg(names.join(QStringLiteral(", ")));
+    question.risk = tr("Nothing may be in their way, and nobody's fingers. Esc takes torque off "
+                       "all servos at once.");
+    question.yes = tr("Start");
+    question.guard = this;
+    ask(this, question, [this] {
+        m_asked = true;
+        start();
+    });
+}
+
+void SweepPage::start()
+{
+    m_banner->clear();
+    m_form->remember();
+    m_lookTimer.stop();
+    if (m_test.start(order()))
+        m_progressWords->setText(tr("On the way to the start"));
+    showState();
+}
+
+void SweepPage::ended()
+{
+    showState();
+    lookSoon(); // what the servo has set now may be something else
+}
+
+void SweepPage::failed(const base::Error& error)
+{
+    if (error.code != base::ErrorCode::Stopped)
+        m_banner->present(error);
+    showState();
+}
+
+void SweepPage::editLimits(session::ServoRef ref)
+{
+    const session::ServoEntry* entry = m_desk.servo(ref);
+    if (entry == nullptr || !entry->servo.profile)
+        return;
+    const auto& profile = *entry->servo.profile;
+    auto* dialog = new LimitsDialog(m_servos->limits(ref), profile.modelName, profile.series, this);
+    connect(dialog, &LimitsDialog::chosen, this,
+            [this, model = profile.modelName](const record::SweepLimits& limits) {
+                m_servos->setLimits(model, limits);
+            });
+    dialog->open();
+}
+
+void SweepPage::retranslate()
+{
+    setAccessibleName(tr("Sweep test"));
+    m_run->setText(tr("Run"));
+    m_run->setToolTip(tr("Start the test: the servos will move"));
+    m_stop->setText(tr("Stop"));
+    m_stop->setToolTip(tr("End the test; the servos hold or are released, as chosen"));
+    m_switchMode->setText(tr("Switch to position mode for the test"));
+    m_switchMode->setToolTip(tr("Until the test has ended, then back again; nothing is kept in the "
+                                "servo for good"));
+    m_progress->setAccessibleName(tr("Progress of the test"));
+}
+
+void SweepPage::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        showState();
+}
+
+void SweepPage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    const int wide = std::clamp(width() * setupPercent / 100, leastSetup, mostSetup);
+    m_scroll->setFixedWidth(wide);
+    m_outlook->setMaximumWidth(wide);
+}
+
+void SweepPage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    servoChosen();
+    showState();
+}
+} // namespace ui

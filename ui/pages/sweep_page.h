@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sweep test: chooses test and servos at the left, tells beforehand whether it can be run and
+// whether the time is enough, runs it, shows what is measured at the right. Opening it moves
+// nothing and energises nothing; the first run of a session asks. Owned by the window; main thread.
+#pragma once
+
+#include "session/settings.h"
+#include "ui/app/bench.h"
+
+#include <QPointer>
+#include <QTimer>
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+
+namespace ui {
+class Banner;
+class SweepForm;
+class SweepResults;
+class SweepServos;
+class ThinProgress;
+
+class SweepPage final : public QWidget {
+    Q_OBJECT
+
+public:
+    SweepPage(Bench& bench, session::Settings& settings, QWidget* parent = nullptr);
+    ~SweepPage() override;
+
+Q_SIGNALS:
+    void earlierWished(); ///< the window of kept tests
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void build(session::Settings& settings);
+    QWidget* buildRun();
+    void connectAll();
+    session::SweepTestOrder order() const;
+    void lookSoon();
+    void look();
+    void takeLooks(const std::vector<session::SweepLook>& looks);
+    void servoChosen();
+    void run();
+    void start();
+    void ended();
+    void failed(const base::Error& error);
+    void editLimits(session::ServoRef ref);
+    void showState();
+    void showOutlook();
+    void showProgress();
+    QString whyNot() const; ///< nothing can be run now; empty: it can
+    void retranslate();
+
+    session::Desk& m_desk;
+    QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
+    Selection& m_selection;
+    session::SweepTest& m_test;
+
+    Banner* m_banner = nullptr;
+    QScrollArea* m_scroll = nullptr;
+    QWidget* m_setup = nullptr; ///< locked while a test runs
+    SweepForm* m_form = nullptr;
+    SweepServos* m_servos = nullptr;
+    QLabel* m_outlook = nullptr;
+    QCheckBox* m_switchMode = nullptr;
+    QPushButton* m_run = nullptr;
+    QPushButton* m_stop = nullptr;
+    ThinProgress* m_progress = nullptr;
+    QLabel* m_progressWords = nullptr;
+    SweepResults* m_results = nullptr;
+    QTimer m_lookTimer;
+    std::vector<session::SweepLook> m_looks;
+    session::ServoRef m_shown = 0; ///< the fields are about it
+    bool m_asked = false;          ///< whether it may move, in this session
+};
+} // namespace ui

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/sweep_servos.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+enum Column { Servo, Start, End, ColumnCount };
+constexpr int rowsSeen = 4;
+constexpr int rowPadding = 8;
+
+bool testable(const session::ServoEntry* entry)
+{
+    return entry != nullptr && entry->servo.profile && entry->servo.profile->writable;
+}
+} // namespace
+
+SweepServos::SweepServos(session::Desk& desk, Selection& selection, QWidget* parent)
+    : QWidget(parent)
+    , m_desk(desk)
+    , m_selection(selection)
+    , m_title(new QLabel(this))
+    , m_table(new QTableWidget(0, ColumnCount, this))
+    , m_limitsName(new QLabel(this))
+    , m_limits(new QPushButton(this))
+{
+    m_table->setObjectName(QStringLiteral("sweepServos"));
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + rowPadding);
+    m_table->setMinimumHeight((fontMetrics().height() + rowPadding) * (rowsSeen + 1));
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setTabKeyNavigation(false);
+    m_limits->setObjectName(QStringLiteral("sweepLimits"));
+    m_limitsName->setObjectName(QStringLiteral("sweepLimitsName"));
+    m_limitsName->setForegroundRole(QPalette::PlaceholderText);
+    m_limitsName->setWordWrap(true);
+    auto* limits = new QHBoxLayout;
+    limits->addWidget(m_limitsName, 1);
+    limits->addWidget(m_limits);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(4);
+    column->addWidget(m_title);
+    column->addWidget(m_table);
+    column->addLayout(limits);
+    m_rebuild.setSingleShot(true);
+    m_rebuild.setInterval(0);
+    connect(&m_rebuild, &QTimer::timeout, this, &SweepServos::rebuild);
+    const auto again = [this] { m_rebuild.start(); };
+    connect(&desk, &session::Desk::servoAdded, this, again);
+    connect(&desk, &session::Desk::servoRemoved, this, again);
+    connect(&desk, &session::Desk::servosCleared, this, again);
+    connect(&desk, &session::Desk::orderChanged, this, again);
+    connect(&selection, &Selection::chosenChanged, this, &SweepServos::followSelection);
+    connect(m_table, &QTableWidget::itemChanged, this, &SweepServos::edited);
+    connect(m_table, &QTableWidget::currentCellChanged, this, &SweepServos::showLimits);
+    connect(m_limits, &QPushButton::clicked, this, [this] {
+        if (const auto ref = refAt(std::max(0, m_table->currentRow())))
+            Q_EMIT limitsWished(ref);
+    });
+    retranslate();
+    followSelection();
+}
+
+session::ServoRef SweepServos::refAt(int row) const
+{
+    const QTableWidgetItem* item = m_table->item(row, Servo);
+    return item != nullptr ? item->data(Qt::UserRole).toInt() : 0;
+}
+
+void SweepServos::rebuild()
+{
+    const session::ServoRef current = refAt(m_table->currentRow());
+    m_filling = true;
+    m_table->clearContents();
+    std::vector<const session::ServoEntry*> shown;
+    for (const session::ServoRef ref : m_desk.servos()) {
+        if (const session::ServoEntry* entry = m_desk.servo(ref); testable(entry))
+            shown.push_back(entry);
+    }
+    m_table->setRowCount(int(shown.size()));
+    int row = 0;
+    for (const session::ServoEntry* entry : shown) {
+        fillRow(row, *entry);
+        if (entry->ref == current || (current == 0 && m_ticked.count(entry->ref) != 0))
+            m_table->setCurrentCell(row, Servo);
+        ++row;
+    }
+    m_filling = false;
+    const auto gone = [this](const auto& one) { return m_desk.servo(one) == nullptr; };
+    const std::size_t before = m_ticked.size();
+    std::erase_if(m_ticked, gone);
+    std::erase_if(m_ranges, [&](const auto& one) { return gone(one.first); });
+    showLimits();
+    if (before != m_ticked.size())
+        Q_EMIT changed();
+}
+
+void SweepServos::fillRow(int row, const session::ServoEntry& entry)
+{
+    auto* servo = new QTableWidgetItem(
+        QStringLiteral("%1 · %2").arg(entry.servo.id).arg(entry.servo.profile->modelName));
+    servo->setData(Qt::UserRole, entry.ref);
+    servo->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    servo->setCheckState(m_ticked.count(entry.ref) != 0 ? Qt::Checked : Qt::Unchecked);
+    servo->setToolTip(tr("Ticked: takes part in the test"));
+    const auto own = m_ranges.find(entry.ref);
+    const record::SweepRange range = own != m_ranges.end() ? own->second : record::SweepRange{};
+    const QString tip = tr("A range of its own; empty: start and end above");
+    auto* from = new QTableWidgetItem(range.from);
+    auto* to = new QTableWidgetItem(range.to);
+    from->setToolTip(tip);
+    to->setToolTip(tip);
+    m_table->setItem(row, Servo, servo);
+    m_table->setItem(row, Start, from);
+    m_table->setItem(row, End, to);
+}
+
+void SweepServos::edited(QTableWidgetItem* item)
+{
+    const session::ServoRef ref = refAt(item->row());
+    if (m_filling || ref == 0)
+        return;
+    if (item->column() == Servo) {
+        if (item->checkState() == Qt::Checked)
+            m_ticked.insert(ref);
+        else
+            m_ticked.erase(ref);
+    } else {
+        record::SweepRange& range = m_ranges[ref];
+        (item->column() == Start ? range.from : range.to) = item->text().trimmed();
+    }
+    Q_EMIT changed();
+}
+
+void SweepServos::followSelection()
+{
+    const auto& chosen = m_selection.chosen();
+    m_ticked = {chosen.begin(), chosen.end()};
+    m_rebuild.start();
+    Q_EMIT changed();
+}
+
+std::vector<session::ServoRef> SweepServos::ticked() const
+{
+    std::vector<session::ServoRef> refs;
+    for (const session::ServoRef ref : m_desk.servos()) {
+        if (m_ticked.count(ref) != 0 && testable(m_desk.servo(ref)))
+            refs.push_back(ref);
+    }
+    return refs;
+}
+
+std::map<int, record::SweepRange> SweepServos::ranges() const
+{
+    std::map<int, record::SweepRange> ranges;
+    for (const session::ServoRef ref : ticked()) {
+        const auto own = m_ranges.find(ref);
+        if (own != m_ranges.end() && !(own->second.from.isEmpty() && own->second.to.isEmpty()))
+            ranges[m_desk.servo(ref)->servo.id] = own->second;
+    }
+    return ranges;
+}
+
+record::SweepLimits SweepServos::limits(session::ServoRef ref) const
+{
+    const session::ServoEntry* entry = m_desk.servo(ref);
+    if (!testable(entry))
+        return {};
+    const auto& profile = *entry->servo.profile;
+    const auto own = m_modelLimits.find(profile.modelName);
+    return own != m_modelLimits.end()
+               ? own->second
+               : record::builtInSweepLimits(profile.modelName, profile.series);
+}
+
+void SweepServos::setLimits(const QString& model, const record::SweepLimits& limits)
+{
+    m_modelLimits[model] = limits;
+    showLimits();
+    Q_EMIT changed();
+}
+
+void SweepServos::showLimits()
+{
+    const session::ServoRef ref = refAt(std::max(0, m_table->currentRow()));
+    m_limits->setEnabled(ref != 0);
+    m_limitsName->setText(ref != 0 ? tr("Limits: %1").arg(limits(ref).name) : QString());
+}
+
+void SweepServos::retranslate()
+{
+    m_title->setText(tr("Servos"));
+    m_table->setAccessibleName(tr("Servos to be tested"));
+    m_table->setHorizontalHeaderLabels({tr("Servo"), tr("own start"), tr("own end")});
+    m_limits->setText(tr("Limits…"));
+    m_limits->setToolTip(tr("What the servo of the marked row is judged by: look, edit, load, "
+                            "save"));
+    m_rebuild.start();
+}
+
+void SweepServos::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui

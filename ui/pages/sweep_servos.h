@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which servos a sweep test is for, the range of those that have one of their own, and the limits
+// each is judged by. Ticks follow the selection of the window until they are set by hand. Owned by
+// the sweep page; main thread. Sends nothing.
+#pragma once
+
+#include "record/sweep_limits.h"
+#include "record/sweep_spec.h"
+#include "session/desk.h"
+#include "ui/app/selection.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <map>
+#include <set>
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+class QTableWidgetItem;
+
+namespace ui {
+class SweepServos final : public QWidget {
+    Q_OBJECT
+
+public:
+    SweepServos(session::Desk& desk, Selection& selection, QWidget* parent);
+
+    /// Those that can be tested, in the order of the list.
+    std::vector<session::ServoRef> ticked() const;
+    std::map<int, record::SweepRange> ranges() const; ///< by ID, of the ticked ones
+    /// The user's for this model, else the built-in ones.
+    record::SweepLimits limits(session::ServoRef ref) const;
+    void setLimits(const QString& model, const record::SweepLimits& limits);
+
+Q_SIGNALS:
+    void changed();
+    void limitsWished(session::ServoRef ref); ///< to be looked at and edited
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void rebuild();
+    void fillRow(int row, const session::ServoEntry& entry);
+    void edited(QTableWidgetItem* item);
+    void followSelection();
+    void showLimits();
+    void retranslate();
+    session::ServoRef refAt(int row) const;
+
+    session::Desk& m_desk;
+    Selection& m_selection;
+    QLabel* m_title;
+    QTableWidget* m_table;
+    QLabel* m_limitsName;
+    QPushButton* m_limits;
+    QTimer m_rebuild; ///< several changes of the list are one
+    std::set<session::ServoRef> m_ticked;
+    std::map<session::ServoRef, record::SweepRange> m_ranges;
+    std::map<QString, record::SweepLimits> m_modelLimits;
+    bool m_filling = false;
+};
+} // namespace ui
