@@ -283,12 +283,12 @@ void TestLimitsDialog::theKeyboardIsEnough()
     table.setFocus();
     table.setCurrentIndex(bench.model().index(0, int(LimitColumn::Warn)));
     QTest::keyClick(&table, Qt::Key_F2);
-    auto* line = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    auto* line = table.findChild<QLineEdit*>(q("limitEditor"));
     QVERIFY(line != nullptr);
     line->selectAll();
     QTest::keyClicks(line, q("1.5"));
     QTest::keyClick(line, Qt::Key_Return);
-    QCOMPARE(bench.model().lines()[0].warn, std::optional(1.5));
+    QTRY_COMPARE(bench.model().lines()[0].warn, std::optional(1.5));
     QVERIFY(bench.dialog); // Return ended the cell, not the dialog
 
     table.setCurrentIndex(bench.model().index(1, int(LimitColumn::Figure)));
