@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/compare_dialog.h"
+
+#include "report/html_page.h"
+#include "report/sweep_compare_html.h"
+#include "report/sweep_compare_words.h"
+#include "text/language.h"
+#include "ui/models/sweep_cells.h"
+#include "ui/widgets/tone_delegate.h"
+
+#include <QDir>
+#include <QEvent>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+constexpr int startWidth = 900;
+constexpr int startHeight = 640;
+constexpr int margin = 24;
+constexpr int shortTable = 150;
+const QString folderChoice = QStringLiteral("sweep/report_folder");
+
+record::SweepSide sideOf(const ComparedSide& side)
+{
+    return {side.name, *side.run, *record::servoOf(*side.run, side.servo)};
+}
+
+QString in(const report::Text& words)
+{
+    return words.in(text::inChinese());
+}
+
+void setCell(QTableWidget* table, int row, int column, const QString& words,
+             std::optional<Tone> tone = {})
+{
+    auto* item = new QTableWidgetItem(words);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    item->setToolTip(words);
+    if (tone)
+        item->setData(toneRole, static_cast<int>(*tone));
+    table->setItem(row, column, item);
+}
+
+void setNumber(QTableWidget* table, int row, int column, const QString& words)
+{
+    setCell(table, row, column, words);
+    table->item(row, column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+}
+
+void setGrade(QTableWidget* table, int row, int column, const std::optional<record::Grade>& grade)
+{
+    if (grade)
+        setCell(table, row, column, gradeText(*grade), gradeTone(*grade));
+    else
+        setCell(table, row, column, QString());
+}
+
+void setUp(QTableWidget* table, const char* name)
+{
+    table->setObjectName(QLatin1String(name));
+    table->setItemDelegate(new ToneDelegate(table));
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setWordWrap(false);
+    table->verticalHeader()->hide();
+    table->horizontalHeader()->setStretchLastSection(true);
+    table->setTabKeyNavigation(false);
+}
+} // namespace
+
+CompareDialog::CompareDialog(session::Archive& archive, session::Settings& settings,
+                             const ComparedSide& a, const ComparedSide& b, QWidget* parent)
+    : QDialog(parent)
+    , m_archive(archive)
+    , m_settings(settings)
+    , m_a(a)
+    , m_b(b)
+    , m_found(record::compareSweeps(sideOf(a), sideOf(b)))
+    , m_sides(new QLabel(this))
+    , m_warnings(new QLabel(this))
+    , m_tests(new QTableWidget(0, 3, this))
+    , m_figures(new QTableWidget(0, 8, this))
+    , m_settingsTitle(new QLabel(this))
+    , m_settingsTable(new QTableWidget(0, 4, this))
+    , m_result(new TaskResult(startWidth - margin, this))
+    , m_save(new QPushButton(this))
+    , m_close(new QPushButton(this))
+{
+    setObjectName(QStringLiteral("compareDialog"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    connect(m_save, &QPushButton::clicked, this, &CompareDialog::askWhere);
+    connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
+    retranslate();
+}
+
+void CompareDialog::build()
+{
+    m_sides->setObjectName(QStringLiteral("compareSides"));
+    m_sides->setTextFormat(Qt::PlainText);
+    m_sides->setWordWrap(true);
+    m_warnings->setObjectName(QStringLiteral("compareWarnings"));
+    m_warnings->setWordWrap(true);
+    m_settingsTitle->setObjectName(QStringLiteral("compareSettingsTitle"));
+    m_settingsTitle->setWordWrap(true);
+    setUp(m_tests, "compareTests");
+    setUp(m_figures, "compareFigures");
+    setUp(m_settingsTable, "compareSettings");
+    m_tests->setMaximumHeight(shortTable);
+    m_settingsTable->setMaximumHeight(shortTable);
+    auto* row = new QHBoxLayout;
+    m_save->setObjectName(QStringLiteral("compareSave"));
+    m_close->setObjectName(QStringLiteral("compareClose"));
+    m_save->setAutoDefault(false);
+    row->addWidget(m_save);
+    row->addStretch();
+    row->addWidget(m_close);
+    auto* column = new QVBoxLayout(this);
+    column->setSizeConstraint(QLayout::SetNoConstraint);
+    for (QWidget* widget : {static_cast<QWidget*>(m_sides), static_cast<QWidget*>(m_warnings),
+                            static_cast<QWidget*>(m_tests)})
+        column->addWidget(widget);
+    column->addWidget(m_figures, 1);
+    column->addWidget(m_settingsTitle);
+    column->addWidget(m_settingsTable);
+    column->addWidget(m_result);
+    column->addLayout(row);
+    setMinimumSize(startWidth, startHeight);
+}
+
+void CompareDialog::retranslate()
+{
+    setWindowTitle(in(report::compareWords().title));
+    setAccessibleName(windowTitle());
+    const auto say = [](QWidget* widget, const QString& name, const QString& tip) {
+        widget->setAccessibleName(name);
+        widget->setToolTip(tip);
+    };
+    m_save->setText(tr("Save as page…"));
+    say(m_save, m_save->text(), tr("Save the comparison as a page in both languages"));
+    m_close->setText(tr("Close"));
+    say(m_close, m_close->text(), tr("Close this comparison"));
+    say(m_tests, in(report::compareWords().warnings),
+        tr("What was different between the two tests"));
+    say(m_figures, tr("Figures"), tr("Figures of both servos; the difference is B less A"));
+    say(m_settingsTable, in(report::compareWords().settings),
+        tr("Settings of the servos that were different at the start of the tests"));
+    fillSides();
+    fillWarnings();
+    fillFigures();
+    fillSettings();
+}
+
+void CompareDialog::fillSides()
+{
+    const auto line = [](const char* letter, const ComparedSide& of) {
+        const record::SweepSide side = sideOf(of);
+        const record::SnapshotServo& who = side.servo.parameters.servo;
+        QStringList parts{tr("test %1").arg(side.name), who.model, tr("ID %1").arg(who.id),
+                          tr("firmware %1").arg(who.firmware)};
+        if (!side.servo.parameters.label.isEmpty())
+            parts << QString(side.servo.parameters.label).simplified();
+        parts << side.run.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"))
+              << gradeText(side.servo.verdict);
+        return QLatin1String(letter) + QStringLiteral(": ") + parts.join(QStringLiteral(" · "));
+    };
+    m_sides->setText(line("A", m_a) + QLatin1Char('\n') + line("B", m_b));
+}
+
+void CompareDialog::fillWarnings()
+{
+    const report::CompareWords& words = report::compareWords();
+    const auto has = [&](record::Weight weight) {
+        return std::any_of(m_found.tests.begin(), m_found.tests.end(),
+                           [&](const auto& one) { return one.weight == weight; });
+    };
+    QStringList lines;
+    if (!m_found.comparable())
+        lines << QStringLiteral("⚠ ") + in(words.notComparable);
+    if (has(record::Weight::Figure))
+        lines << QStringLiteral("⚠ ") + in(words.someDiffer);
+    if (has(record::Weight::Grade))
+        lines << QStringLiteral("⚠ ") + in(words.gradesDiffer);
+    if (lines.isEmpty())
+        lines << QStringLiteral("✓ ") + in(words.sameTest);
+    m_warnings->setText(lines.join(QLatin1Char('\n')));
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText,
+                     tone(m_found.tests.empty() ? Tone::Good : Tone::Warn, palette()));
+    m_warnings->setPalette(colours);
+    m_tests->setVisible(!m_found.tests.empty());
+    m_tests->setHorizontalHeaderLabels(
+        {in(words.testPart), QStringLiteral("A"), QStringLiteral("B")});
+    m_tests->setRowCount(int(m_found.tests.size()));
+    int row = 0;
+    for (const record::TestDifference& one : m_found.tests) {
+        setCell(m_tests, row, 0, in(report::testItemWords(one.item)));
+        setCell(m_tests, row, 1, in(report::testValueWords(one.item, one.a)));
+        setCell(m_tests, row++, 2, in(report::testValueWords(one.item, one.b)));
+    }
+    m_tests->resizeColumnsToContents();
+}
+
+void CompareDialog::fillFigures()
+{
+    const report::CompareWords& words = report::compareWords();
+    m_figures->setHorizontalHeaderLabels({tr("Figure"), QStringLiteral("A"), QStringLiteral("B"),
+                                          in(words.difference), tr("Unit"), in(words.better),
+                                          in(words.gradeA), in(words.gradeB)});
+    m_figures->setRowCount(int(m_found.figures.size()));
+    int row = 0;
+    for (const record::FigureDifference& one : m_found.figures) {
+        setCell(m_figures, row, 0, metricName(one.key));
+        setNumber(m_figures, row, 1, sweepNumber(one.a));
+        setNumber(m_figures, row, 2, sweepNumber(one.b));
+        setNumber(m_figures, row, 3, report::differenceText(one));
+        setCell(m_figures, row, 4, unitName(one.unit));
+        setCell(m_figures, row, 5, report::betterSign(one));
+        setGrade(m_figures, row, 6, one.gradeA);
+        setGrade(m_figures, row++, 7, one.gradeB);
+    }
+    m_figures->resizeColumnsToContents();
+}
+
+void CompareDialog::fillSettings()
+{
+    const report::CompareWords& words = report::compareWords();
+    const bool none = m_found.settings.empty();
+    m_settingsTitle->setText(in(none ? words.noSettings : words.settings));
+    m_settingsTable->setVisible(!none);
+    m_settingsTable->setHorizontalHeaderLabels(
+        {in(words.setting), QStringLiteral("A"), QStringLiteral("B"), tr("Unit")});
+    m_settingsTable->setRowCount(int(m_found.settings.size()));
+    int row = 0;
+    for (const record::SettingDifference& one : m_found.settings) {
+        setCell(m_settingsTable, row, 0, one.key);
+        setNumber(m_settingsTable, row, 1, sweepNumber(one.a));
+        setNumber(m_settingsTable, row, 2, sweepNumber(one.b));
+        setCell(m_settingsTable, row++, 3, one.unit);
+    }
+    m_settingsTable->resizeColumnsToContents();
+}
+
+void CompareDialog::askWhere()
+{
+    auto* dialog = new QFileDialog(this, tr("Save the comparison"));
+    dialog->setObjectName(QStringLiteral("compareFileDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters({tr("Page (*.html)")});
+    dialog->setDefaultSuffix(QStringLiteral("html"));
+    dialog->setDirectory(m_settings.choice(folderChoice, QDir::homePath()).toString());
+    dialog->selectFile(QStringLiteral("sweep-%1-%2.html").arg(m_a.name, m_b.name));
+    connect(dialog, &QFileDialog::fileSelected, this, &CompareDialog::save);
+    dialog->open();
+}
+
+void CompareDialog::save(const QString& path)
+{
+    m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
+    const bool chinese = text::inChinese();
+    m_archive.work(
+        [a = m_a, b = m_b, chinese, path] {
+            return report::saveSweepCompareHtml(sideOf(a), sideOf(b), chinese, path);
+        },
+        this,
+        [this, path](const base::Result<void>& saved) {
+            if (!saved) {
+                m_result->tell([error = saved.error()] { return errorWords(error); });
+                return;
+            }
+            m_result->tell([path] {
+                return TaskWords{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
+            });
+        });
+}
+
+void CompareDialog::changeEvent(QEvent* event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_close != nullptr)
+        retranslate();
+}
+} // namespace ui

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/sweep_compare_words.h"
+#include "report/sweep_html.h"
+#include "text/language.h"
+#include "ui/dialogs/ask.h"
+#include "ui/dialogs/compare_dialog.h"
+#include "ui/dialogs/runs_dialog.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QInputDialog>
+
+namespace ui {
+namespace {
+const QString folderChoice = QStringLiteral("sweep/report_folder");
+} // namespace
+
+void RunsDialog::openReport()
+{
+    const std::vector<int> chosen = rows();
+    if (chosen.size() != 1)
+        return;
+    const RunRow row = m_model->at(chosen.front());
+    auto* dialog = new QFileDialog(this, tr("Save the report"));
+    dialog->setObjectName(QStringLiteral("runsReportDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters({tr("Page (*.html)")});
+    dialog->setDefaultSuffix(QStringLiteral("html"));
+    dialog->setDirectory(m_settings.choice(folderChoice, QDir::homePath()).toString());
+    dialog->selectFile(QStringLiteral("sweep-%1.html").arg(qint64(row.number)));
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, row](const QString& path) { saveReport(row, path); });
+    dialog->open();
+}
+
+/// The readings are not in the history, so the page has no curves of position.
+void RunsDialog::saveReport(const RunRow& row, const QString& path)
+{
+    m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
+    m_archive.load(row.number, this, [this, path](const base::Result<session::SharedRun>& run) {
+        if (!run) {
+            complain(run.error());
+            return;
+        }
+        const bool chinese = text::inChinese();
+        m_archive.work(
+            [run = *run, chinese, path] { return report::saveSweepHtml(*run, {}, chinese, path); },
+            this,
+            [this, path](const base::Result<void>& saved) {
+                if (saved)
+                    tellSaved(path);
+                else
+                    complain(saved.error());
+            });
+    });
+}
+
+void RunsDialog::tellSaved(const QString& path)
+{
+    m_result->tell([path] {
+        return TaskWords{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
+    });
+}
+
+/// A is what is held against: the reference, else the older one.
+void RunsDialog::compare()
+{
+    const std::vector<int> chosen = rows();
+    if (chosen.size() != 2)
+        return;
+    int a = chosen[1]; // the newest stands at the top
+    int b = chosen[0];
+    if (m_model->servo(b).reference && !m_model->servo(a).reference)
+        std::swap(a, b);
+    const RunRow one = m_model->at(a);
+    const RunRow two = m_model->at(b);
+    m_archive.load(one.number, this, [=, this](const base::Result<session::SharedRun>& first) {
+        if (!first) {
+            complain(first.error());
+            return;
+        }
+        m_archive.load(two.number, this,
+                       [=, this, first = *first](const base::Result<session::SharedRun>& second) {
+                           if (!second) {
+                               complain(second.error());
+                               return;
+                           }
+                           auto* dialog = new CompareDialog(
+                               m_archive, m_settings,
+                               {QString::number(qint64(one.number)), first, one.servo},
+                               {QString::number(qint64(two.number)), *second, two.servo}, this);
+                           dialog->open();
+                       });
+    });
+}
+
+void RunsDialog::markReference()
+{
+    const std::vector<int> chosen = rows();
+    if (chosen.size() != 1)
+        return;
+    const RunRow row = m_model->at(chosen.front());
+    m_archive.setReference(row.number, row.servo, !m_model->servo(chosen.front()).reference);
+}
+
+void RunsDialog::label()
+{
+    const std::vector<int> chosen = rows();
+    if (chosen.size() != 1)
+        return;
+    const RunRow row = m_model->at(chosen.front());
+    auto* dialog = new QInputDialog(this);
+    dialog->setObjectName(QStringLiteral("runsLabelDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Label"));
+    dialog->setLabelText(tr("Name of this servo, as it is written on it:"));
+    dialog->setTextValue(m_model->servo(chosen.front()).label);
+    connect(dialog, &QInputDialog::textValueSelected, this, [this, row](const QString& words) {
+        m_archive.setLabel(row.number, row.servo, words.trimmed());
+    });
+    dialog->open();
+}
+
+void RunsDialog::remove()
+{
+    std::vector<std::int64_t> numbers;
+    for (const int row : rows()) {
+        const std::int64_t number = m_model->run(row).number;
+        if (std::find(numbers.begin(), numbers.end(), number) == numbers.end())
+            numbers.push_back(number);
+    }
+    if (numbers.empty())
+        return;
+    Question question;
+    question.title = tr("Delete %n test(s)?", nullptr, int(numbers.size()));
+    question.text = tr("Their figures, legs and settings leave the history, those of all servos "
+                       "that were tested together. Reports and readings in files stay.");
+    question.risk = tr("This cannot be undone.");
+    question.yes = tr("Delete");
+    question.guard = this;
+    ui::ask(this, question, [this, numbers] { m_archive.remove(numbers); });
+}
+
+QString referenceText(const session::ReferenceResult& result)
+{
+    const QString when =
+        QLocale().toString(result.run.at.toLocalTime().date(), QLocale::ShortFormat);
+    const QString head = RunsDialog::tr("Compared with the reference %1 (test %2 of %3):")
+                             .arg(result.reference.model)
+                             .arg(qint64(result.run.number))
+                             .arg(when);
+    QStringList lines;
+    if (!result.found.comparable())
+        lines << QStringLiteral("⚠ ") + report::compareWords().notComparable.in(text::inChinese());
+    else
+        for (const report::Text& line : report::referenceLines(result.found))
+            lines << line.in(text::inChinese());
+    if (lines.isEmpty())
+        lines << RunsDialog::tr("no figure differs by a tenth or more");
+    return head + QLatin1Char(' ') + lines.join(QStringLiteral("; "));
+}
+} // namespace ui
