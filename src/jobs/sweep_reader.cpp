@@ -10,12 +10,17 @@
 #include <cmath>
 
 namespace jobs {
+using base::Duration;
 using catalog::Role;
 
 namespace {
 constexpr std::array measured{Role::PresentPosition, Role::PresentSpeed,   Role::PresentLoad,
                               Role::PresentCurrent,  Role::PresentVoltage, Role::PresentTemperature,
                               Role::Moving,          Role::Status};
+
+/// So old may the reading before be for a swing over the seam, and so far may it go, in turns.
+constexpr Duration seamTrust = std::chrono::milliseconds(200);
+constexpr double seamReach = 0.125;
 } // namespace
 
 SweepReader::SweepReader(const std::vector<device::Servo>& servos)
@@ -28,8 +33,8 @@ SweepReader::SweepReader(const std::vector<device::Servo>& servos)
         source.group = families.of(*servo.profile);
         const device::TurnBasis basis = device::turnBasis(servo);
         const catalog::Mode* mode = servo.mode();
-        source.wraps =
-            basis.steps > 0 && !basis.countsItself && mode != nullptr && mode->limitsZero;
+        source.wraps = basis.steps > 0 && !basis.countsItself && mode != nullptr;
+        source.limited = source.wraps && !mode->limitsZero;
         for (const Role role : measured) {
             const catalog::Register* reg = servo.profile->byRole(role);
             const bool inReply = role == Role::Status && servo.repliesCarryStatus();
@@ -101,6 +106,8 @@ double SweepReader::unwrapped(Source& source, double position)
 {
     if (!source.wraps)
         return position;
+    if (source.limited)
+        return overSeam(source, position);
     if (source.last)
         source.turns += std::round((*source.last - position - source.turns) / source.stepsPerTurn) *
                         source.stepsPerTurn;
@@ -108,10 +115,27 @@ double SweepReader::unwrapped(Source& source, double position)
     return *source.last;
 }
 
+/// Beyond 0 or the last step an encoder goes on from the other end: a swing over the target there
+/// must not look like a jump of a turn. It is a swing only if the reading before was near enough.
+double SweepReader::overSeam(Source& source, double position)
+{
+    const double turn = source.stepsPerTurn;
+    const Duration at = source.pending.at;
+    double found = position;
+    if (source.last && at - source.lastAt < seamTrust) {
+        const double near = position + std::round((*source.last - position) / turn) * turn;
+        const bool swing = near > -turn * seamReach && near < turn * (1 + seamReach);
+        found = swing ? near : position;
+    }
+    source.last = found;
+    source.lastAt = at;
+    return found;
+}
+
 void SweepReader::anchor(std::size_t servo, double position)
 {
     Source& source = m_sources.at(servo);
-    if (!source.wraps || !source.last)
+    if (!source.wraps || source.limited || !source.last)
         return;
     const double turns =
         std::round((position - *source.last) / source.stepsPerTurn) * source.stepsPerTurn;

@@ -22,7 +22,8 @@ public:
     /// What is finished with this block: none or one.
     std::optional<Reading> add(const bus::Sample& sample);
 
-    /// Where feedback shows one turn of several, turns are counted from the first reading; from now
+    /// Where a servo turns on and on and its feedback shows one turn only, turns are counted from
+    /// the first reading (inside its angle limits: as far as it swings over the seam); from now
     /// on so that this servo, which has come to rest there, is at `position`.
     void anchor(std::size_t servo, double position);
 
@@ -34,8 +35,10 @@ private:
         std::vector<bus::PollSpan> spans;
         int group = 0;
         RoundCut cut;
-        bool wraps = false; ///< the feedback shows one turn only
-        double turns = 0;   ///< steps of the whole ones beside it
+        bool wraps = false;   ///< the feedback shows one turn only
+        bool limited = false; ///< and it stays inside it, but for a swing
+        base::Duration lastAt{};
+        double turns = 0; ///< steps of the whole ones beside it
         std::optional<double> last{};
         SweepSample pending;
     };
@@ -43,6 +46,7 @@ private:
     static void put(SweepSample& into, Source& source, const catalog::Register& reg,
                     std::int64_t raw);
     static double unwrapped(Source& source, double position);
+    static double overSeam(Source& source, double position);
 
     std::vector<Source> m_sources;
 };

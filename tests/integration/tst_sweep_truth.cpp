@@ -243,6 +243,11 @@ void TestSweepTruth::overshoot_data()
         addCase(sides ? "SCS, both sides" : "SCS, sweep", scs(shape));
         addCase(sides ? "SCS, both sides, noise" : "SCS, sweep, noise", scs(shape), 1);
     }
+    // It swings beyond 0 and beyond the last step of its encoder.
+    Case seam = sts(SweepShape::Sweep);
+    seam.spec.range = {QStringLiteral("60"), QStringLiteral("4030")};
+    addCase("STS, over the seam", seam);
+    addCase("STS, over the seam, noise", seam, 1.5);
 }
 
 void TestSweepTruth::overshoot()
