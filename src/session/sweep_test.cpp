@@ -82,9 +82,15 @@ SweepTest::SweepTest(Desk& desk, QObject* parent)
 {
     m_drainTimer.setInterval(drainEvery);
     connect(&m_drainTimer, &QTimer::timeout, this, &SweepTest::drain);
+    m_writer.moveToThread(&m_files);
+    m_files.start();
 }
 
-SweepTest::~SweepTest() = default;
+SweepTest::~SweepTest()
+{
+    m_files.quit();
+    m_files.wait(); // what is being written is whole afterwards
+}
 
 namespace {
 std::vector<device::Servo*> allOf(const TaskContext& context)
@@ -319,8 +325,9 @@ void SweepTest::save(const QString& path, bool chinese)
     const auto format = sweepFormatOf(path);
     if (m_running || !m_run || !m_recording || !format)
         return;
-    m_files.start([this, path, chinese, format, run = std::make_shared<record::SweepRun>(*m_run),
-                   recording = m_recording, readings = m_readingsPath] {
+    const auto write = [this, path, chinese, format,
+                        run = std::make_shared<record::SweepRun>(*m_run), recording = m_recording,
+                        readings = m_readingsPath] {
         auto written = saveSweepReport(*run, *recording, *format, chinese, path);
         if (written && *format == SweepFormat::Csv)
             written = copyReadings(readings, path);
@@ -330,6 +337,7 @@ void SweepTest::save(const QString& path, bool chinese)
             else
                 Q_EMIT saveFailed(written.error());
         });
-    });
+    };
+    QMetaObject::invokeMethod(&m_writer, write, Qt::QueuedConnection);
 }
 } // namespace session

@@ -10,6 +10,8 @@
 #include "jobs/sweep_recording.h"
 #include "session/desk.h"
 
+#include <QThread>
+
 namespace session {
 struct SweepTestOrder {
     record::SweepSpec spec;
@@ -91,6 +93,7 @@ private:
     int m_looks = 0;
     QTimer m_drainTimer;
     Inbox m_inbox;
-    JobThread m_files; ///< last: its jobs use the others
+    QObject m_writer; ///< lives on m_files
+    QThread m_files;  ///< a PDF needs a thread of Qt's; its work uses the others
 };
 } // namespace session

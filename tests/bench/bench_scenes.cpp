@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of the operate page at work: every mode of every family, moved through the page's own
-// widgets, in both languages and themes. Usage: bench_scenes FOLDER [FILTER]; packaging/pictures.sh
+// Pictures of the window at work: the operate page in every mode of every family, sweep tests while
+// they run and when they have ended, moved through the window's own parts, in both languages and
+// themes. Usage: bench_scenes FOLDER [FILTER]; packaging/pictures.sh
 // takes the best for README and help. It measures nothing; it stands here because it drives the
 // window as the benches do.
 #include "gui/window_bench.h"
 #include "session/drive.h"
 #include "ui/charts/trend_chart.h"
 
+#include <QAbstractButton>
 #include <QDir>
+#include <QSpinBox>
 #include <QTextStream>
 
 using namespace std::chrono_literals;
@@ -33,6 +36,22 @@ constexpr Scene scenes[] = {
     {"lx-position", "sim:lx", 1, "", {"300", "700", "450"}, ""},
     {"lx-motor", "sim:lx", 3, "motor", {"300", "-300", "200"}, ""},
     {"modbus-position", "sim:modbus", 1, "", {"1200", "2900", "1800"}, ""},
+};
+
+struct SweepScene {
+    const char* name;
+    const char* port;
+    int id;
+    int shape;  ///< place of its button
+    bool whole; ///< to its end; else in the middle of it
+};
+constexpr SweepScene sweepScenes[] = {
+    {"sweep-running", "sim:sweep", 1, 0, false},
+    {"sweep-good", "sim:sts3215@1", 1, 0, true},
+    {"sweep-bad", "sim:sts3215@1+rest-hysteresis=14+overshoot=6+noise=1", 1, 2, true},
+    {"sweep-sine", "sim:sts3215@1", 1, 3, true},
+    {"sweep-scs", "sim:scs15@1,scs15@2", 1, 1, true},
+    {"sweep-lx", "sim:lx", 1, 0, true},
 };
 
 void letRun(int ms)
@@ -81,6 +100,64 @@ void show(const Scene& scene, const QString& language, session::Theme look, QSiz
     if (!bench.window->grab().save(path, "PNG"))
         QTextStream(stderr) << path << ": cannot be written\n";
 }
+
+void show(const SweepScene& scene, const QString& language, session::Theme look, QSize size,
+          const QString& path)
+{
+    gui::WindowBench bench(language, look);
+    bench.page = QStringLiteral("sweep");
+    bench.window->resize(size);
+    if (!bench.ready(scene.id, QString::fromLatin1(scene.port))) {
+        QTextStream(stderr) << scene.name << ": no servo\n";
+        return;
+    }
+    session::SweepTest& test = bench.bench.sweep;
+    static const char* const shapes[] = {"sweep", "stairs", "both-sides", "sine"};
+    bench
+        .find<QAbstractButton>(
+            qPrintable(QStringLiteral("sweepShape_") + QLatin1String(shapes[scene.shape])))
+        ->click();
+    bench.find<QSpinBox>("sweepCycles")->setValue(scene.whole ? 2 : 20);
+    auto* run = bench.find<QAbstractButton>("sweepRun");
+    letRun(1500); // range and delay are proposed
+    if (!QTest::qWaitFor([&] { return run->isEnabled(); }, 10000)) {
+        QTextStream(stderr) << scene.name << ": cannot be run\n";
+    } else {
+        run->click();
+        if (auto* yes = bench.find<QAbstractButton>("questionYes"))
+            yes->click();
+        QTest::qWaitFor([&] { return scene.whole ? !test.running() : false; },
+                        scene.whole ? 90'000 : 12'000);
+    }
+    letRun(300);
+    if (!bench.window->grab().save(path, "PNG"))
+        QTextStream(stderr) << path << ": cannot be written\n";
+    test.stop();
+    QTest::qWaitFor([&] { return !test.running(); }, 5000);
+}
+
+/// Those whose names the filter lets through, in every language, theme and size.
+template <typename List>
+void showAll(const List& list, const QDir& folder, const QRegularExpression& filter)
+{
+    for (const auto& scene : list) {
+        for (const char* language : {"en", "zh_CN"}) {
+            for (const auto look : {session::Theme::Light, session::Theme::Dark}) {
+                for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+                    const QString name =
+                        QStringLiteral("%1-%2-%3-%4.png")
+                            .arg(QLatin1String(scene.name), QLatin1String(language),
+                                 look == session::Theme::Dark ? QStringLiteral("dark")
+                                                              : QStringLiteral("light"))
+                            .arg(size.width());
+                    if (name.contains(filter))
+                        show(scene, QString::fromLatin1(language), look, size,
+                             folder.filePath(name));
+                }
+            }
+        }
+    }
+}
 } // namespace
 
 int main(int argc, char* argv[])
@@ -97,22 +174,8 @@ int main(int argc, char* argv[])
         return 2;
     }
     const QDir folder(arguments[1]);
-    for (const Scene& scene : scenes) {
-        for (const char* language : {"en", "zh_CN"}) {
-            for (const auto look : {session::Theme::Light, session::Theme::Dark}) {
-                for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
-                    const QString name =
-                        QStringLiteral("%1-%2-%3-%4.png")
-                            .arg(QLatin1String(scene.name), QLatin1String(language),
-                                 look == session::Theme::Dark ? QStringLiteral("dark")
-                                                              : QStringLiteral("light"))
-                            .arg(size.width());
-                    if (arguments.size() < 3 || name.contains(QRegularExpression(arguments[2])))
-                        show(scene, QString::fromLatin1(language), look, size,
-                             folder.filePath(name));
-                }
-            }
-        }
-    }
+    const QRegularExpression filter(arguments.value(2));
+    showAll(scenes, folder, filter);
+    showAll(sweepScenes, folder, filter);
     return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/sweep_page.h"
 
-#include "text/error_words.h"
+#include "device/move_limits.h"
 #include "ui/dialogs/ask.h"
 #include "ui/dialogs/limits_dialog.h"
 #include "ui/pages/sweep_form.h"
@@ -30,6 +30,18 @@ constexpr auto lookDelay = 250ms; ///< after the last letter
 constexpr int leastSetup = 300;
 constexpr int mostSetup = 360;
 constexpr int setupPercent = 28;
+
+QString settingsOf(const session::ServoEntry* entry)
+{
+    if (entry == nullptr || !entry->servo.profile)
+        return {};
+    const catalog::Mode* mode = entry->servo.mode();
+    const auto span = device::goalSpan(entry->servo);
+    return QStringLiteral("%1 %2 %3")
+        .arg(mode != nullptr ? mode->key : QString())
+        .arg(span ? span->min : 0)
+        .arg(span ? span->max : 0);
+}
 
 bool wrongMode(const session::SweepLook& look)
 {
@@ -152,6 +164,8 @@ void SweepPage::connectAll()
                               &session::Desk::servosCleared, &session::Desk::taskChanged})
         connect(&m_desk, signal, this, &SweepPage::showState);
     connect(&m_desk, &session::Desk::linkChanged, this, &SweepPage::lookSoon);
+    connect(&m_desk, &session::Desk::servoChanged, this, &SweepPage::settingsRead);
+    connect(&m_desk, &session::Desk::tableChanged, this, &SweepPage::settingsRead);
     connect(&m_desk, &session::Desk::searchChanged, this, &SweepPage::lookSoon);
 }
 
@@ -183,6 +197,14 @@ void SweepPage::servoChosen()
     lookSoon();
 }
 
+/// Somebody has changed mode or limits: what was found out may not be so any more.
+void SweepPage::settingsRead(session::ServoRef ref)
+{
+    const auto seen = m_settingsSeen.find(ref);
+    if (seen != m_settingsSeen.end() && seen->second != settingsOf(m_desk.servo(ref)))
+        lookSoon();
+}
+
 void SweepPage::lookSoon()
 {
     if (m_test.running() || !isVisible())
@@ -206,6 +228,9 @@ void SweepPage::look()
 void SweepPage::takeLooks(const std::vector<session::SweepLook>& looks)
 {
     m_looks = looks;
+    m_settingsSeen.clear();
+    for (const session::SweepLook& one : looks)
+        m_settingsSeen[one.servo] = settingsOf(m_desk.servo(one.servo));
     if (!looks.empty()) {
         const record::SweepSpec before = m_form->spec();
         const session::SweepLook& first = looks.front();

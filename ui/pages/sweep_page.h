@@ -47,6 +47,7 @@ private:
     void look();
     void takeLooks(const std::vector<session::SweepLook>& looks);
     void servoChosen();
+    void settingsRead(session::ServoRef ref);
     void run();
     void start();
     void ended();
@@ -77,7 +78,8 @@ private:
     SweepResults* m_results = nullptr;
     QTimer m_lookTimer;
     std::vector<session::SweepLook> m_looks;
-    session::ServoRef m_shown = 0; ///< the fields are about it
-    bool m_asked = false;          ///< whether it may move, in this session
+    session::ServoRef m_shown = 0;                       ///< the fields are about it
+    std::map<session::ServoRef, QString> m_settingsSeen; ///< mode and limits when it was looked at
+    bool m_asked = false;                                ///< whether it may move, in this session
 };
 } // namespace ui

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sweep page on the simulated bus: opening it moves nothing, it proposes a range and a delay
+// that fit, tells when the delay is too short, asks before the first move, shows what is measured
+// while it runs, ends by Stop and by Esc, and writes its report.
+#include "gui/window_bench.h"
+#include "record/sweep_json.h"
+#include "sim/sim_link.h"
+#include "ui/charts/trend_chart.h"
+#include "ui/dialogs/limits_dialog.h"
+#include "ui/pages/sweep_results.h"
+#include "ui/widgets/error_histogram.h"
+#include "ui/widgets/pill.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTableWidget>
+#include <QToolButton>
+
+namespace {
+constexpr int testTime = 40'000;
+
+struct SweepBench : gui::WindowBench {
+    explicit SweepBench(const QString& language = QStringLiteral("en"))
+        : WindowBench(language)
+    {
+        page = QStringLiteral("sweep");
+    }
+    session::SweepTest& test() { return bench.sweep; }
+    QString text(const char* name) { return find<QLabel>(name)->text(); }
+    void click(const char* name)
+    {
+        auto* button = find<QAbstractButton>(name);
+        QVERIFY2(button != nullptr, name);
+        QTRY_VERIFY2(button->isEnabled(), name);
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    void type(const char* name, const QString& words)
+    {
+        auto* edit = find<QLineEdit>(name);
+        QVERIFY2(edit != nullptr, name);
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, words);
+    }
+    bool proposed()
+    {
+        return QTest::qWaitFor(
+            [this] { return text("sweepOutlook").contains(QLatin1String(" s")); }, 10000);
+    }
+    /// A short one: a few hundred steps to and fro.
+    void prepare(int cycles = 2, int delay = 700)
+    {
+        QVERIFY(proposed());
+        type("sweepStart", QStringLiteral("1800"));
+        type("sweepEnd", QStringLiteral("2200"));
+        find<QSpinBox>("sweepCycles")->setValue(cycles);
+        find<QSpinBox>("sweepPause")->setValue(delay);
+    }
+    /// Presses Run, and agrees to the question of the first time.
+    void run()
+    {
+        click("sweepRun");
+        if (auto* yes = find<QPushButton>("questionYes"))
+            QTest::mouseClick(yes, Qt::LeftButton);
+        QTRY_VERIFY(test().running());
+    }
+    bool begun()
+    {
+        return QTest::qWaitFor(
+            [this] { return test().run() != nullptr && !test().run()->servos[0].legs.empty(); },
+            testTime);
+    }
+    bool over()
+    {
+        return QTest::qWaitFor([this] { return !test().running(); }, testTime);
+    }
+    std::int64_t now(const char* key)
+    {
+        (void)settled();
+        desk().readTable(selection().current());
+        (void)settled();
+        return raw(key).value_or(-1);
+    }
+};
+
+class TestSweepPage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { gui::failOnWarnings(); }
+
+    void openingMovesNothingAndProposesWhatFits()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        QVERIFY(bench.proposed());
+        const int from = bench.find<QLineEdit>("sweepStart")->text().toInt();
+        const int to = bench.find<QLineEdit>("sweepEnd")->text().toInt();
+        QVERIFY(from > *bench.raw("min_angle_limit"));
+        QVERIFY(to < *bench.raw("max_angle_limit"));
+        QVERIFY(to - from > 3000);
+        QTRY_VERIFY(bench.text("sweepOutlook").contains(QLatin1String("long enough")));
+        QCOMPARE(bench.now("torque_switch"), 0);
+        QVERIFY(bench.find<QLabel>("sweepNothing")->isVisible());
+        QVERIFY(!bench.find<QPushButton>("sweepStop")->isEnabled());
+        QVERIFY(!bench.find<QPushButton>("sweepReport_html")->isEnabled());
+    }
+
+    void aDelayShorterThanTheMoveIsTold()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        QVERIFY(bench.proposed());
+        bench.find<QSpinBox>("sweepPause")->setValue(200);
+        QTRY_VERIFY(bench.text("sweepOutlook").contains(QLatin1String("turn round")));
+        // One click takes the time that is enough.
+        Q_EMIT bench.find<QLabel>("sweepOutlook")->linkActivated(QStringLiteral("enough"));
+        QTRY_VERIFY(bench.text("sweepOutlook").contains(QLatin1String("long enough")));
+        QVERIFY(bench.find<QSpinBox>("sweepPause")->value() > 1000);
+    }
+
+    void whatCannotRunIsSaidBeforehand_data()
+    {
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QString>("to");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("same") << "1000"
+                              << "1000"
+                              << "same place";
+        QTest::newRow("outside") << "100"
+                                 << "9000"
+                                 << "outside";
+        QTest::newRow("no number") << "abc"
+                                   << "2000"
+                                   << "understood";
+    }
+    void whatCannotRunIsSaidBeforehand()
+    {
+        QFETCH(QString, from);
+        QFETCH(QString, to);
+        QFETCH(QString, words);
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        QVERIFY(bench.proposed());
+        bench.type("sweepStart", from);
+        bench.type("sweepEnd", to);
+        QTRY_VERIFY2(bench.text("sweepOutlook").contains(words),
+                     qPrintable(bench.text("sweepOutlook")));
+        QVERIFY(!bench.find<QPushButton>("sweepRun")->isEnabled());
+    }
+
+    void theFirstRunAsksAndNoMeansNothing()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.prepare();
+        bench.click("sweepRun");
+        auto* no = bench.find<QPushButton>("questionNo");
+        QVERIFY(no != nullptr);
+        QTest::mouseClick(no, Qt::LeftButton);
+        QVERIFY(!bench.test().running());
+        QCOMPARE(bench.now("torque_switch"), 0);
+    }
+
+    void runsShowsAndSaves()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.prepare();
+        bench.run();
+        QVERIFY(!bench.find<QLineEdit>("sweepStart")->isEnabled());
+        QVERIFY(bench.begun());
+        QTRY_VERIFY(bench.test().store().count() > 50);
+        QVERIFY(bench.over());
+        const record::SweepRun& run = *bench.test().run();
+        QCOMPARE(run.end, record::SweepEnd::Finished);
+        QCOMPARE(int(run.servos[0].legs.size()), 4);
+        QCOMPARE(bench.find<QTableView>("sweepLegsTable")->model()->rowCount(), 4);
+        QVERIFY(bench.find<ui::ErrorHistogram>("sweepHistogram")->count() >= 3);
+        QVERIFY(bench.find<QTableView>("sweepVerdictTable")->model()->rowCount() > 5);
+        QVERIFY(bench.find<ui::Pill>("sweepVerdict")->words().contains(QLatin1String("ass")) ||
+                bench.find<ui::Pill>("sweepVerdict")->words().contains(QLatin1String("arn")));
+        QCOMPARE(bench.find<ui::TrendChart>("sweepChart")->channels().size(), std::size_t(2));
+        QVERIFY(QFileInfo(bench.test().readingsPath()).size() > 1000);
+        QVERIFY(bench.find<QLineEdit>("sweepStart")->isEnabled());
+        QTemporaryDir place;
+        for (const char* ending : {"json", "html", "csv", "pdf"}) {
+            bench.click(qPrintable(QStringLiteral("sweepReport_") + QLatin1String(ending)));
+            auto* dialog = bench.find<QFileDialog>("sweepReportDialog");
+            QVERIFY(dialog != nullptr);
+            const QString path = place.filePath(QStringLiteral("r.") + QLatin1String(ending));
+            QSignalSpy saved(&bench.test(), &session::SweepTest::saved);
+            Q_EMIT dialog->fileSelected(path);
+            dialog->close();
+            QVERIFY(saved.wait(10000));
+            QVERIFY(QFileInfo(path).size() > 100);
+            QTRY_VERIFY(bench.find<QFileDialog>("sweepReportDialog") == nullptr);
+        }
+        QVERIFY(QFileInfo(place.filePath(QStringLiteral("r.readings.csv"))).size() > 1000);
+        const auto read = record::loadSweepRun(place.filePath(QStringLiteral("r.json")));
+        QVERIFY(read.has_value());
+        QCOMPARE(read->servos[0].legs.size(), run.servos[0].legs.size());
+        // A report that cannot be written is told, and the test is not lost.
+        QSignalSpy failed(&bench.test(), &session::SweepTest::saveFailed);
+        bench.test().save(QStringLiteral("/proc/none/r.html"), false);
+        QVERIFY(failed.wait(10000));
+        QVERIFY(bench.find<QLabel>("sweepSaved")->isVisible());
+    }
+
+    void stopHoldsOrReleases_data()
+    {
+        QTest::addColumn<int>("choice");
+        QTest::addColumn<int>("torque");
+        QTest::newRow("hold") << 0 << 1;
+        QTest::newRow("release") << 1 << 0;
+    }
+    void stopHoldsOrReleases()
+    {
+        QFETCH(int, choice);
+        QFETCH(int, torque);
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.prepare(50);
+        bench.find<QComboBox>("sweepAfterwards")->setCurrentIndex(choice);
+        bench.run();
+        QVERIFY(bench.begun());
+        bench.click("sweepStop");
+        QVERIFY(bench.over());
+        QCOMPARE(bench.test().run()->end, record::SweepEnd::Stopped);
+        QVERIFY(!bench.test().run()->servos[0].legs.empty());
+        QVERIFY(bench.find<QLabel>("sweepEnd")->isVisible());
+        QCOMPARE(int(bench.now("torque_switch")), torque);
+    }
+
+    void escTakesTorqueOffAndEndsTheTest()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.prepare(50);
+        bench.run();
+        QVERIFY(bench.begun());
+        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        QVERIFY(bench.over());
+        QCOMPARE(bench.test().run()->end, record::SweepEnd::Emergency);
+        QCOMPARE(bench.now("torque_switch"), 0);
+        QVERIFY(!bench.test().run()->servos[0].legs.empty());
+        // Until torque has been switched on again nothing moves, and it says so.
+        QTRY_VERIFY(bench.find<QPushButton>("sweepRun")->isEnabled());
+        bench.click("sweepRun");
+        QTRY_VERIFY(!bench.test().running());
+        QVERIFY(bench.find<QWidget>("sweepBanner")->isVisible());
+        QCOMPARE(bench.now("torque_switch"), 0);
+    }
+
+    void theTestHasTheBusToItself()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.prepare(50);
+        bench.run();
+        QVERIFY(bench.begun());
+        QVERIFY(!bench.action(ui::Command::Search)->isEnabled());
+        QVERIFY(!bench.action(ui::Command::SetId)->isEnabled());
+        QSignalSpy told(&bench.desk(), &session::Desk::happened);
+        bench.desk().write(bench.selection().current(), {{{QStringLiteral("position_p"), 20}}});
+        QTRY_VERIFY(!told.empty());
+        bench.desk().search({});
+        QVERIFY(!bench.desk().searching());
+        bench.click("sweepStop");
+        QVERIFY(bench.over());
+        QTRY_VERIFY(bench.action(ui::Command::Search)->isEnabled());
+        QCOMPARE(bench.now("position_p"), 32);
+    }
+
+    void severalServosEachWithItsRange()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.prepare(1);
+        auto* table = bench.find<QTableWidget>("sweepServos");
+        QTRY_COMPARE(table->rowCount(), 3);
+        table->item(1, 0)->setCheckState(Qt::Checked);
+        table->item(1, 1)->setText(QStringLiteral("1000"));
+        table->item(1, 2)->setText(QStringLiteral("1300"));
+        bench.run();
+        QVERIFY(bench.begun());
+        QVERIFY(bench.over());
+        const record::SweepRun& run = *bench.test().run();
+        QCOMPARE(int(run.servos.size()), 2);
+        QCOMPARE(run.servos[0].axis.from, 1800.0);
+        QCOMPARE(run.servos[1].axis.from, 1000.0);
+        QCOMPARE(run.servos[1].axis.to, 1300.0);
+        auto* shown = bench.find<QComboBox>("sweepShownServo");
+        QVERIFY(shown->isVisible());
+        QCOMPARE(shown->count(), 2);
+        shown->setCurrentIndex(1);
+        Q_EMIT shown->activated(1);
+        QCOMPARE(int(bench.find<ui::SweepResults>("sweepResults")->shownServo()), 1);
+    }
+
+    void wheelModeIsOfferedToBeSwitched()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.desk().write(bench.selection().current(), {{{QStringLiteral("operating_mode"), 1}}, true});
+        QVERIFY(bench.settled());
+        bench.find<QSpinBox>("sweepPause")->setValue(700);
+        auto* tick = bench.find<QCheckBox>("sweepSwitchMode");
+        QTRY_VERIFY(tick->isVisible());
+        QVERIFY(!bench.find<QPushButton>("sweepRun")->isEnabled());
+        tick->click();
+        bench.type("sweepStart", QStringLiteral("1800"));
+        bench.type("sweepEnd", QStringLiteral("2200"));
+        bench.find<QSpinBox>("sweepCycles")->setValue(1);
+        bench.run();
+        QVERIFY(bench.over());
+        QVERIFY(bench.test().run() != nullptr);
+        QCOMPARE(bench.test().run()->end, record::SweepEnd::Finished);
+        QCOMPARE(bench.now("operating_mode"), 1);
+        QCOMPARE(bench.now("torque_switch"), 0);
+    }
+
+    void limitsAreEditedForTheModel()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.prepare(1);
+        bench.click("sweepLimits");
+        auto* dialog = bench.window->findChild<ui::LimitsDialog*>();
+        QVERIFY(dialog != nullptr);
+        record::SweepLimits strict = dialog->limits();
+        strict.name = QStringLiteral("strict");
+        strict.lines = {{QStringLiteral("time_to_target"), QStringLiteral("ms"), {}, 1.0}};
+        Q_EMIT dialog->chosen(strict);
+        dialog->close();
+        QVERIFY(bench.text("sweepLimitsName").contains(QLatin1String("strict")));
+        bench.run();
+        QVERIFY(bench.begun());
+        QVERIFY(bench.over());
+        QCOMPARE(bench.test().run()->servos[0].verdict, record::Grade::Fail);
+        QVERIFY(bench.find<ui::Pill>("sweepVerdict")->words().contains(QLatin1String("ime")));
+    }
+
+    void speaksChinese()
+    {
+        SweepBench bench(QStringLiteral("zh_CN"));
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        QVERIFY(bench.find<QPushButton>("sweepRun")->text().contains(QChar(0x8fd0)));
+        QTRY_VERIFY(bench.text("sweepOutlook").contains(QStringLiteral("延时")));
+        bench.speak(QStringLiteral("en"));
+        QTRY_VERIFY(bench.text("sweepOutlook").contains(QLatin1String("delay")));
+    }
+};
+} // namespace
+
+QTEST_MAIN(TestSweepPage)
+#include "tst_sweep_page.moc"
