@@ -26,6 +26,7 @@ const std::vector<Command>& commands()
                                           sweepRunsCommand(),
                                           sweepReferenceCommand(),
                                           sweepCompareCommand(),
+                                          stepResponseCommand(),
                                           rawCommand(),
                                           recoverCommand(),
                                           snapshotSaveCommand(),

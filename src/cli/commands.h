@@ -24,6 +24,7 @@ Command modeCommand();
 Command moveCommand();
 Command watchCommand();
 Command sweepCommand();
+Command stepResponseCommand();
 Command sweepRunsCommand();
 Command sweepReferenceCommand();
 Command sweepCompareCommand();

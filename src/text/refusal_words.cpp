@@ -110,6 +110,22 @@ constexpr std::array badArgument{
     RefusalWords{"no-period", QT_TRANSLATE_NOOP("text", "the sine has no period"),
                  QT_TRANSLATE_NOOP("text", "Nothing says how fast it is to be followed."),
                  QT_TRANSLATE_NOOP("text", "Give the seconds of one period.")},
+    RefusalWords{"no-size", QT_TRANSLATE_NOOP("text", "the step is 0"),
+                 QT_TRANSLATE_NOOP("text", "There would be nothing to answer to."),
+                 QT_TRANSLATE_NOOP("text", "Give a step of 1 or more, or a negative one.")},
+    RefusalWords{"no-hold", QT_TRANSLATE_NOOP("text", "the time from goal to goal is out of reach"),
+                 QT_TRANSLATE_NOOP("text", "Every reading of a response is kept, for ten seconds "
+                                           "at most."),
+                 QT_TRANSLATE_NOOP("text", "Give up to ten seconds, or none: then it is worked "
+                                           "out.")},
+    RefusalWords{"no-repeats", QT_TRANSLATE_NOOP("text", "the number of repeats is out of reach"),
+                 QT_TRANSLATE_NOOP("text", "Every reading is kept, of fifty steps there and back "
+                                           "at most."),
+                 QT_TRANSLATE_NOOP("text", "Give 1 to 50.")},
+    RefusalWords{"no-gain", QT_TRANSLATE_NOOP("text", "this register is none that can be tried"),
+                 QT_TRANSLATE_NOOP("text", "A trial sets gains, startup force, integral limit and "
+                                           "dead zones, as far as the servo has them."),
+                 QT_TRANSLATE_NOOP("text", "Write other registers in the memory table.")},
     RefusalWords{"nothing-read", QT_TRANSLATE_NOOP("text", "nothing is being read"),
                  QT_TRANSLATE_NOOP("text", "There is nothing that could be recorded."),
                  QT_TRANSLATE_NOOP("text", "Connect, select a servo and choose curves first.")},

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/step_meter.h"
+
+#include "jobs/leg_trace.h"
+#include "record/sweep_fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jobs {
+using base::Duration;
+using record::StepSample;
+using namespace std::chrono_literals;
+using Samples = std::vector<StepSample>;
+
+namespace {
+constexpr Duration longestStretch = 50ms; ///< between two readings, to be interpolated
+constexpr Duration closeReadings = 5ms;   ///< near enough to tell noise from motion
+constexpr double leastGone = 3;           ///< steps
+constexpr double goneShare = 0.01;
+constexpr double leastSwing = 6; ///< steps, from one extreme to the other
+constexpr double noiseSwing = 8; ///< standard deviations
+constexpr std::size_t swingsForRate = 3;
+
+double inMilliseconds(Duration span)
+{
+    return double(span.count()) / record::usPerMs;
+}
+
+/// Steps from where it stood, positive towards its target.
+class Way {
+public:
+    explicit Way(const record::SweepLeg& leg)
+        : m_start(leg.start)
+        , m_sign(leg.target < leg.start ? -1 : 1)
+        , m_length(std::abs(leg.target - leg.start))
+    {}
+    double gone(double position) const { return m_sign * (position - m_start); }
+    double length() const { return m_length; }
+
+private:
+    double m_start;
+    double m_sign;
+    double m_length;
+};
+
+/// When it had first gone so far.
+struct Crossing {
+    Duration at{};
+    std::size_t reading = 0; ///< the first one beyond
+};
+
+std::optional<Crossing> firstBeyond(const Samples& samples, const Way& way, double level,
+                                    bool stays = false)
+{
+    Duration before{};
+    double from = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const double gone = way.gone(samples[i].position);
+        const bool single =
+            stays && i + 1 < samples.size() && way.gone(samples[i + 1].position) < level;
+        if (gone >= level && !single) {
+            if (samples[i].at - before > longestStretch)
+                return std::nullopt;
+            return Crossing{crossing(before, from, samples[i].at, gone, level), i};
+        }
+        before = samples[i].at;
+        from = std::min(gone, level);
+    }
+    return std::nullopt;
+}
+
+std::optional<double> riseTime(const Samples& samples, const Way& way)
+{
+    const auto low = firstBeyond(samples, way, 0.1 * way.length());
+    const auto high = firstBeyond(samples, way, 0.9 * way.length());
+    if (!low || !high || high->reading == low->reading)
+        return std::nullopt;
+    return inMilliseconds(high->at - low->at);
+}
+
+/// What single readings scatter about a smooth curve; 0 where they are too far apart to tell.
+double noiseOf(const Samples& samples, std::size_t first)
+{
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = first + 1; i + 1 < samples.size(); ++i) {
+        if (samples[i + 1].at - samples[i - 1].at > 2 * closeReadings)
+            continue;
+        const double bend =
+            samples[i - 1].position - 2 * samples[i].position + samples[i + 1].position;
+        sum += bend * bend;
+        ++count;
+    }
+    return count > 0 ? std::sqrt(sum / count / 6) : 0;
+}
+
+struct Turn {
+    Duration at{};
+    double position = 0;
+};
+
+/// Where it turned round by more than `least`, from `first` on. It comes in the direction of its
+/// way.
+std::vector<Turn> turnsOf(const Samples& samples, std::size_t first, const Way& way, double least)
+{
+    std::vector<Turn> turns;
+    bool ahead = true;
+    Turn extreme{samples[first].at, way.gone(samples[first].position)};
+    for (std::size_t i = first + 1; i < samples.size(); ++i) {
+        const double gone = way.gone(samples[i].position);
+        const double back = ahead ? extreme.position - gone : gone - extreme.position;
+        if (back < 0) {
+            extreme = {samples[i].at, gone};
+        } else if (back >= least) {
+            turns.push_back(extreme);
+            extreme = {samples[i].at, gone};
+            ahead = !ahead;
+        }
+    }
+    return turns;
+}
+
+void findSwings(record::StepFigures& figures, const Samples& samples, const record::SweepLeg& leg,
+                const Way& way)
+{
+    if (!leg.timeToTarget)
+        return;
+    const auto arrived = std::find_if(samples.begin(), samples.end(), [&](const StepSample& one) {
+        return one.at >= *leg.timeToTarget;
+    });
+    if (arrived == samples.end())
+        return;
+    const auto first = std::size_t(arrived - samples.begin());
+    const double least = std::max(leastSwing, noiseSwing * noiseOf(samples, first));
+    const std::vector<Turn> turns = turnsOf(samples, first, way, least);
+    figures.swings = double(turns.size());
+    if (turns.size() < 2)
+        return;
+    double longest = 0;
+    for (std::size_t i = 1; i < turns.size(); ++i)
+        longest = std::max(longest, std::abs(turns[i].position - turns[i - 1].position));
+    figures.swingAmplitude = longest / 2;
+    const double span = inMilliseconds(turns.back().at - turns.front().at);
+    if (turns.size() >= swingsForRate && span > 0)
+        figures.swingFrequency = double(turns.size() - 1) / 2 / span * 1000;
+}
+
+std::optional<double> reportedSpeed(const Samples& samples)
+{
+    std::optional<double> most;
+    for (const StepSample& sample : samples) {
+        if (sample.speed)
+            most = std::max(most.value_or(0), std::abs(*sample.speed));
+    }
+    return most;
+}
+} // namespace
+
+record::StepFigures stepFigures(const Samples& samples, const record::SweepLeg& leg)
+{
+    record::StepFigures figures;
+    figures.timeToTarget = record::inMs(leg.timeToTarget);
+    figures.settling = record::inMs(leg.settling);
+    figures.overshoot = leg.overshoot;
+    figures.overshootSteps = leg.overshootSteps;
+    figures.steadyError = leg.steadyError;
+    figures.peakCurrent = leg.currentPeak;
+    figures.peakLoad = leg.loadPeak;
+    const auto reported = reportedSpeed(samples);
+    figures.peakSpeed = leg.topSpeed ? leg.topSpeed : reported;
+    const Way way(leg);
+    const double start = std::max(leastGone, goneShare * way.length());
+    if (way.length() <= 2 * start)
+        return figures;
+    if (const auto moved = firstBeyond(samples, way, start, true))
+        figures.deadTime = inMilliseconds(moved->at);
+    figures.riseTime = riseTime(samples, way);
+    findSwings(figures, samples, leg, way);
+    return figures;
+}
+} // namespace jobs

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/json_parts.h"
+#include "record/step_json.h"
+#include "record/sweep_fields.h"
+#include "record/text_file.h"
+
+#include <QJsonArray>
+
+#include <cmath>
+
+namespace record {
+namespace {
+const QString loading = QStringLiteral("load-step-response");
+constexpr qint64 largestFile = 256 * 1024 * 1024;
+constexpr int formatVersion = 1;
+constexpr double longestMs = 1e9;
+constexpr int cells = 5; ///< of a sample
+
+base::Duration fromMs(const JsonReader& json, const char* key, double ms)
+{
+    if (std::abs(ms) <= longestMs)
+        return base::Duration(std::llround(ms * usPerMs));
+    json.complain(key, QStringLiteral("number too large"));
+    return {};
+}
+
+double number(const JsonReader& json, const char* key)
+{
+    const auto found = json.numberOrNull(key);
+    if (!found)
+        json.complain(key, QStringLiteral("expected a number"));
+    return found.value_or(0);
+}
+
+std::vector<StepGain> readGains(const JsonReader& json, const char* key)
+{
+    std::vector<StepGain> gains;
+    for (const JsonReader& gain : json.objects(key))
+        gains.push_back({gain.filledText("key"), gain.integer("raw")});
+    return gains;
+}
+
+StepFigures readFigures(const JsonReader& json)
+{
+    StepFigures figures;
+    for (const StepFigure& figure : stepFigures)
+        figures.*figure.member = json.numberOrNull(figure.key);
+    return figures;
+}
+
+StepSpec readSpec(const JsonReader& json)
+{
+    StepSpec spec;
+    spec.size = json.text("size");
+    spec.from = json.text("from");
+    spec.repeats = json.small("repeats");
+    spec.hold = fromMs(json, "hold_ms", number(json, "hold_ms"));
+    spec.speed = json.text("speed");
+    spec.acceleration = json.text("acceleration");
+    spec.trial = readGains(json, "trial");
+    spec.operatorName = json.text("operator");
+    spec.note = json.text("note");
+    return spec;
+}
+
+SweepAxis readAxis(const JsonReader& json)
+{
+    SweepAxis axis;
+    axis.from = number(json, "from");
+    axis.to = number(json, "to");
+    axis.stepsPerTurn = number(json, "steps_per_turn");
+    axis.tolerance = number(json, "tolerance");
+    axis.speed = json.numberOrNull("speed");
+    axis.acceleration = json.numberOrNull("acceleration");
+    return axis;
+}
+
+std::vector<StepSample> readSamples(const JsonReader& json)
+{
+    std::vector<StepSample> samples;
+    const QJsonArray rows = json.content().value(QLatin1String("samples")).toArray();
+    for (const QJsonValue& row : rows) {
+        const QJsonArray values = row.toArray();
+        if (values.size() != cells || !values[0].isDouble() || !values[1].isDouble()) {
+            json.complain("samples", QStringLiteral("expected rows of %1 numbers").arg(cells));
+            return {};
+        }
+        const auto optional = [&values](int cell) {
+            return values[cell].isDouble() ? std::optional(values[cell].toDouble()) : std::nullopt;
+        };
+        samples.push_back({fromMs(json, "samples", values[0].toDouble()), values[1].toDouble(),
+                           optional(2), optional(3), optional(4)});
+    }
+    return samples;
+}
+
+StepResponse readResponse(const JsonReader& json)
+{
+    StepResponse response;
+    response.number = json.small("number");
+    response.start = number(json, "start");
+    response.target = number(json, "target");
+    response.missed = json.flag("missed");
+    response.lost = json.small("lost");
+    response.alarms = std::uint8_t(json.small("alarms"));
+    response.figures = readFigures(json.object("figures"));
+    response.samples = readSamples(json);
+    return response;
+}
+
+StepRun readRun(const JsonReader& json)
+{
+    StepRun run;
+    run.program = json.text("program");
+    run.at = json.time("time");
+    run.port = json.text("port");
+    run.baud = json.small("baud");
+    run.simulated = json.flag("simulated");
+    const QString end = json.text("end");
+    if (!sweepEndFromName(end))
+        json.complain("end", QStringLiteral("unknown word \"%1\"").arg(end));
+    run.end = sweepEndFromName(end).value_or(SweepEnd::Finished);
+    run.sampleRate = number(json, "sample_rate");
+    run.putBack = json.flag("put_back");
+    run.spec = readSpec(json.object("test"));
+    run.gains = readGains(json, "gains");
+    run.axis = readAxis(json.object("axis"));
+    run.mean = readFigures(json.object("mean"));
+    for (const JsonReader& response : json.objects("responses"))
+        run.responses.push_back(readResponse(response));
+    run.parameters = readSnapshot(json.object("parameters"));
+    return run;
+}
+} // namespace
+
+base::Result<std::vector<StepRun>> decodeStepRuns(const QByteArray& text)
+{
+    const auto document = parseJson(text);
+    if (!document)
+        return base::fail(base::ErrorCode::FileFormat, loading, document.error());
+    JsonComplaint complaint;
+    const JsonReader json(*document, complaint);
+    if (json.text("format") != QLatin1String("servodesk-step-response"))
+        json.complain("format", QStringLiteral("not a step response of ServoDesk"));
+    const int version = json.small("version");
+    if (version < 1 || version > formatVersion)
+        json.complain("version", QStringLiteral("format %1, this program reads formats up to %2")
+                                     .arg(version)
+                                     .arg(formatVersion));
+    std::vector<StepRun> runs;
+    for (const JsonReader& run : json.objects("runs"))
+        runs.push_back(readRun(run));
+    if (complaint.made())
+        return base::fail(base::ErrorCode::FileFormat, loading, complaint.text());
+    return runs;
+}
+
+base::Result<std::vector<StepRun>> loadStepRuns(const QString& path)
+{
+    const auto text = readTextFile(loading, path, largestFile);
+    if (!text)
+        return tl::unexpected(text.error());
+    auto runs = decodeStepRuns(*text);
+    if (!runs) {
+        base::Error error = runs.error();
+        error.detail = path + QStringLiteral(": ") + error.detail;
+        return tl::unexpected(error);
+    }
+    return runs;
+}
+} // namespace record

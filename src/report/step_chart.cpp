@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/sweep_fields.h"
+#include "report/step_html.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace report {
+using catalog::Text;
+
+namespace {
+constexpr double width = 760;
+constexpr double height = 340;
+constexpr double left = 64;
+constexpr double right = width - 14;
+constexpr double top = 34;
+constexpr double bottom = height - 46;
+constexpr double room = 0.12; ///< above the target and below the start
+constexpr int ticks = 8;
+constexpr double finest = 0.4; ///< px between two points of a curve
+
+/// Dark enough for white paper.
+constexpr std::array colours{"#0b57d0", "#b3261e", "#1a7f37", "#8a5a00"};
+
+struct Scale {
+    double low = 0;
+    double high = 1;
+    double begin = 0;
+    double end = 1;
+    double at(double value) const { return begin + (value - low) / (high - low) * (end - begin); }
+    /// 1, 2 or 5 times a power of ten.
+    double step() const
+    {
+        const double rough = std::max(1e-6, (high - low) / ticks);
+        const double power = std::pow(10.0, std::floor(std::log10(rough)));
+        const double times = rough / power;
+        return power * (times <= 1 ? 1 : times <= 2 ? 2 : times <= 5 ? 5 : 10);
+    }
+};
+
+double towards(const record::StepResponse& response, double position)
+{
+    return response.target < response.start ? response.start - position : position - response.start;
+}
+
+QString px(double value)
+{
+    return QString::number(value, 'f', 1);
+}
+
+QString line(double x1, double y1, double x2, double y2, const QString& style)
+{
+    return QStringLiteral("<line x1=\"%1\" y1=\"%2\" x2=\"%3\" y2=\"%4\" %5/>\n")
+        .arg(px(x1), px(y1), px(x2), px(y2), style);
+}
+
+QString text(double x, double y, const char* anchor, const QString& content)
+{
+    return QStringLiteral("<text x=\"%1\" y=\"%2\" text-anchor=\"%3\" font-size=\"12\" "
+                          "fill=\"#1f2328\">%4</text>\n")
+        .arg(px(x), px(y), QString::fromLatin1(anchor), content);
+}
+
+/// Both scales, wide enough for everything.
+std::pair<Scale, Scale> scalesOf(const std::vector<record::StepRun>& runs)
+{
+    Scale x{0, 1, left, right};
+    Scale y{0, 1, bottom, top};
+    for (const record::StepRun& run : runs) {
+        for (const record::StepResponse& response : run.responses) {
+            y.high = std::max(y.high, std::abs(response.target - response.start));
+            for (const record::StepSample& sample : response.samples) {
+                x.high = std::max(x.high, *record::inMs(sample.at));
+                y.high = std::max(y.high, towards(response, sample.position));
+                y.low = std::min(y.low, towards(response, sample.position));
+            }
+        }
+    }
+    const double margin = room * (y.high - y.low);
+    y.low -= margin;
+    y.high += margin;
+    return {x, y};
+}
+
+QString curve(const record::StepResponse& response, const Scale& x, const Scale& y,
+              const char* colour)
+{
+    QString points;
+    double drawn = -1;
+    for (const record::StepSample& sample : response.samples) {
+        const double across = x.at(*record::inMs(sample.at));
+        if (!points.isEmpty() && across - drawn < finest)
+            continue;
+        points += (points.isEmpty() ? u'M' : u'L') + px(across) + u' ' +
+                  px(y.at(towards(response, sample.position)));
+        drawn = across;
+    }
+    if (points.isEmpty())
+        return {};
+    return QStringLiteral("<path d=\"%1\" fill=\"none\" stroke=\"%2\" stroke-width=\"1.2\" "
+                          "stroke-opacity=\"0.8\"/>\n")
+        .arg(points, QString::fromLatin1(colour));
+}
+
+QString frame(const Scribe& scribe, const Scale& x, const Scale& y)
+{
+    const QString grid = QStringLiteral("stroke=\"#d0d7de\" stroke-width=\"1\"");
+    QString marks;
+    for (double at = 0; at <= x.high; at += x.step())
+        marks += line(x.at(at), top, x.at(at), bottom, grid) +
+                 text(x.at(at), bottom + 16, "middle", figure(at));
+    for (double at = std::ceil(y.low / y.step()) * y.step(); at <= y.high; at += y.step())
+        marks += line(left, y.at(at), right, y.at(at), grid) +
+                 text(left - 6, y.at(at) + 4, "end", figure(at));
+    return marks +
+           text((left + right) / 2, height - 10, "middle",
+                scribe.sayInSvg({QStringLiteral("ms from the goal on"),
+                                 QString::fromUtf8("发出目标后的时间 (ms)")})) +
+           text(left, top - 14, "start",
+                scribe.sayInSvg({QStringLiteral("steps towards the target"),
+                                 QString::fromUtf8("朝目标方向的步数")}));
+}
+
+QString legend(std::size_t runs)
+{
+    QString entries;
+    constexpr double entry = 60;
+    for (std::size_t i = 0; i < runs; ++i) {
+        const double x = right - entry * double(runs - i);
+        entries += line(x, top - 18, x + 26, top - 18,
+                        QStringLiteral("stroke=\"%1\" stroke-width=\"2\"")
+                            .arg(QString::fromLatin1(colours[i % colours.size()]))) +
+                   text(x + 32, top - 14, "start", QString::number(i + 1));
+    }
+    return entries;
+}
+} // namespace
+
+QString stepChart(const Scribe& scribe, const std::vector<record::StepRun>& runs)
+{
+    const auto [x, y] = scalesOf(runs);
+    QString content = frame(scribe, x, y);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        for (const record::StepResponse& response : runs[i].responses)
+            content += curve(response, x, y, colours[i % colours.size()]);
+    }
+    if (!runs.empty() && !runs.front().responses.empty()) {
+        const record::StepResponse& first = runs.front().responses.front();
+        const double target = y.at(std::abs(first.target - first.start));
+        content += line(left, target, right, target,
+                        QStringLiteral("stroke=\"#57606a\" stroke-width=\"1\" "
+                                       "stroke-dasharray=\"5 3\""));
+    }
+    return QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
+                          "aria-label=\"%1\" width=\"%2\" height=\"%3\" viewBox=\"0 0 %2 %3\" "
+                          "font-family=\"sans-serif\">\n<rect x=\"0\" y=\"0\" width=\"%2\" "
+                          "height=\"%3\" fill=\"#ffffff\"/>\n%4</svg>\n")
+        .arg(scribe.inAttribute({QStringLiteral("Step responses"), QString::fromUtf8("阶跃响应")}))
+        .arg(width)
+        .arg(height)
+        .arg(content + legend(runs.size()));
+}
+} // namespace report

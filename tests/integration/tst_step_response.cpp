@@ -1,0 +1,478 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The step-response lab against simulated servos: its figures are those of a twin that is moved
+// without a bus, gains act during a run and are back after it however it ends, the EPROM sees
+// nothing, and the advice is that of the sheet.
+#include "device/motion.h"
+#include "device/stop_frames.h"
+#include "jobs/recover.h"
+#include "jobs/step_advice.h"
+#include "jobs/step_response.h"
+#include "record/step_json.h"
+#include "support/plant_probe.h"
+#include "support/sim_bench.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include <cmath>
+
+using base::ErrorCode;
+using record::SweepEnd;
+using support::SimBench;
+using namespace std::chrono_literals;
+
+namespace {
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+jobs::StepOrder order(const char* size = "400", std::vector<record::StepGain> trial = {})
+{
+    jobs::StepOrder order;
+    order.spec.size = text(size);
+    order.spec.repeats = 2;
+    order.spec.trial = std::move(trial);
+    return order;
+}
+
+base::Result<record::StepRun> run(SimBench& bench, const jobs::StepOrder& order,
+                                  const jobs::StepWatch& watch = {})
+{
+    device::Servo servo = bench.servo(1);
+    return jobs::stepResponse(bench.context(), servo, order, watch);
+}
+
+base::Bytes eprom(SimBench& bench)
+{
+    return bench.withWire([](sim::VirtualBus& wire) { return wire.servo(1)->epromImage(); });
+}
+
+/// What the twin's shaft did on its way from here to there, by plain arithmetic on its encoder.
+struct Truth {
+    double rise = 0;   ///< ms
+    double beyond = 0; ///< steps past the place of rest
+    double rest = 0;
+    int turns = 0; ///< by more than six steps, after it first was near
+    double hertz = 0;
+};
+
+Truth truthOf(const std::vector<record::StepGain>& gains, std::int64_t from, std::int64_t to)
+{
+    SimBench bench(text("sts3215@1"));
+    for (const record::StepGain& gain : gains)
+        bench.poke(1, gain.key, gain.raw);
+    return bench.withWire([&](sim::VirtualBus& wire) {
+        probe::Plant plant(*wire.servo(1));
+        wire.servo(1)->poke(text("acceleration"), 0);
+        (void)plant.move(from, 2000ms);
+        const probe::Move move = plant.move(to, 1500ms);
+        Truth truth;
+        truth.rest = move.rest();
+        int low = 0;
+        int high = 0;
+        int arrived = 0;
+        for (std::size_t i = 0; i < move.samples.size(); ++i) {
+            const double gone = double(move.samples[i].reported - move.start) / move.way();
+            const int ms = int(i) + 1;
+            low = low == 0 && gone >= 0.1 ? ms : low;
+            high = high == 0 && gone >= 0.9 ? ms : high;
+            const double left = std::abs(double(move.samples[i].reported - move.goal));
+            arrived = arrived == 0 && left <= 12 ? ms : arrived;
+        }
+        truth.rise = high - low;
+        truth.beyond = std::max(0.0, move.beyond() - move.sense() * (move.rest() - double(to)));
+        double extreme = -HUGE_VAL;
+        double sense = move.sense();
+        int at = 0;
+        int first = 0;
+        int last = 0;
+        for (int i = arrived; i < int(move.samples.size()); ++i) {
+            const double place = sense * double(move.samples[std::size_t(i)].reported);
+            at = place > extreme ? i : at;
+            extreme = std::max(extreme, place);
+            if (extreme - place < 6)
+                continue;
+            ++truth.turns;
+            first = first == 0 ? at : first;
+            last = at;
+            sense = -sense;
+            extreme = -place;
+            at = i;
+        }
+        truth.hertz = truth.turns > 2 ? (truth.turns - 1) / 2.0 / (last - first) * 1000 : 0;
+        return truth;
+    });
+}
+
+bool advises(const std::vector<record::StepAdvice>& advice, record::StepRemedy remedy)
+{
+    return std::any_of(advice.begin(), advice.end(),
+                       [remedy](const record::StepAdvice& one) { return one.remedy == remedy; });
+}
+} // namespace
+
+class TestStepResponse : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void figuresAreThoseOfTheTwin_data();
+    void figuresAreThoseOfTheTwin();
+    void whatAFamilyCannotMeasureIsNotMeasured();
+    void itStartsWhereThereIsRoom_data();
+    void itStartsWhereThereIsRoom();
+    void speedAndAccelerationAreAsBefore();
+    void gainsAreBackHoweverItEnds_data();
+    void gainsAreBackHoweverItEnds();
+    void aLostLinkIsFoundByRecovery();
+    void anotherModeIsSwitchedIfAsked();
+    void whatForbidsIt_data();
+    void whatForbidsIt();
+    void adviceIsTheSheets_data();
+    void adviceIsTheSheets();
+    void anOvershootThatIsGivenIsFound();
+    void aRunSurvivesItsFile();
+    void scatterIsNoDifference();
+};
+
+void TestStepResponse::figuresAreThoseOfTheTwin_data()
+{
+    QTest::addColumn<int>("p");
+    QTest::addColumn<int>("d");
+    QTest::addColumn<int>("i");
+    QTest::newRow("as it comes") << 32 << 32 << 0;
+    QTest::newRow("weak") << 14 << 8 << 0;
+    QTest::newRow("undamped") << 120 << 0 << 0;
+    QTest::newRow("oscillating") << 200 << 0 << 0;
+    QTest::newRow("too much I") << 32 << 32 << 20;
+}
+
+void TestStepResponse::figuresAreThoseOfTheTwin()
+{
+    QFETCH(int, p);
+    QFETCH(int, d);
+    QFETCH(int, i);
+    const std::vector<record::StepGain> gains{
+        {text("position_p"), p}, {text("position_d"), d}, {text("position_i"), i}};
+    SimBench bench(text("sts3215@1"));
+    jobs::StepOrder asked = order("400", gains);
+    asked.spec.from = text("1800");
+    asked.spec.hold = 1500ms;
+    const auto before = eprom(bench);
+    const auto done = run(bench, asked);
+    QVERIFY2(done,
+             done ? "" : qPrintable(base::errorName(done.error().code) + done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QCOMPARE(done->responses.size(), std::size_t(4));
+    QVERIFY(before == eprom(bench));
+    QCOMPARE(bench.raw(1, text("position_p")), 32);
+    for (const record::StepResponse& response : done->responses) {
+        const bool there = response.number % 2 == 1;
+        const Truth truth = there ? truthOf(gains, 1800, 2200) : truthOf(gains, 2200, 1800);
+        const record::StepFigures& found = response.figures;
+        QCOMPARE(response.target, there ? 2200.0 : 1800.0);
+        QVERIFY(found.riseTime && found.deadTime && found.peakSpeed && found.peakCurrent);
+        QVERIFY2(std::abs(*found.riseTime - truth.rise) <= 4,
+                 qPrintable(QStringLiteral("%1 %2").arg(*found.riseTime).arg(truth.rise)));
+        QVERIFY(*found.deadTime > 0 && *found.deadTime < 60);
+        QVERIFY(found.swings);
+        QVERIFY2(std::abs(*found.swings - truth.turns) <=
+                     (p == 200 ? 3 : 1), // noise decides when it ends
+                 qPrintable(QStringLiteral("%1 %2").arg(*found.swings).arg(truth.turns)));
+        QCOMPARE(found.swingFrequency.has_value(), *found.swings >= 3);
+        if (found.swingFrequency && truth.turns >= 3)
+            QVERIFY2(
+                std::abs(*found.swingFrequency / truth.hertz - 1) < 0.15,
+                qPrintable(QStringLiteral("%1 %2").arg(*found.swingFrequency).arg(truth.hertz)));
+        if (found.steadyError)
+            QVERIFY(std::abs(response.target + *found.steadyError - truth.rest) <= 2);
+        if (found.overshootSteps && truth.beyond > 6)
+            QVERIFY2(
+                std::abs(*found.overshootSteps - truth.beyond) <= 4,
+                qPrintable(QStringLiteral("%1 %2").arg(*found.overshootSteps).arg(truth.beyond)));
+    }
+    QCOMPARE(done->gains.front().raw, p);
+    QVERIFY(done->sampleRate > 300);
+}
+
+void TestStepResponse::whatAFamilyCannotMeasureIsNotMeasured()
+{
+    SimBench bench(text("lx16a@1"), {.baud = 115'200});
+    device::Servo servo = bench.servo(1, base::Protocol::Lx);
+    const auto done = jobs::stepResponse(bench.context(), servo, order("100"), {});
+    QVERIFY(done);
+    QVERIFY(done->gains.empty());
+    QVERIFY(!done->mean.peakCurrent && !done->mean.peakLoad);
+    QVERIFY(done->mean.riseTime && done->mean.steadyError);
+    QVERIFY(!done->mean.swingFrequency);
+}
+
+void TestStepResponse::itStartsWhereThereIsRoom_data()
+{
+    QTest::addColumn<int>("stands");
+    QTest::addColumn<QString>("size");
+    QTest::addColumn<int>("from");
+    QTest::newRow("where it stands") << 2048 << text("300") << 2048;
+    QTest::newRow("downwards") << 2048 << text("-300") << 2048;
+    QTest::newRow("degrees") << 2048 << text("45deg") << 2048;
+    QTest::newRow("no room above") << 2800 << text("500") << 2500;
+    QTest::newRow("no room below") << 1100 << text("-500") << 1500;
+}
+
+void TestStepResponse::itStartsWhereThereIsRoom()
+{
+    QFETCH(int, stands);
+    QFETCH(QString, size);
+    QFETCH(int, from);
+    SimBench bench(text("sts3215@1"));
+    bench.poke(1, text("min_angle_limit"), 1000);
+    bench.poke(1, text("max_angle_limit"), 3000);
+    bench.poke(1, text("goal_position"), stands);
+    bench.letTimePass(2s);
+    device::Servo servo = bench.servo(1);
+    bench.forgetFrames();
+    jobs::StepOrder asked = order();
+    asked.spec.size = size;
+    const auto plan = jobs::planStep(bench.context(), servo, asked.spec);
+    QVERIFY(plan);
+    QVERIFY(bench.onlyAsked());
+    QVERIFY2(std::abs(plan->from - from) <= 4, qPrintable(QString::number(plan->from)));
+    QVERIFY(plan->to >= 1000 && plan->to <= 3000);
+    QVERIFY(plan->hold >= 500ms);
+    asked.spec.hold = 60ms;
+    asked.spec.speed = text("100");
+    const auto hurried = jobs::planStep(bench.context(), servo, asked.spec);
+    QVERIFY(hurried && hurried->holdShort);
+}
+
+/// They are its own, though they are lost at power-off: the next move must not be a surprise.
+void TestStepResponse::speedAndAccelerationAreAsBefore()
+{
+    SimBench bench(text("sts3215@1"));
+    bench.poke(1, text("goal_speed"), 321);
+    bench.poke(1, text("acceleration"), 7);
+    QVERIFY(run(bench, order()));
+    QCOMPARE(bench.raw(1, text("goal_speed")), 321);
+    QCOMPARE(bench.raw(1, text("acceleration")), 7);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 1);
+}
+
+void TestStepResponse::gainsAreBackHoweverItEnds_data()
+{
+    QTest::addColumn<QString>("how");
+    QTest::addColumn<int>("end");
+    QTest::newRow("stop") << text("stop") << int(SweepEnd::Stopped);
+    QTest::newRow("emergency") << text("emergency") << int(SweepEnd::Emergency);
+    QTest::newRow("alarm") << text("alarm") << int(SweepEnd::Alarm);
+}
+
+void TestStepResponse::gainsAreBackHoweverItEnds()
+{
+    QFETCH(QString, how);
+    QFETCH(int, end);
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    bench.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
+    const auto before = eprom(bench);
+    jobs::StepWatch watch;
+    watch.onResponse = [&](const record::StepResponse& response) {
+        if (response.number != 1)
+            return;
+        QCOMPARE(bench.raw(1, text("position_p")), 20);
+        if (how == QLatin1StringView("stop"))
+            bench.stop().request();
+        else if (how == QLatin1StringView("emergency"))
+            bench.bus().emergency();
+        else
+            bench.withWire([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(4); });
+    };
+    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    QVERIFY(done);
+    QCOMPARE(int(done->end), end);
+    QVERIFY(done->putBack);
+    QCOMPARE(bench.raw(1, text("position_p")), 32);
+    QVERIFY(bench.journal().open()->empty());
+    QVERIFY(before == eprom(bench));
+    if (how != QLatin1StringView("stop"))
+        QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+}
+
+void TestStepResponse::aLostLinkIsFoundByRecovery()
+{
+    SimBench bench(text("sts3215@1"));
+    jobs::StepWatch watch;
+    watch.onResponse = [&](const record::StepResponse& response) {
+        if (response.number == 2)
+            bench.cutLink();
+    };
+    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::LinkLost);
+    QVERIFY(!done->putBack);
+    QVERIFY(done->responses.size() >= 2);
+    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+    bench.reconnect(1'000'000);
+    const auto settled = jobs::recover(bench.context(), jobs::RecoverAction::Undo);
+    QVERIFY(settled && settled->front().done);
+    QCOMPARE(bench.raw(1, text("position_p")), 32);
+}
+
+void TestStepResponse::anotherModeIsSwitchedIfAsked()
+{
+    SimBench bench(text("sts3215@1"));
+    bench.poke(1, text("operating_mode"), 1);
+    const auto before = eprom(bench);
+    const auto refused = run(bench, order());
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().detail, text("not-position"));
+    jobs::StepOrder asked = order("400", {{text("position_p"), 20}});
+    asked.switchMode = true;
+    const auto done = run(bench, asked);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QCOMPARE(bench.raw(1, text("operating_mode")), 1);
+    QCOMPARE(bench.raw(1, text("goal_speed")), 0);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QCOMPARE(bench.raw(1, text("position_p")), 32);
+    QVERIFY(bench.journal().open()->empty());
+    QVERIFY(before == eprom(bench));
+}
+
+void TestStepResponse::whatForbidsIt_data()
+{
+    QTest::addColumn<QString>("detail");
+    QTest::addColumn<int>("code");
+    QTest::newRow("size 0") << text("no-size") << int(ErrorCode::BadArgument);
+    QTest::newRow("hold") << text("no-hold") << int(ErrorCode::BadArgument);
+    QTest::newRow("repeats") << text("no-repeats") << int(ErrorCode::BadArgument);
+    QTest::newRow("gain") << text("no-gain") << int(ErrorCode::BadArgument);
+    QTest::newRow("gain out of range") << QString() << int(ErrorCode::OutOfRange);
+    QTest::newRow("no room") << QString() << int(ErrorCode::OutOfRange);
+    QTest::newRow("multi-turn") << QString() << int(ErrorCode::TurnsUnknown);
+}
+
+void TestStepResponse::whatForbidsIt()
+{
+    QFETCH(QString, detail);
+    QFETCH(int, code);
+    SimBench bench(text("sts3215@1"));
+    jobs::StepOrder asked = order();
+    const QByteArray row = QTest::currentDataTag();
+    if (row == "size 0")
+        asked.spec.size = text("0");
+    else if (row == "hold")
+        asked.spec.hold = 60s;
+    else if (row == "repeats")
+        asked.spec.repeats = 0;
+    else if (row == "gain")
+        asked.spec.trial = {{text("baud_rate"), 1}};
+    else if (row == "gain out of range")
+        asked.spec.trial = {{text("position_p"), 255}};
+    else if (row == "no room")
+        asked.spec.size = text("4096");
+    else {
+        bench.poke(1, text("min_angle_limit"), 0);
+        bench.poke(1, text("max_angle_limit"), 0);
+    }
+    bench.forgetFrames();
+    const auto done = run(bench, asked);
+    QVERIFY(!done);
+    QCOMPARE(int(done.error().code), code);
+    if (!detail.isEmpty())
+        QCOMPARE(done.error().detail, detail);
+    QVERIFY(bench.onlyAsked());
+    QVERIFY(bench.journal().open()->empty());
+}
+
+void TestStepResponse::adviceIsTheSheets_data()
+{
+    using record::StepRemedy;
+    QTest::addColumn<int>("p");
+    QTest::addColumn<int>("d");
+    QTest::addColumn<int>("remedy");
+    QTest::newRow("lag") << 8 << 0 << int(StepRemedy::RaiseP);
+    QTest::newRow("static error") << 14 << 8 << int(StepRemedy::RaiseI);
+    QTest::newRow("oscillation") << 200 << 0 << int(StepRemedy::LowerP);
+}
+
+void TestStepResponse::adviceIsTheSheets()
+{
+    QFETCH(int, p);
+    QFETCH(int, d);
+    QFETCH(int, remedy);
+    SimBench bench(text("sts3215@1"));
+    device::Servo servo = bench.servo(1);
+    const auto done = run(bench, order("400", {{text("position_p"), p}, {text("position_d"), d}}));
+    QVERIFY(done);
+    const auto advice = jobs::adviseStep(*done, *servo.profile);
+    QVERIFY(advises(advice, record::StepRemedy(remedy)));
+    for (const record::StepAdvice& one : advice) {
+        if (one.remedy == record::StepRemedy::LowerP)
+            QCOMPARE(one.proposed, 32); // the stored one
+        if (one.remedy == record::StepRemedy::RaiseI)
+            QCOMPARE(one.proposed, 1);
+        if (one.remedy == record::StepRemedy::RaiseP)
+            QVERIFY(one.proposed > p && one.proposed <= p + std::max(1, p / 4));
+    }
+    // A good servo hears nothing.
+    const auto good = run(bench, order());
+    QVERIFY(good);
+    QVERIFY(jobs::adviseStep(*good, *servo.profile).empty());
+}
+
+void TestStepResponse::anOvershootThatIsGivenIsFound()
+{
+    SimBench bench(text("sts3215@1+overshoot=8"));
+    device::Servo servo = bench.servo(1);
+    const auto done = run(bench, order());
+    QVERIFY(done);
+    QVERIFY(std::abs(done->mean.overshoot.value_or(0) - 8) <= 1);
+    QCOMPARE(done->mean.swings.value_or(0), 1.0);
+    const auto advice = jobs::adviseStep(*done, *servo.profile);
+    QVERIFY(advises(advice, record::StepRemedy::RaiseD));
+    QVERIFY(!advises(advice, record::StepRemedy::RaiseI));
+}
+
+void TestStepResponse::aRunSurvivesItsFile()
+{
+    SimBench bench(text("sts3215@1"));
+    const auto first = run(bench, order());
+    const auto second = run(bench, order("400", {{text("position_p"), 40}}));
+    QVERIFY(first && second);
+    const std::vector<record::StepRun> runs{*first, *second};
+    const QByteArray file = record::encodeStepRuns(runs, {});
+    const auto back = record::decodeStepRuns(file);
+    QVERIFY2(back, back ? "" : qPrintable(back.error().detail));
+    QCOMPARE(back->size(), std::size_t(2));
+    QCOMPARE(record::encodeStepRuns(*back, {}), file);
+    QVERIFY(back->back().responses == second->responses);
+    QVERIFY(back->back().spec == second->spec);
+    QVERIFY(!record::decodeStepRuns("{}"));
+    QVERIFY(
+        !record::decodeStepRuns(QByteArray(file).replace("\"number\": 1", "\"number\": \"1\"")));
+}
+
+void TestStepResponse::scatterIsNoDifference()
+{
+    SimBench bench(text("sts3215@1"));
+    const auto first = run(bench, order());
+    const auto second = run(bench, order());
+    const auto weak = run(bench, order("400", {{text("position_p"), 10}, {text("position_d"), 0}}));
+    QVERIFY(first && second && weak);
+    const auto changeOf = [&](const record::StepRun& after, const char* key) {
+        for (const record::StepDifference& row : record::compareSteps(*first, after)) {
+            if (QLatin1StringView(row.figure.key) == QLatin1StringView(key))
+                return row.change;
+        }
+        return record::StepChange::NotMeasured;
+    };
+    QCOMPARE(changeOf(*second, "overshoot"), record::StepChange::Same);
+    QCOMPARE(changeOf(*weak, "rise_time"), record::StepChange::Worse);
+    QCOMPARE(changeOf(*weak, "steady_error"), record::StepChange::Worse);
+    QCOMPARE(changeOf(*weak, "peak_speed"), record::StepChange::Neither);
+}
+
+QTEST_GUILESS_MAIN(TestStepResponse)
+#include "tst_step_response.moc"
