@@ -126,14 +126,14 @@ void show(const SweepScene& scene, const QString& language, session::Theme look,
         run->click();
         if (auto* yes = bench.find<QAbstractButton>("questionYes"))
             yes->click();
-        QTest::qWaitFor([&] { return scene.whole ? !test.running() : false; },
-                        scene.whole ? 90'000 : 12'000);
+        (void)QTest::qWaitFor([&] { return scene.whole ? !test.running() : false; },
+                              scene.whole ? 90'000 : 12'000);
     }
     letRun(300);
     if (!bench.window->grab().save(path, "PNG"))
         QTextStream(stderr) << path << ": cannot be written\n";
     test.stop();
-    QTest::qWaitFor([&] { return !test.running(); }, 5000);
+    (void)QTest::qWaitFor([&] { return !test.running(); }, 5000);
 }
 
 /// Those whose names the filter lets through, in every language, theme and size.

@@ -162,10 +162,10 @@ void TestSweepModels::whatIsNotMeasuredKeepsItsPlace()
     model.show(shown.metrics, shown.lines);
     const int current = rowOf(model, q("current_peak"));
     QVERIFY(current > rowOf(model, q("steady_error")) && current < rowOf(model, q("voltage_min")));
-    QCOMPARE(cell(model, current, VerdictColumn::Value), q("not measured"));
+    QCOMPARE(cell(model, current, VerdictColumn::Value), q("–"));
     QCOMPARE(cell(model, current, VerdictColumn::Warn), q("–"));
     QCOMPARE(cell(model, current, VerdictColumn::Fail), q("> 1500"));
-    QCOMPARE(cell(model, current, VerdictColumn::Grade), q("– No verdict"));
+    QCOMPARE(cell(model, current, VerdictColumn::Grade), q("– not measured"));
     QCOMPARE(model.index(current, int(VerdictColumn::Grade)).data(ui::toneRole).toInt(),
              int(Tone::Quiet));
 }

@@ -5,6 +5,7 @@
 // Main thread.
 #pragma once
 
+#include "session/archive.h"
 #include "session/drive.h"
 #include "session/port_watch.h"
 #include "session/scope.h"
@@ -25,6 +26,7 @@ struct Bench {
     session::Drive drive;
     session::Scope scope;
     session::SweepTest sweep;
+    session::Archive archive;
     session::PortWatch ports;
     Selection selection;
     Commands commands;

@@ -39,6 +39,7 @@ enum class Command : std::uint8_t {
     PageOperate,
     PageMemory,
     PageSweep,
+    EarlierTests,
     PauseTrend,
     Record,
     OpenRecording,

@@ -9,6 +9,7 @@
 #include "ui/app/theme.h"
 #include "ui/dialogs/about.h"
 #include "ui/dialogs/help_window.h"
+#include "ui/dialogs/runs_dialog.h"
 #include "ui/dialogs/servo_tasks.h"
 #include "ui/dialogs/shortcut_list.h"
 #include "ui/pages/memory_page.h"
@@ -117,6 +118,15 @@ void MainWindow::connectCommands()
         help->raise();
         help->activateWindow();
     });
+    on(Command::EarlierTests, [this] {
+        auto* runs = findChild<RunsDialog*>(); // one is enough
+        runs = runs != nullptr ? runs : new RunsDialog(m_bench.archive, m_settings, this);
+        runs->show();
+        runs->raise();
+        runs->activateWindow();
+    });
+    connect(m_sweep, &SweepPage::earlierWished, m_commands.action(Command::EarlierTests),
+            &QAction::trigger);
     on(Command::Shortcuts, [this] { (new ShortcutList(m_commands, this))->open(); });
     on(Command::About, [this] { (new About(this))->open(); });
     on(Command::Quit, [this] { close(); });

@@ -105,12 +105,14 @@ QString SweepVerdictModel::cell(const Row& row, VerdictColumn column) const
     case VerdictColumn::Figure:
         return metricName(row.figure.key);
     case VerdictColumn::Value:
-        return sweepValue(row.value(), row.figure.unit);
+        return row.value() ? sweepValue(row.value(), row.figure.unit) : QStringLiteral("–");
     case VerdictColumn::Warn:
         return row.line ? limitText(row.line->limit, row.line->limit.warn) : QString();
     case VerdictColumn::Fail:
         return row.line ? limitText(row.line->limit, row.line->limit.fail) : QString();
     case VerdictColumn::Grade:
+        if (!row.value())
+            return QStringLiteral("– ") + sweepValue({}, {});
         return row.line ? gradeText(row.line->grade) : tr("no limit");
     case VerdictColumn::Count:
         break;

@@ -2,8 +2,10 @@
 #include "ui/pages/sweep_page.h"
 
 #include "device/move_limits.h"
+#include "text/error_words.h"
 #include "ui/dialogs/ask.h"
 #include "ui/dialogs/limits_dialog.h"
+#include "ui/dialogs/runs_dialog.h"
 #include "ui/pages/sweep_form.h"
 #include "ui/pages/sweep_outlook.h"
 #include "ui/pages/sweep_results.h"
@@ -56,6 +58,7 @@ SweepPage::SweepPage(Bench& bench, session::Settings& settings, QWidget* parent)
     , m_deskLives(&bench.desk)
     , m_selection(bench.selection)
     , m_test(bench.sweep)
+    , m_archive(bench.archive)
 {
     setObjectName(QStringLiteral("sweepPage"));
     build(settings);
@@ -155,6 +158,17 @@ void SweepPage::connectAll()
     connect(m_run, &QPushButton::clicked, this, &SweepPage::run);
     connect(m_stop, &QPushButton::clicked, &m_test, &session::SweepTest::stop);
     connect(m_results, &SweepResults::earlierWished, this, &SweepPage::earlierWished);
+    connect(m_results, &SweepResults::servoShown, this, &SweepPage::showReference);
+    connect(&m_archive, &session::Archive::keepFailed, this,
+            [this](const base::Error& error, const QString& file) {
+                m_banner->present([error, file] {
+                    const text::Description words = text::describe(error);
+                    return BannerWords{Tone::Bad, tr("The test is not in the history."), words.what,
+                                       file.isEmpty()
+                                           ? words.remedy
+                                           : tr("It was left in the file %1.").arg(file)};
+                });
+            });
     connect(&m_test, &session::SweepTest::looked, this, &SweepPage::takeLooks);
     connect(&m_test, &session::SweepTest::began, this, &SweepPage::showState);
     connect(&m_test, &session::SweepTest::progressed, this, &SweepPage::showProgress);
@@ -329,6 +343,7 @@ void SweepPage::run()
 void SweepPage::start()
 {
     m_banner->clear();
+    m_references.clear();
     m_form->remember();
     m_lookTimer.stop();
     if (m_test.start(order()))
@@ -338,8 +353,33 @@ void SweepPage::start()
 
 void SweepPage::ended()
 {
+    keep();
     showState();
     lookSoon(); // what the servo has set now may be something else
+}
+
+/// In the history, and held against the reference of its model.
+void SweepPage::keep()
+{
+    const auto run = std::make_shared<const record::SweepRun>(*m_test.run());
+    m_archive.keep(run, {m_test.readingsPath()});
+    m_archive.compareWithReference(
+        run, this, [this](const base::Result<std::vector<session::ReferenceResult>>& found) {
+            m_references = found.value_or(std::vector<session::ReferenceResult>{});
+            showReference();
+        });
+}
+
+void SweepPage::showReference()
+{
+    const record::SweepRun* run = m_test.run();
+    const std::size_t shown = m_results->shownServo();
+    if (run == nullptr || m_test.running() || shown >= run->servos.size())
+        return;
+    const int id = run->servos[shown].parameters.servo.id;
+    const auto found = std::find_if(m_references.begin(), m_references.end(),
+                                    [id](const auto& one) { return one.servo == id; });
+    m_results->setComparison(found != m_references.end() ? referenceText(*found) : QString());
 }
 
 void SweepPage::failed(const base::Error& error)
@@ -379,8 +419,10 @@ void SweepPage::retranslate()
 void SweepPage::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
+    if (event->type() == QEvent::LanguageChange) {
         retranslate();
+        showReference();
+    }
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
         showState();
 }

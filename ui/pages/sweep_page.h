@@ -51,6 +51,8 @@ private:
     void run();
     void start();
     void ended();
+    void keep();
+    void showReference();
     void failed(const base::Error& error);
     void editLimits(session::ServoRef ref);
     void showState();
@@ -63,6 +65,7 @@ private:
     QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
     Selection& m_selection;
     session::SweepTest& m_test;
+    session::Archive& m_archive;
 
     Banner* m_banner = nullptr;
     QScrollArea* m_scroll = nullptr;
@@ -80,6 +83,7 @@ private:
     std::vector<session::SweepLook> m_looks;
     session::ServoRef m_shown = 0;                       ///< the fields are about it
     std::map<session::ServoRef, QString> m_settingsSeen; ///< mode and limits when it was looked at
+    std::vector<session::ReferenceResult> m_references;  ///< of the latest test
     bool m_asked = false;                                ///< whether it may move, in this session
 };
 } // namespace ui

@@ -23,9 +23,9 @@ namespace {
 constexpr int rowPadding = 6;
 constexpr int chartShare = 5;
 constexpr int findingsShare = 5;
-constexpr int tableShare = 3;
+constexpr int tableShare = 5;
 constexpr int reportShare = 2;
-constexpr int leastReport = 220;
+constexpr int leastReport = 210;
 
 QTableView* table(const char* name, QAbstractItemModel& model, QWidget* parent)
 {
