@@ -140,6 +140,9 @@ jobs::SweepWatch SweepCommand::watch()
     };
     watch.onSample = [this](std::size_t servo, const jobs::SweepSample& sample, double goal,
                             int leg) { m_readings->add(servo, sample, goal, leg); };
+    watch.onGoal = [this](std::size_t servo, int leg, base::Duration at) {
+        m_readings->goal(servo, leg, at);
+    };
     watch.onProgress = [this](const jobs::SweepProgress& progress) {
         m_line->show(progress.warmingUp
                          ? translate("cli", "on the way to the start, or warming up")

@@ -26,6 +26,7 @@ Command watchCommand();
 Command sweepCommand();
 Command stepResponseCommand();
 Command sweepRunsCommand();
+Command sweepReportCommand();
 Command sweepReferenceCommand();
 Command sweepCompareCommand();
 Command rawCommand();

@@ -80,8 +80,10 @@ base::Result<std::unique_ptr<SweepRecording>> SweepRecording::start(const record
                                                                     const QString& path)
 {
     std::unique_ptr<SweepRecording> made(new SweepRecording);
-    for (std::size_t i = 0; i < run.servos.size(); ++i)
+    for (std::size_t i = 0; i < run.servos.size(); ++i) {
         made->m_curves.push_back({made->m_store.open(), made->m_store.open()});
+        made->m_ids.push_back(run.servos[i].parameters.servo.id);
+    }
     if (!path.isEmpty()) {
         record::RecorderSpec spec;
         spec.path = path;
@@ -109,6 +111,13 @@ void SweepRecording::add(std::size_t servo, const SweepSample& sample, double go
     }
     if (m_recorder)
         write(servo, rowOf(servo, sample, goal, leg));
+}
+
+void SweepRecording::goal(std::size_t servo, int leg, Duration at)
+{
+    if (m_recorder)
+        m_marks.push_back(
+            {at, record::MarkKind::Move, m_ids.at(servo), QStringLiteral("leg %1").arg(leg)});
 }
 
 /// The first ten minutes whole; after them lowest and highest of each stretch, and every row that
@@ -161,8 +170,7 @@ void SweepRecording::hand(record::RecordingRow row)
 /// The recorder's thread may be behind: what it has no room for yet stays here.
 void SweepRecording::hand(bool all)
 {
-    std::vector<record::Mark> none;
-    while (!m_recorder->offer(m_rows, none) && all)
+    while (!m_recorder->offer(m_rows, m_marks) && all)
         std::this_thread::sleep_for(1ms);
 }
 

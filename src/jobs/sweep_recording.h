@@ -18,6 +18,9 @@ public:
                                                                const QString& path);
 
     void add(std::size_t servo, const SweepSample& sample, double goal, int leg);
+    /// As SweepWatch::onGoal: a mark "leg 3" of the servo, without which no time of a leg could be
+    /// worked out again from the readings.
+    void goal(std::size_t servo, int leg, base::Duration at);
     /// Everything is on the disk afterwards.
     void finish();
 
@@ -50,6 +53,8 @@ private:
     std::vector<Curves> m_curves;
     std::unique_ptr<record::Recorder> m_recorder;
     std::vector<record::RecordingRow> m_rows;
+    std::vector<record::Mark> m_marks;
+    std::vector<int> m_ids; ///< of the servos
     std::optional<base::Duration> m_start{};
 };
 } // namespace jobs

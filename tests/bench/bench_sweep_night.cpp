@@ -111,6 +111,9 @@ Kept measure(const Night& night, const QString& report)
         ++readings;
         kept.readings->add(servo, sample, goal, leg);
     };
+    watch.onGoal = [&](std::size_t servo, int leg, base::Duration at) {
+        kept.readings->goal(servo, leg, at);
+    };
     base::Duration next{};
     watch.onProgress = [&](const jobs::SweepProgress& progress) {
         bench.forgetFrames(); // the bench's own record of the wire
