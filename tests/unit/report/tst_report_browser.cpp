@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reports as somebody opens them: in a browser that is not ours, without a complaint of it,
+// with charts that can be seen, in both languages, which the buttons of the page choose. The
+// browser starts twice: a page around the reports looks into them, then a report is photographed.
+#include "report/sweep_compare_html.h"
+#include "report/sweep_html.h"
+#include "unit/record/sweep_example.h"
+
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+
+namespace {
+constexpr QRgb traceColour = 0xff0b57d0;
+constexpr int patience = 120'000; ///< ms; a browser that hangs is not waited for
+
+QString text(const char* utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+std::vector<report::SweepSeries> exampleSeries()
+{
+    report::SweepSeries series{5};
+    for (int i = 0; i < 900; ++i)
+        series.samples.push_back(
+            {i * 0.01, 2000 + 1000 * std::sin(i * 0.02), i < 450 ? 3051. : 1000.});
+    return {series};
+}
+
+bool write(const QString& path, const QByteArray& bytes)
+{
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+}
+
+/// Looks into each report: what is seen at first, then after a click on each language.
+const char* const looker = R"(<!DOCTYPE html><html><body>%1<pre id="found"></pre><script>
+window.onload = () => {
+  const found = [];
+  for (const frame of document.querySelectorAll('iframe')) {
+    const page = frame.contentDocument;
+    const shown = kind => [...page.querySelectorAll('h1 .' + kind)]
+      .some(one => one.getClientRects().length > 0);
+    const look = () => ({en: shown('en'), zh: shown('zh'),
+      title: page.querySelector('h1').innerText});
+    const first = look();
+    page.getElementById('lang-zh').click();
+    const chinese = look();
+    page.getElementById('lang-en').click();
+    const english = look();
+    const charts = [...page.querySelectorAll('svg')].map(svg => {
+      const box = svg.getBoundingClientRect();
+      return {width: box.width, height: box.height,
+        shapes: [...svg.querySelectorAll('path, rect, line')]
+          .filter(one => one.getClientRects().length > 0).length};
+    });
+    found.push({first, chinese, english, charts,
+      wide: page.documentElement.scrollWidth > frame.clientWidth});
+  }
+  document.getElementById('found').textContent = JSON.stringify(found);
+};
+</script></body></html>)";
+} // namespace
+
+class TestReportBrowser : public QObject {
+    Q_OBJECT
+
+private:
+    struct Ran {
+        int exit = -1;
+        QByteArray out;
+        QStringList complaints; ///< of the page's console
+    };
+    Ran browse(const QStringList& options)
+    {
+        QProcess process;
+        process.start(m_browser,
+                      QStringList{text("--headless=new"), text("--no-sandbox"),
+                                  text("--disable-gpu"), text("--disable-dev-shm-usage"),
+                                  text("--no-first-run"), text("--disable-background-networking"),
+                                  text("--hide-scrollbars"), text("--enable-logging=stderr"),
+                                  text("--user-data-dir=") + m_folder.filePath(text("profile"))} +
+                          options);
+        Ran ran;
+        if (!process.waitForFinished(patience)) {
+            process.kill();
+            process.waitForFinished();
+            return ran;
+        }
+        ran.exit = process.exitCode();
+        ran.out = process.readAllStandardOutput();
+        for (const QByteArray& line : process.readAllStandardError().split('\n')) {
+            if (line.contains("CONSOLE"))
+                ran.complaints << QString::fromUtf8(line);
+        }
+        return ran;
+    }
+    QString page(const char* name) { return m_folder.filePath(text(name)); }
+
+    QTemporaryDir m_folder;
+    QString m_browser;
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_browser = QStandardPaths::findExecutable(text("chromium"));
+        if (m_browser.isEmpty())
+            QSKIP("there is no chromium here (packaging/test-packages.txt)");
+        const record::SweepRun run = sweep_example::run();
+        record::SweepRun other = run;
+        other.servos[0].axis.to = 2000;
+        const record::SweepSide a{text("12"), run, run.servos[0]};
+        const record::SweepSide b{text("13"), other, other.servos[0]};
+        QVERIFY(write(page("sweep.html"), report::sweepHtml(run, exampleSeries(), false)));
+        QVERIFY(write(page("sweep-zh.html"), report::sweepHtml(run, exampleSeries(), true)));
+        QVERIFY(write(page("compare.html"), report::sweepCompareHtml(a, b, false)));
+    }
+
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void chartsAndLanguages();
+    void theCurveCanBeSeen();
+};
+
+void TestReportBrowser::chartsAndLanguages()
+{
+    QString frames;
+    const QStringList names{text("sweep.html"), text("sweep-zh.html"), text("compare.html")};
+    for (const QString& name : names)
+        frames += text("<iframe width=\"1000\" height=\"900\" src=\"%1\"></iframe>").arg(name);
+    QVERIFY(write(page("looker.html"), text(looker).arg(frames).toUtf8()));
+    const Ran ran = browse({text("--allow-file-access-from-files"), text("--dump-dom"),
+                            text("file://") + page("looker.html")});
+    QCOMPARE(ran.exit, 0);
+    QCOMPARE(ran.complaints, QStringList());
+    const int begin = ran.out.indexOf("<pre id=\"found\">") + 16;
+    const QByteArray json = ran.out.mid(begin, ran.out.indexOf("</pre>", begin) - begin);
+    const QJsonArray found = QJsonDocument::fromJson(json).array();
+    QCOMPARE(found.size(), names.size());
+    for (int i = 0; i < found.size(); ++i) {
+        const QJsonValue one = found[i];
+        const bool opensChinese = i == 1;
+        QCOMPARE(one[text("first")][text("zh")].toBool(), opensChinese);
+        QCOMPARE(one[text("first")][text("en")].toBool(), !opensChinese);
+        QVERIFY(one[text("chinese")][text("zh")].toBool());
+        QVERIFY(!one[text("chinese")][text("en")].toBool());
+        QVERIFY(one[text("english")][text("en")].toBool());
+        QVERIFY(!one[text("english")][text("zh")].toBool());
+        QVERIFY(one[text("chinese")][text("title")].toString() !=
+                one[text("english")][text("title")].toString());
+        QVERIFY(!one[text("wide")].toBool()); // nothing runs out of the page at the right
+        const QJsonArray charts = one[text("charts")].toArray();
+        QCOMPARE(charts.size(), 2);
+        for (const QJsonValue& chart : charts) {
+            QVERIFY(chart[text("width")].toDouble() > 500);
+            QVERIFY(chart[text("height")].toDouble() > 150);
+            QVERIFY(chart[text("shapes")].toInt() > 5);
+        }
+    }
+}
+
+/// From one side of its chart to the other.
+void TestReportBrowser::theCurveCanBeSeen()
+{
+    const QString path = page("page.png");
+    const Ran ran = browse({text("--window-size=1100,5000"), text("--screenshot=") + path,
+                            text("file://") + page("sweep.html")});
+    QCOMPARE(ran.exit, 0);
+    QCOMPARE(ran.complaints, QStringList());
+    const QImage picture(path);
+    QVERIFY(!picture.isNull());
+    int left = picture.width();
+    int right = 0;
+    int pixels = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            if ((picture.pixel(x, y) | 0xff000000) != traceColour)
+                continue;
+            ++pixels;
+            left = std::min(left, x);
+            right = std::max(right, x);
+        }
+    }
+    QVERIFY2(pixels > 1000, QByteArray::number(pixels));
+    QVERIFY2(right - left > 500, QByteArray::number(right - left));
+}
+
+QTEST_GUILESS_MAIN(TestReportBrowser)
+#include "tst_report_browser.moc"
