@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// servodesk-cli step-response as a user runs it: exit codes, the files it leaves, and that a
+// program killed in the middle of a trial leaves a note by which recover puts the gains back.
+#include "record/step_json.h"
+#include "support/cli_program.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <csignal>
+
+using support::CliProgram;
+using support::Ran;
+using support::SimProgram;
+
+namespace {
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+QByteArray contents(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+} // namespace
+
+class TestCliStepResponse : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void oneRun();
+    void beforeAndAfter();
+    void reports_data();
+    void reports();
+    void mistakesAreNamed_data();
+    void mistakesAreNamed();
+    void anotherModeIsSwitchedIfAsked();
+    void aKilledTrialIsFoundByRecover();
+};
+
+void TestCliStepResponse::oneRun()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const Ran ran = cli.run("step-response 1 --size 300 --repeats 1 --hold 500");
+    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+    QVERIFY(ran.out.contains(text("Rise time")));
+    QVERIFY(ran.out.contains(text("position_p=32")));
+}
+
+void TestCliStepResponse::beforeAndAfter()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const Ran ran = cli.json("step-response 1 --size 300 --repeats 1 --hold 900 "
+                             "--try position_p=10,position_d=0");
+    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+    const QJsonObject document = ran.json();
+    QCOMPARE(document[text("runs")].toArray().size(), 2);
+    QVERIFY(!document[text("differences")].toArray().isEmpty());
+    bool raisesI = false;
+    for (const QJsonValue& advice : document[text("advice")].toArray())
+        raisesI |= advice[text("key")].toString() == text("position_i") &&
+                   advice[text("try")].toInt() == 1;
+    QVERIFY(raisesI);
+    const auto runs = record::decodeStepRuns(ran.out.toUtf8());
+    QVERIFY2(runs, runs ? "" : qPrintable(runs.error().detail));
+    QVERIFY(runs->at(0).spec.trial.empty());
+    QCOMPARE(runs->at(1).spec.trial.size(), std::size_t(2));
+    QVERIFY(runs->at(1).putBack);
+    const Ran shown = cli.run("step-response 1 --size 300 --repeats 1 --hold 900 "
+                              "--try position_p=10,position_d=0");
+    QVERIFY(shown.out.contains(text("Before")) && shown.out.contains(text("Raise I")));
+}
+
+void TestCliStepResponse::reports_data()
+{
+    QTest::addColumn<QByteArray>("begins");
+    QTest::newRow("html") << QByteArray("<!DOCTYPE html>");
+    QTest::newRow("json") << QByteArray("{\n  \"format\": \"servodesk-step-response\"");
+    QTest::newRow("csv") << QByteArray("run,response,t[ms]");
+}
+
+void TestCliStepResponse::reports()
+{
+    QFETCH(QByteArray, begins);
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const QString path = cli.dataFolder() + text("/lab.") + text(QTest::currentDataTag());
+    const Ran ran = cli.run(QStringList{
+        text("step-response"), text("1"), text("--size"), text("300"), text("--repeats"), text("1"),
+        text("--hold"), text("500"), text("--try"), text("position_p=40"), text("--report"), path});
+    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+    const QByteArray file = contents(path);
+    QVERIFY2(file.startsWith(begins), file.left(80).constData());
+    if (path.endsWith(text("html"))) {
+        QVERIFY(file.contains("<svg") && file.contains("阶跃响应"));
+        QVERIFY(!file.contains("<script") && !file.contains("http://www.w3.org/1999/xlink"));
+    }
+}
+
+void TestCliStepResponse::mistakesAreNamed_data()
+{
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<int>("exit");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("no size") << text("--repeats 1") << 2 << text("--size");
+    QTest::newRow("size 0") << text("--size 0") << 2 << text("the step is 0");
+    QTest::newRow("size") << text("--size far") << 2 << QString();
+    QTest::newRow("no room") << text("--size 9000") << 2 << text("4095");
+    QTest::newRow("repeats") << text("--size 300 --repeats 51") << 2 << text("50");
+    QTest::newRow("hold") << text("--size 300 --hold 10001") << 2 << text("10000");
+    QTest::newRow("no such gain") << text("--size 300 --try speed=3") << 2 << QString();
+    QTest::newRow("no gain") << text("--size 300 --try max_torque=3") << 2 << text("position_p");
+    QTest::newRow("report") << text("--size 300 --report a.txt") << 2 << text(".html");
+}
+
+void TestCliStepResponse::mistakesAreNamed()
+{
+    QFETCH(QString, options);
+    QFETCH(int, exit);
+    QFETCH(QString, says);
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const Ran ran =
+        cli.run(QStringList{text("step-response"), text("1")} + options.split(QLatin1Char(' ')));
+    QVERIFY2(ran.exit == exit, qPrintable(ran.out + ran.err));
+    QVERIFY2(ran.err.contains(says), qPrintable(ran.err));
+}
+
+void TestCliStepResponse::anotherModeIsSwitchedIfAsked()
+{
+    const SimProgram sim(support::words("--servos sts3215@1"));
+    QVERIFY(!sim.port().isEmpty());
+    CliProgram cli;
+    cli.setPort(sim.port());
+    QCOMPARE(cli.run("mode 1 speed").exit, 0);
+    const Ran refused = cli.run("step-response 1 --size 300 --repeats 1");
+    QCOMPARE(refused.exit, 2);
+    QVERIFY2(refused.err.contains(text("--switch-mode")), qPrintable(refused.err));
+    const Ran done = cli.run("step-response 1 --size 300 --repeats 1 --hold 500 --switch-mode");
+    QVERIFY2(done.exit == 0, qPrintable(done.out + done.err));
+    QVERIFY(cli.run("read 1 operating_mode").out.contains(text("speed")));
+}
+
+void TestCliStepResponse::aKilledTrialIsFoundByRecover()
+{
+    const SimProgram sim(support::words("--servos sts3215@1"));
+    QVERIFY(!sim.port().isEmpty());
+    CliProgram cli;
+    cli.setPort(sim.port());
+    cli.start(support::words("step-response 1 --size 300 --repeats 1 --hold 3000 "
+                             "--try position_p=20"));
+    QVERIFY(cli.waitForRemark("trial: 50"));
+    cli.signal(SIGKILL);
+    (void)cli.finish();
+    QVERIFY(cli.run("read 1 position_p").out.contains(text("20")));
+    const Ran found = cli.json("recover");
+    const QJsonArray intents = found.json()[text("intents")].toArray();
+    QCOMPARE(intents.size(), 1);
+    QCOMPARE(intents[0][text("kind")].toString(), text("trial"));
+    const Ran undone = cli.run("recover --undo");
+    QVERIFY2(undone.exit == 0, qPrintable(undone.out + undone.err));
+    QVERIFY(cli.run("read 1 position_p").out.contains(text("32")));
+    QVERIFY(cli.json("recover").json()[text("intents")].toArray().isEmpty());
+}
+
+QTEST_GUILESS_MAIN(TestCliStepResponse)
+#include "tst_cli_step_response.moc"
