@@ -115,6 +115,7 @@ public:
     virtual bool hasBaud() const = 0;
     virtual QString portName() const = 0;
     virtual bool lost() const = 0;   ///< the link is gone and will not come back
+    virtual bool away() const = 0;   ///< the link is gone and awaited; see awaitReturn()
     virtual bool echoes() const = 0; ///< the adapter returns what is sent
 
     /// Waits while polls run; false when `stop` is requested first.
@@ -148,6 +149,11 @@ public:
     /// Replaces the silence a protocol asks for between frames (Modbus: 1.75 ms above 19200 baud).
     virtual void setSilence(base::Duration silence) = 0;
 
+    /// A link that dies from now on is opened again, for so long; 0: it is lost at once. Meanwhile
+    /// everything goes unanswered, and a stop that is asked for is the first word after it. Whoever
+    /// asks for it must expect servos that have restarted. See LinkPatience.
+    virtual void awaitReturn(base::Duration span) = 0;
+
     virtual Statistics statistics() const = 0;
     virtual std::vector<TraceEntry> takeTrace() = 0;
     virtual base::Clock& clock() const = 0;
@@ -155,5 +161,22 @@ public:
 protected:
     friend class Hold;
     virtual void release(std::uint64_t token) = 0;
+};
+
+/// While it lives a pulled plug may be put back. One at a time: for work that has the bus to
+/// itself. A wait that has begun goes on when it ends.
+class LinkPatience {
+public:
+    LinkPatience(Bus& bus, base::Duration span)
+        : m_bus(bus)
+    {
+        bus.awaitReturn(span);
+    }
+    ~LinkPatience() { m_bus.awaitReturn({}); }
+    LinkPatience(const LinkPatience&) = delete;
+    LinkPatience& operator=(const LinkPatience&) = delete;
+
+private:
+    Bus& m_bus;
 };
 } // namespace bus

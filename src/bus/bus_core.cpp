@@ -91,10 +91,11 @@ std::vector<protocol::Part> partsOf(std::vector<Arrival> arrivals)
 BusCore::BusCore(std::unique_ptr<transport::Link> link, const protocol::Codec& codec,
                  base::Clock& clock, CoreOptions options)
     : m_clock(clock)
-    , m_options(options)
+    , m_options(std::move(options))
     , m_thread(std::this_thread::get_id())
     , m_statistics(clock.now())
-    , m_line(std::move(link), clock, options.bitsPerByte, m_statistics, m_trace)
+    , m_line(std::move(link), clock, m_options.bitsPerByte, m_statistics, m_trace,
+             std::move(m_options.reopen))
     , m_exchange(m_line, codec, clock, m_guard, m_statistics, m_trace, m_strays)
 {
     if (const auto echoes = m_exchange.probeEcho(interruptBy(nullptr)); echoes)
@@ -142,6 +143,9 @@ Result<Outcome> BusCore::run(const Transaction& transaction)
     if (!outcome && outcome.error().code == ErrorCode::Preempted) {
         m_holds.forgetPreemption(transaction.hold);
         serveEmergency();
+        // What looks after a stop hears that nobody answers, not that there is another stop.
+        if (m_line.away() && transaction.priority == Priority::Emergency)
+            return tl::unexpected(described({ErrorCode::NoAnswer}, request, 1));
     }
     return outcome;
 }
@@ -244,6 +248,10 @@ bool BusCore::pauseUntil(Duration instant, const base::Stop* stop)
             return true;
         if (runPoll())
             continue;
+        if (m_line.away()) {
+            static_cast<void>(m_exchange.listenUntil(std::min(instant, now + waitSlice), {}));
+            continue;
+        }
         Duration until = std::min(instant, nextPoll().value_or(instant));
         if (lost())
             until = instant;
@@ -279,7 +287,12 @@ void BusCore::emergency()
 
 bool BusCore::serveEmergency()
 {
-    if (!m_emergency.exchange(false, std::memory_order_acq_rel))
+    if (!m_emergency.load(std::memory_order_acquire))
+        return false;
+    // Nothing to say it on: until the link is back it is owed, and nothing else is said before it.
+    if (m_line.away())
+        static_cast<void>(m_exchange.listenUntil(m_clock.now() + waitSlice, {}));
+    if (m_line.away() || !m_emergency.exchange(false, std::memory_order_acq_rel))
         return false;
     std::vector<StopFrame> frames;
     {
@@ -289,6 +302,8 @@ bool BusCore::serveEmergency()
     m_trace.note(m_clock.now(), QStringLiteral("emergency"));
     // A lost link shows in the next transaction.
     static_cast<void>(m_exchange.sendStopFrames(frames, replyDelay()));
+    if (m_line.away()) // the link has died under it
+        m_emergency.store(true, std::memory_order_release);
     return true;
 }
 

@@ -2,7 +2,8 @@
 // The bus on the caller's thread: runs a transaction, and the polls that are due, while the caller
 // waits. For tests, fast simulation on a manual clock, and as the engine of BusThread. One thread,
 // except what fetches or sets plain values: emergency(), take…(), statistics(), setRetries(),
-// setPatience(), setReplyDelay(), setStopFrames(), lost() may be called from any.
+// setPatience(), setReplyDelay(), setStopFrames(), awaitReturn(), lost(), away() may be called from
+// any.
 #pragma once
 
 #include "bus/exchange.h"
@@ -18,6 +19,7 @@ namespace bus {
 struct CoreOptions {
     int bitsPerByte = 10;                 ///< 11 with parity
     const base::Stop* shutdown = nullptr; ///< ends every wait with Stopped
+    Reopener reopen{};                    ///< opens the same port again; none: lost is lost
 };
 
 class BusCore final : public Bus {
@@ -36,6 +38,8 @@ public:
     bool hasBaud() const override { return m_line.hasBaud(); }
     QString portName() const override { return m_line.name(); }
     bool echoes() const override { return m_line.echoes(); }
+    bool away() const override { return m_line.away(); }
+    void awaitReturn(base::Duration span) override { m_line.awaitReturn(span); }
 
     bool pauseUntil(base::Duration instant, const base::Stop* stop) override;
     Hold hold(const std::vector<int>& ids, std::optional<std::uint64_t> epoch = {}) override;

@@ -84,7 +84,7 @@ void BusThread::run(const Opener& opener)
     auto link = opener();
     if (link)
         m_core = std::make_unique<BusCore>(std::move(*link), m_codec, m_clock,
-                                           CoreOptions{m_bitsPerByte, &m_shutdown});
+                                           CoreOptions{m_bitsPerByte, &m_shutdown, opener});
     {
         const std::lock_guard lock(m_mutex);
         m_opened = link ? Result<void>{} : tl::unexpected(link.error());

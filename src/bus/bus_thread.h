@@ -17,7 +17,8 @@ public:
     using Opener = std::function<base::Result<std::unique_ptr<transport::Link>>()>;
     using Done = std::function<void(base::Result<Outcome>)>;
 
-    /// Blocks until the port is open (about 50 ms more to find out about echo) or failed to.
+    /// Blocks until the port is open (about 50 ms more to find out about echo) or failed to. The
+    /// opener is kept, for awaitReturn().
     static base::Result<std::unique_ptr<BusThread>>
     open(Opener opener, const protocol::Codec& codec, base::Clock& clock, int bitsPerByte = 10);
 
@@ -28,6 +29,8 @@ public:
     /// still waiting when the bus ends is done with Stopped.
     void submit(Transaction transaction, Done done);
     bool lost() const override { return m_core->lost(); }
+    bool away() const override { return m_core->away(); }
+    void awaitReturn(base::Duration span) override { m_core->awaitReturn(span); }
 
     base::Result<Outcome> transact(const Transaction& transaction) override;
     base::Result<void> listen(base::Duration span) override;

@@ -110,9 +110,11 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
         return base::fail(*reason);
     m_guard.sending(request);
     const auto sentAt = m_line.send(frame);
-    if (!sentAt)
+    if (!sentAt && !m_line.away())
         return tl::unexpected(sentAt.error());
     countSent(request, wait.expected);
+    if (!sentAt)
+        return unheard(wait, interrupt);
 
     wait.attempt.sentAt = *sentAt;
     wait.onTime = m_line.freeAt() +
@@ -132,6 +134,24 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
     if (!received)
         return tl::unexpected(received.error());
     wait.attempt.endedAt = m_clock.now();
+    // Nobody was to answer, but the link has died under it: it may not have got through.
+    if (replies == 0 && m_line.away())
+        wait.trouble(FaultKind::TimeOut);
+    return std::move(wait.attempt);
+}
+
+/// The link is away, and nothing was sent: to whoever asks that is silence.
+Result<Attempt> Exchange::unheard(Wait& wait, const Interrupt& interrupt)
+{
+    wait.attempt.sentAt = m_clock.now();
+    // Nobody goes round faster than the line can come back.
+    if (const auto heard = listenUntil(wait.attempt.sentAt + waitSlice, interrupt); !heard)
+        return tl::unexpected(heard.error());
+    wait.attempt.endedAt = m_clock.now();
+    wait.attempt.missing = wait.expected.ids;
+    for (const int id : wait.expected.ids)
+        m_statistics.count(Event::TimeOut, countedId(id));
+    wait.trouble(FaultKind::TimeOut);
     return std::move(wait.attempt);
 }
 

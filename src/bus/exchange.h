@@ -65,6 +65,7 @@ private:
     base::Result<void> receiveReplies(Wait& wait, const Interrupt& interrupt);
     base::Result<void> receiveRaw(Wait& wait, const Interrupt& interrupt);
     void countSent(const protocol::Request& request, const protocol::Expectation& expected);
+    base::Result<Attempt> unheard(Wait& wait, const Interrupt& interrupt);
     void digest(Wait& wait, bool atDeadline);
     void digestStrays(bool atDeadline);
     void takeReply(Wait& wait, protocol::Part part);

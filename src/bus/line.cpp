@@ -10,10 +10,13 @@ using namespace std::chrono_literals;
 
 /// An adapter that was taken for an echoing one and returns nothing must not fill the memory.
 constexpr std::size_t mostEchoOwed = 4096;
+
+/// A link that is away is tried this often.
+constexpr Duration tryEvery = 200ms;
 } // namespace
 
 Line::Line(std::unique_ptr<transport::Link> link, base::Clock& clock, int bitsPerByte,
-           StatisticsCollector& statistics, TraceRing& trace)
+           StatisticsCollector& statistics, TraceRing& trace, Reopener reopen)
     : m_link(std::move(link))
     , m_clock(clock)
     , m_bitsPerByte(bitsPerByte)
@@ -22,6 +25,7 @@ Line::Line(std::unique_ptr<transport::Link> link, base::Clock& clock, int bitsPe
     , m_name(m_link->name())
     , m_hasBaud(m_link->hasBaud())
     , m_baud(m_link->baud())
+    , m_reopen(std::move(reopen))
 {}
 
 Duration Line::wireTime(std::size_t bytes) const
@@ -39,12 +43,61 @@ Duration Line::silence() const
 tl::unexpected<base::Error> Line::loss(const base::Error& error)
 {
     m_link.reset();
-    m_lost.store(true);
-    return base::fail(base::ErrorCode::LinkLost, error.operation, error.detail);
+    const Duration patience(m_patience.load());
+    if (!m_reopen || patience <= Duration{}) {
+        m_lost.store(true);
+        return base::fail(base::ErrorCode::LinkLost, error.operation, error.detail);
+    }
+    const Duration now = m_clock.now();
+    // A link that comes and goes without a word is waited for once.
+    m_awayUntil = m_awayUntil.value_or(now + patience);
+    m_nextTry = now + tryEvery;
+    m_buffer.clear();
+    m_echo.clear();
+    m_away.store(true);
+    m_trace.note(now, QStringLiteral("link away"));
+    return base::fail(base::ErrorCode::NoAnswer, error.operation, error.detail);
+}
+
+/// Silence, at most `span` of it.
+base::Result<bool> Line::lookForReturn(Duration span)
+{
+    const Duration now = m_clock.now();
+    if (now >= m_nextTry) {
+        if (comesBack())
+            return false;
+        m_nextTry = m_clock.now() + tryEvery;
+    }
+    if (m_clock.now() >= *m_awayUntil) {
+        m_lost.store(true);
+        m_away.store(false);
+        m_trace.note(m_clock.now(), QStringLiteral("link lost"));
+        return base::fail(base::ErrorCode::LinkLost, QStringLiteral("port"), m_name);
+    }
+    if (span > Duration{})
+        m_clock.sleepUntil(std::min(now + span, *m_awayUntil));
+    return false;
+}
+
+bool Line::comesBack()
+{
+    auto link = m_reopen();
+    // A dead one may still let itself be opened.
+    if (!link || !(*link)->waitReadable(Duration{}))
+        return false;
+    if ((*link)->hasBaud() && (*link)->baud() != baud() && !(*link)->setBaud(baud()))
+        return false;
+    m_link = std::move(*link);
+    m_freeAt = m_lastByteAt = m_clock.now();
+    m_away.store(false);
+    m_trace.note(m_clock.now(), QStringLiteral("link back"));
+    return true;
 }
 
 base::Result<void> Line::alive() const
 {
+    if (away())
+        return base::fail(base::ErrorCode::NoAnswer, QStringLiteral("port"), m_name);
     if (m_link == nullptr)
         return base::fail(base::ErrorCode::LinkLost, QStringLiteral("port"), m_name);
     return {};
@@ -74,19 +127,26 @@ base::Result<Duration> Line::send(base::ByteView frame)
 
 base::Result<bool> Line::receive(Duration span)
 {
+    if (away())
+        return lookForReturn(span);
     if (const auto up = alive(); !up)
         return tl::unexpected(up.error());
     const auto ready = m_link->waitReadable(std::max(span, Duration{}));
+    const auto gone = [this](const base::Error& error) -> base::Result<bool> {
+        const auto reason = loss(error);
+        return away() ? base::Result<bool>(false) : reason;
+    };
     if (!ready)
-        return loss(ready.error());
+        return gone(ready.error());
     if (!*ready)
         return false;
     const auto count = m_link->read(m_buffer);
     if (!count)
-        return loss(count.error());
+        return gone(count.error());
     if (*count == 0)
         return false;
     m_lastByteAt = m_clock.now();
+    m_awayUntil.reset();
     m_statistics.bytesReceived(*count, wireTime(*count));
     stripEcho();
     return true;
@@ -142,6 +202,7 @@ base::Result<void> Line::setBaud(int baud)
 void Line::close()
 {
     m_link.reset();
+    m_away.store(false);
     m_lost.store(true);
 }
 } // namespace bus

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The link with what it lacks: the time bytes take on the wire, the echo of what was sent, and the
 // bytes that have come but are not understood yet. Counts and traces what it sends. Bus thread
-// only. The first error of the link is final: LinkLost from then on.
+// only, but for the plain values. The first error of the link is final, LinkLost from then on,
+// unless its return is awaited: then the line is silent and nothing can be sent, until the link is
+// open again or the patience is over.
 #pragma once
 
 #include "base/clock.h"
@@ -10,19 +12,24 @@
 #include "transport/link.h"
 
 #include <atomic>
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace bus {
+using Reopener = std::function<base::Result<std::unique_ptr<transport::Link>>()>;
+
 class Line {
 public:
     Line(std::unique_ptr<transport::Link> link, base::Clock& clock, int bitsPerByte,
-         StatisticsCollector& statistics, TraceRing& trace);
+         StatisticsCollector& statistics, TraceRing& trace, Reopener reopen = {});
 
     base::Duration wireTime(std::size_t bytes) const;
     /// So long without a byte, and a reply that was running has ended.
     base::Duration silence() const;
 
-    /// Waits until earlier bytes have left the wire, then sends. When the sending began.
+    /// Waits until earlier bytes have left the wire, then sends. When the sending began. NoAnswer
+    /// while the link is away: nothing was sent.
     base::Result<base::Duration> send(base::ByteView frame);
     /// Waits for bytes, at most `span`; true if some came.
     base::Result<bool> receive(base::Duration span);
@@ -47,13 +54,17 @@ public:
     bool hasBaud() const { return m_hasBaud; }
     const QString& name() const { return m_name; }
     bool lost() const { return m_lost.load(); }
-    base::Result<void> alive() const; ///< LinkLost once it is
+    bool away() const { return m_away.load(); }
+    void awaitReturn(base::Duration span) { m_patience.store(span.count()); }
+    base::Result<void> alive() const; ///< LinkLost once it is, NoAnswer while away
 
     /// The link must be destroyed on the thread that owns it, the line may live on.
     void close();
 
 private:
     tl::unexpected<base::Error> loss(const base::Error& error);
+    base::Result<bool> lookForReturn(base::Duration span);
+    bool comesBack();
     void stripEcho();
 
     std::unique_ptr<transport::Link> m_link;
@@ -66,6 +77,11 @@ private:
     std::atomic<int> m_baud;
     std::atomic<bool> m_echoes{false};
     std::atomic<bool> m_lost{false};
+    Reopener m_reopen;
+    std::atomic<base::Duration::rep> m_patience{0};
+    std::atomic<bool> m_away{false};
+    std::optional<base::Duration> m_awayUntil; ///< none since a byte has come
+    base::Duration m_nextTry{};
     base::Bytes m_buffer;
     base::Bytes m_echo; ///< sent, and still to come back
     base::Duration m_freeAt{};

@@ -6,6 +6,7 @@
 #include "session/paths.h"
 #include "sim/presets.h"
 #include "sim/sim_link.h"
+#include "transport/port_keeper.h"
 #include "transport/port_opener.h"
 
 #include <algorithm>
@@ -64,10 +65,17 @@ base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& re
             spec.baud = commonRate(**made);
         simulation = std::make_shared<sim::SharedBus>(std::move(*made));
     }
-    const auto opener = [&]() -> base::Result<std::unique_ptr<transport::Link>> {
+    // Kept by the bus, which opens the port again when a plug is put back.
+    base::Clock& clock = m_clock;
+    const auto open =
+        [simulation, &clock](
+            const transport::PortSpec& port) -> base::Result<std::unique_ptr<transport::Link>> {
         if (simulation)
-            return sim::makeSimLink(simulation, spec.name, m_clock, spec.baud);
-        return transport::openPort(spec, m_clock);
+            return sim::makeSimLink(simulation, port.name, clock, port.baud);
+        return transport::openPort(port, clock);
+    };
+    const auto opener = [keeper = std::make_shared<transport::PortKeeper>(spec, open)] {
+        return keeper->open();
     };
     auto bus = bus::BusThread::open(
         opener, protocol::codecFor(request.protocol.value_or(base::Protocol::Feetech)), m_clock);

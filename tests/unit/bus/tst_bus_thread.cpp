@@ -58,6 +58,11 @@ struct World {
         withheld.clear();
         changed.notify_all();
     }
+    void mend()
+    {
+        const std::lock_guard lock(mutex);
+        cut = false;
+    }
     void cutLink()
     {
         const std::lock_guard lock(mutex);
@@ -452,6 +457,66 @@ private Q_SLOTS:
         const auto strays = bench.bus->takeStrays();
         QCOMPARE(strays.size(), std::size_t(1));
         QCOMPARE(strays.front().id, 42);
+    }
+
+    /// Callers, polls and a stop on other threads while the link goes and comes.
+    void aLinkThatComesBackIsServedAgain()
+    {
+        Bench bench;
+        PollServo servo;
+        servo.id = 2;
+        servo.spans = {{56, 2}};
+        const PollId poll = bench.bus->startPoll({{servo}, 5ms});
+        const LinkPatience patience(*bench.bus, 30s);
+        bench.world->cutLink();
+        QTRY_VERIFY(bench.bus->away());
+        QVERIFY(!bench.bus->lost());
+        const auto deaf = bench.bus->transact(Bench::made(Request::ping(1)));
+        QVERIFY(!deaf);
+        QCOMPARE(deaf.error().code, ErrorCode::NoAnswer);
+        bench.world->mend();
+        QTRY_VERIFY(!bench.bus->away());
+        QVERIFY(bench.bus->transact(Bench::made(Request::ping(1))));
+        bool heard = false;
+        const auto look = [&] {
+            for (const Sample& sample : bench.bus->takeSamples(poll))
+                heard = sample.answered;
+            return heard;
+        };
+        look();
+        heard = false;
+        QTRY_VERIFY(heard || look());
+    }
+
+    void aStopWhileTheLinkIsAwayIsTheFirstWord()
+    {
+        Bench bench;
+        const Bytes off =
+            protocol::feetechCodec().encode(Request::write(254, 40, {0}, Repeat::Safe)).value();
+        bench.bus->setStopFrames({{base::Protocol::Feetech, off}});
+        const LinkPatience patience(*bench.bus, 30s);
+        bench.world->cutLink();
+        QTRY_VERIFY(bench.bus->away());
+        bench.world->takeSent();
+        bench.bus->emergency();
+        const auto preempted = bench.bus->transact(Bench::made(Request::ping(1)));
+        QVERIFY(!preempted);
+        QCOMPARE(preempted.error().code, ErrorCode::Preempted);
+        bench.world->mend();
+        bench.world->awaitFrame(off);
+        QCOMPARE(bench.world->takeSent().front(), off);
+        QTRY_VERIFY(bench.bus->transact(Bench::made(Request::ping(1))).has_value());
+    }
+
+    void theBusEndsWhileTheLinkIsAway()
+    {
+        Bench bench;
+        bench.bus->awaitReturn(60s);
+        bench.world->cutLink();
+        QTRY_VERIFY(bench.bus->away());
+        bench.bus->emergency();
+        bench.bus.reset(); // does not wait for the rest of the minute
+        QVERIFY(!bench.world->linkAlive);
     }
 };
 

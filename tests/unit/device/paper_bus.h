@@ -72,6 +72,8 @@ public:
     bool hasBaud() const override { return !bridge; }
     QString portName() const override { return QStringLiteral("paper"); }
     bool lost() const override { return false; }
+    bool away() const override { return false; }
+    void awaitReturn(base::Duration) override {}
     bool echoes() const override { return false; }
     bool pauseUntil(base::Duration instant, const base::Stop* stop) override
     {

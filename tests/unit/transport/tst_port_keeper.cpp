@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which port is opened again after a plug was pulled: the same adapter, also under another name,
+// and never another adapter that has taken the name.
+#include "transport/port_keeper.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+using base::ErrorCode;
+using transport::PortInfo;
+using transport::PortKeeper;
+using transport::PortSpec;
+
+namespace {
+class NoLink final : public transport::Link {
+public:
+    base::Result<void> write(base::ByteView) override { return {}; }
+    base::Result<std::size_t> read(base::Bytes&) override { return std::size_t(0); }
+    base::Result<bool> waitReadable(base::Duration) override { return false; }
+    base::Result<void> setBaud(int) override { return {}; }
+    int baud() const override { return 0; }
+    QString name() const override { return {}; }
+};
+
+PortInfo adapter(const char* path, const char* serial, int product = 0x7523)
+{
+    PortInfo port;
+    port.path = QString::fromLatin1(path);
+    port.serialNumber = QString::fromLatin1(serial);
+    port.vendorId = 0x1a86;
+    port.productId = product;
+    return port;
+}
+
+struct Desk {
+    std::vector<PortInfo> plugged;
+    QStringList opened;
+    PortKeeper keeper;
+
+    explicit Desk(std::vector<PortInfo> ports, const char* name = "/dev/ttyUSB7")
+        : plugged(std::move(ports))
+        , keeper(
+              PortSpec{QString::fromLatin1(name)},
+              [this](const PortSpec& spec) -> base::Result<std::unique_ptr<transport::Link>> {
+                  opened << spec.name;
+                  return std::make_unique<NoLink>();
+              },
+              [this] { return plugged; })
+    {}
+    QString again(std::vector<PortInfo> ports)
+    {
+        plugged = std::move(ports);
+        opened.clear();
+        const auto link = keeper.open();
+        return link ? opened.last() : base::errorName(link.error().code);
+    }
+};
+} // namespace
+
+class TestPortKeeper : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void theSameAdapterIsOpenedAgain()
+    {
+        Desk desk({adapter("/dev/ttyUSB7", "A"), adapter("/dev/ttyUSB8", "B")});
+        QVERIFY(desk.keeper.open());
+        QCOMPARE(desk.again({adapter("/dev/ttyUSB7", "A")}), QStringLiteral("/dev/ttyUSB7"));
+        QCOMPARE(desk.again({adapter("/dev/ttyUSB8", "B"), adapter("/dev/ttyUSB9", "A")}),
+                 QStringLiteral("/dev/ttyUSB9"));
+    }
+
+    void anotherAdapterIsNot()
+    {
+        const QString missing = base::errorName(ErrorCode::PortMissing);
+        Desk desk({adapter("/dev/ttyUSB7", "A")});
+        QVERIFY(desk.keeper.open());
+        QCOMPARE(desk.again({}), missing);
+        QCOMPARE(desk.again({adapter("/dev/ttyUSB7", "B")}), missing);
+        QCOMPARE(desk.again({adapter("/dev/ttyUSB7", "A", 0x55d3)}), missing);
+        QVERIFY(desk.opened.isEmpty());
+    }
+
+    /// Two of a kind without numbers: only the name tells them apart.
+    void oneWithoutASerialNumberIsKnownByItsName()
+    {
+        Desk desk({adapter("/dev/ttyUSB7", "")});
+        QVERIFY(desk.keeper.open());
+        QCOMPARE(desk.again({adapter("/dev/ttyUSB8", "")}),
+                 base::errorName(ErrorCode::PortMissing));
+        QCOMPARE(desk.again({adapter("/dev/ttyUSB7", "")}), QStringLiteral("/dev/ttyUSB7"));
+    }
+
+    void whatIsNoAdapterIsKnownByItsName()
+    {
+        Desk desk({}, "tcp://bench:5000");
+        QVERIFY(desk.keeper.open());
+        QCOMPARE(desk.again({adapter("/dev/ttyUSB7", "A")}), QStringLiteral("tcp://bench:5000"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPortKeeper)
+#include "tst_port_keeper.moc"
