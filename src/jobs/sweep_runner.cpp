@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/sweep_runner.h"
 
+#include "device/talk.h"
 #include "jobs/sweep_axis.h"
 #include "jobs/sweep_meter.h"
 
@@ -51,6 +52,7 @@ SweepRunner::SweepRunner(const device::Context& context, std::vector<device::Ser
 
 base::Result<record::SweepRun> SweepRunner::run()
 {
+    const bus::LinkPatience patience(m_context.bus, mostSilence);
     m_poll = m_context.bus.startPoll(m_reader.plan());
     for (Track& track : m_tracks)
         track.heardAt = now();
@@ -209,6 +211,7 @@ void SweepRunner::begin(int number, Duration at)
     m_legAt = at;
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
         Track& track = m_tracks[i];
+        track.gapInLeg = false;
         const SweepStop stop = track.path.leg(number);
         double target = stop.target;
         (void)sweepMove(m_servos[i], m_run.spec, target);
@@ -228,8 +231,14 @@ void SweepRunner::close()
         if (!track.meter || !m_measuring)
             continue;
         record::SweepLeg leg = track.meter->finish(now(), m_start);
-        // A target that there was no time for is not missed.
-        leg.missed = leg.missed && !ended();
+        // A target that there was no time for is not missed, nor one that nobody saw it come to:
+        // when that was is not known either.
+        const bool unseen = track.gapInLeg || now() - track.heardAt >= gapFrom;
+        leg.missed = leg.missed && !ended() && !unseen;
+        if (unseen) {
+            leg.timeToTarget.reset();
+            leg.settling.reset();
+        }
         m_run.servos[i].legs.push_back(leg);
         if (m_watch.onLeg)
             m_watch.onLeg(i, leg);
@@ -243,7 +252,11 @@ void SweepRunner::close()
 base::Result<void> SweepRunner::send(std::vector<double> targets)
 {
     for (;;) {
-        const auto sent = sendSweepGoals(m_context, m_servos, m_run.spec, targets);
+        const auto held = stillHeld();
+        if (held && !*held)
+            return {};
+        const auto sent = held ? sendSweepGoals(m_context, m_servos, m_run.spec, targets)
+                               : base::Result<void>(tl::unexpected(held.error()));
         if (sent) {
             for (std::size_t i = 0; i < m_tracks.size(); ++i)
                 m_tracks[i].goal = targets[i];
@@ -253,6 +266,7 @@ base::Result<void> SweepRunner::send(std::vector<double> targets)
         case ErrorCode::NoAnswer:
         case ErrorCode::Garbled:
         case ErrorCode::WrongAnswer:
+        case ErrorCode::Uncertain: // a place to go to may be named twice
             break;
         case ErrorCode::Stopped:
             endRun(SweepEnd::Stopped);
@@ -270,6 +284,33 @@ base::Result<void> SweepRunner::send(std::vector<double> targets)
         if (ended())
             return {};
     }
+}
+
+/// Whoever restarted while nobody heard it has no torque, and a goal would switch it on by
+/// surprise, from wherever it has sunk to. Then the run ends, and this is false.
+base::Result<bool> SweepRunner::stillHeld()
+{
+    const Duration instant = now();
+    m_wasSilent |= std::any_of(m_tracks.begin(), m_tracks.end(), [&](const Track& track) {
+        return instant - track.heardAt >= gapFrom;
+    });
+    if (!m_measuring || !m_wasSilent)
+        return true;
+    for (std::size_t i = 0; i < m_servos.size(); ++i) {
+        device::Servo& servo = m_servos[i];
+        const catalog::Register* torque = servo.profile->byRole(catalog::Role::TorqueSwitch);
+        if (torque == nullptr)
+            continue;
+        const auto raw = device::readRegister(m_context, servo, *torque);
+        if (!raw)
+            return tl::unexpected(raw.error());
+        if (*raw == 0) {
+            endRun(SweepEnd::TorqueLost, int(i));
+            return false;
+        }
+    }
+    m_wasSilent = false;
+    return true;
 }
 
 bool SweepRunner::sendOrEnd(const std::vector<double>& targets)
@@ -321,6 +362,8 @@ void SweepRunner::take(std::size_t i, const SweepSample& sample)
         const Duration silence = sample.at - track.heardAt;
         if (m_measuring && silence >= gapFrom)
             noteGap(track.heardAt - m_start, silence);
+        m_wasSilent |= silence >= gapFrom;
+        track.gapInLeg |= silence >= gapFrom;
         track.heardAt = sample.at;
         ++track.answered;
         if (sample.position)

@@ -25,6 +25,7 @@ private:
         std::optional<double> position{};
         std::optional<double> startCelsius{};
         base::Duration heardAt{};
+        bool gapInLeg = false;
         std::uint64_t answered = 0;
     };
 
@@ -37,6 +38,7 @@ private:
     void begin(int number, base::Duration at);
     void close();
     base::Result<void> send(std::vector<double> targets);
+    base::Result<bool> stillHeld();
     bool sendOrEnd(const std::vector<double>& targets);
 
     /// Reads until `until`, or `done`, or the end.
@@ -78,6 +80,7 @@ private:
     bool m_measuring = false;
     int m_leg = 0;
     base::Duration m_legAt{}; ///< its goal had been sent
+    bool m_wasSilent = false; ///< since the latest goal somebody was, long enough to restart
     int m_fault = -1;         ///< place of the servo that ended it
     bool m_ended = false;
 };

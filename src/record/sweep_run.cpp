@@ -24,7 +24,7 @@ constexpr Names<Grade, 4> grades{{
     {Grade::Fail, "fail"},
     {Grade::NotMeasured, "not-measured"},
 }};
-constexpr Names<SweepEnd, 8> ends{{
+constexpr Names<SweepEnd, 9> ends{{
     {SweepEnd::Finished, "finished"},
     {SweepEnd::Stopped, "stopped"},
     {SweepEnd::Emergency, "emergency"},
@@ -33,6 +33,7 @@ constexpr Names<SweepEnd, 8> ends{{
     {SweepEnd::Failure, "failure"},
     {SweepEnd::LinkLost, "link-lost"},
     {SweepEnd::Refused, "refused"},
+    {SweepEnd::TorqueLost, "torque-lost"},
 }};
 
 template <typename Word, std::size_t Count>
@@ -69,6 +70,7 @@ Grade gradeOf(SweepEnd end)
     case SweepEnd::Emergency:
     case SweepEnd::LinkLost:
     case SweepEnd::Refused:
+    case SweepEnd::TorqueLost:
         break;
     }
     return Grade::NotMeasured;

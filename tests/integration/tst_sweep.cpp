@@ -88,6 +88,10 @@ private Q_SLOTS:
     void anAlarmEndsIt();
     void aSilentSecondIsAGap();
     void aLongSilenceEndsIt();
+    void aPlugPulledAndPutBackIsAGap();
+    void aPlugThatStaysOutEndsIt();
+    void whoLostTorqueWithThePlugIsNotSwitchedOn();
+    void aStopWhileThePlugIsOutIsTheFirstWord();
     void theUserStops();
     void theEmergencyStopEndsIt();
     void anHourWritesNoEprom();
@@ -374,6 +378,99 @@ void TestSweep::aLongSilenceEndsIt()
     QCOMPARE(done->verdict(), Grade::NotMeasured);
     QVERIFY(done->servos.at(0).legs.size() >= 2);
     QCOMPARE(done->servos.at(0).legs[0].number, 1);
+}
+
+namespace {
+/// Pulls the plug in leg 2 and puts it back after a while; `meanwhile` is what happens then.
+jobs::SweepWatch pullingThePlug(SimBench& bench, base::Duration after,
+                                std::function<void()> meanwhile = {})
+{
+    jobs::SweepWatch watch;
+    const auto backAt = std::make_shared<std::optional<base::Duration>>();
+    watch.onGoal = [&bench, backAt, after](std::size_t, int leg, base::Duration) {
+        if (leg != 2 || *backAt)
+            return;
+        bench.cutLink();
+        *backAt = bench.clock().now() + after;
+    };
+    watch.onProgress = [&bench, backAt, meanwhile](const jobs::SweepProgress&) {
+        if (!*backAt || bench.clock().now() < **backAt)
+            return;
+        *backAt = base::Duration::max();
+        if (meanwhile)
+            meanwhile();
+        bench.forgetFrames();
+        bench.restoreLink();
+    };
+    return watch;
+}
+} // namespace
+
+void TestSweep::aPlugPulledAndPutBackIsAGap()
+{
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    const auto done = run(bench, servos, sweepSpec(), pullingThePlug(bench, 3s));
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QCOMPARE(done->gaps.size(), std::size_t(1));
+    QVERIFY(done->gaps[0].span >= 2900ms && done->gaps[0].span < 4500ms);
+    for (const record::SweepServo& servo : done->servos) {
+        QCOMPARE(servo.legs.size(), std::size_t(6));
+        QVERIFY(servo.legs[1].lost > 0);
+        QVERIFY(!servo.legs[1].missed && !servo.legs[1].timeToTarget); // nobody saw it
+        QCOMPARE(*metric(servo, "missed_targets"), 0.0);
+        QVERIFY(!servo.legs[4].missed && servo.legs[4].lost == 0);
+        QVERIFY(*metric(servo, "communication_errors") > 0);
+    }
+    QVERIFY(!bench.bus().away() && !bench.bus().lost());
+    // The patience was the test's: afterwards a pulled plug is a lost link again.
+    bench.cutLink();
+    bench.bus().listen(10ms);
+    QVERIFY(bench.bus().lost());
+}
+
+void TestSweep::aPlugThatStaysOutEndsIt()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    const auto done = run(bench, servos, sweepSpec(), pullingThePlug(bench, 60s));
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::LinkLost);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+    QVERIFY(done->length < 20s);
+}
+
+void TestSweep::whoLostTorqueWithThePlugIsNotSwitchedOn()
+{
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    const auto done =
+        run(bench, servos, sweepSpec(), pullingThePlug(bench, 2s, [&] { bench.powerCycle(); }));
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::TorqueLost);
+    QCOMPARE(done->endedBy, 1);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QCOMPARE(bench.raw(2, text("torque_switch")), 0);
+    QCOMPARE(bench.frames(support::SyncWrite), 0); // no goal went out
+}
+
+void TestSweep::aStopWhileThePlugIsOutIsTheFirstWord()
+{
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    bench.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
+    const auto done = run(bench, servos, sweepSpec(),
+                          pullingThePlug(bench, 1s, [&] { bench.bus().emergency(); }));
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Emergency);
+    bench.bus().pauseUntil(bench.clock().now() + 1s, nullptr);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QCOMPARE(bench.raw(2, text("torque_switch")), 0);
+    const auto frames = device::stopFrames({base::Protocol::Feetech}, servos);
+    QVERIFY(!bench.tap().written.empty());
+    QCOMPARE(bench.tap().written.front(), frames.front().bytes);
 }
 
 void TestSweep::theUserStops()

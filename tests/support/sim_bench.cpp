@@ -112,15 +112,22 @@ void SimBench::cutAfterHostBytes(std::size_t count)
     withWire([count](sim::VirtualBus& wire) { wire.cutAfterHostBytes(count); });
 }
 
+void SimBench::restoreLink()
+{
+    withWire([](sim::VirtualBus& wire) { wire.restoreLink(); });
+}
+
 void SimBench::reconnect(int baud)
 {
     withWire([](sim::VirtualBus& wire) { wire.restoreLink(); });
     m_bus.reset();
     m_stop = std::make_unique<base::Stop>();
     m_notices.clear();
-    auto link = sim::makeSimLink(m_wire, QStringLiteral("sim:bench"), m_clock, baud);
-    m_bus = std::make_unique<bus::BusCore>(tapped(std::move(link), m_tap), protocol::feetechCodec(),
-                                           m_clock);
+    const auto open = [this, baud]() -> base::Result<std::unique_ptr<transport::Link>> {
+        return tapped(sim::makeSimLink(m_wire, QStringLiteral("sim:bench"), m_clock, baud), m_tap);
+    };
+    m_bus = std::make_unique<bus::BusCore>(*open(), protocol::feetechCodec(), m_clock,
+                                           bus::CoreOptions{10, nullptr, open});
     forgetFrames();
 }
 

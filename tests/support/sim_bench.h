@@ -66,6 +66,7 @@ public:
     void letTimePass(base::Duration span); ///< nobody speaks
     void powerCycle();                     ///< of the servos; the port stays open
     void cutLink();
+    void restoreLink(); ///< the plug is back: a bus that awaits it finds it
     void cutAfterHostBytes(std::size_t count);
     /// The cable is back and the port opened again: new link, new bus, new stop, no notices. The
     /// journal stays.
