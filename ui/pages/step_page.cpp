@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/step_page.h"
+
+#include "device/move_limits.h"
+#include "report/sweep_words.h"
+#include "text/language.h"
+#include "ui/dialogs/ask.h"
+#include "ui/pages/step_form.h"
+#include "ui/pages/step_gains.h"
+#include "ui/pages/step_results.h"
+#include "ui/pages/step_words.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/thin_progress.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+constexpr int leastSetup = 280;
+constexpr int mostSetup = 340;
+constexpr int setupPercent = 27;
+} // namespace
+
+StepPage::StepPage(Bench& bench, session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_desk(bench.desk)
+    , m_deskLives(&bench.desk)
+    , m_selection(bench.selection)
+    , m_test(bench.desk)
+{
+    setObjectName(QStringLiteral("stepPage"));
+    build(settings);
+    connectAll();
+    retranslate();
+    servoChosen();
+}
+
+void StepPage::connectAll()
+{
+    connect(m_form, &StepForm::changed, this, &StepPage::showState);
+    connect(m_gains, &StepGains::changed, this, &StepPage::showState);
+    connect(m_switchMode, &QCheckBox::toggled, this, &StepPage::showState);
+    connect(m_run, &QPushButton::clicked, this, [this] { run(false); });
+    connect(m_try, &QPushButton::clicked, this, [this] { run(true); });
+    connect(m_stop, &QPushButton::clicked, &m_test, &session::StepTest::stop);
+    connect(m_accept, &QPushButton::clicked, this, &StepPage::accept);
+    connect(m_back, &QPushButton::clicked, this, [this] {
+        m_gains->reset();
+        m_test.back(m_selection.current());
+    });
+    connect(m_results, &StepResults::wished, this, [this](const record::StepAdvice& advice) {
+        m_gains->put(advice.key, advice.proposed);
+        m_try->setFocus();
+    });
+    connect(&m_test, &session::StepTest::progressed, this, &StepPage::showProgress);
+    connect(&m_test, &session::StepTest::ended, this, &StepPage::ended);
+    connect(&m_test, &session::StepTest::failed, this, &StepPage::failed);
+    connect(&m_test, &session::StepTest::keptChanged, this, &StepPage::showState);
+    connect(&m_selection, &Selection::changed, this, &StepPage::servoChosen);
+    for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
+                              &session::Desk::servosCleared, &session::Desk::taskChanged})
+        connect(&m_desk, signal, this, &StepPage::showState);
+    const auto known = [this](session::ServoRef ref) {
+        if (ref == m_selection.current())
+            servoChosen();
+    };
+    connect(&m_desk, &session::Desk::servoChanged, this, known);
+    connect(&m_desk, &session::Desk::tableChanged, this, known);
+}
+
+void StepPage::servoChosen()
+{
+    if (!m_deskLives)
+        return;
+    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    m_form->showServo(entry);
+    // What a trial sets is no value of the servo's own.
+    if (!m_test.running())
+        m_gains->showServo(entry);
+    if (m_test.servo() != 0 && m_test.servo() != m_selection.current() && !m_test.running() &&
+        !m_test.runs().empty()) {
+        m_test.forget();
+        m_results->refresh();
+    }
+    showState();
+}
+
+bool StepPage::otherMode() const
+{
+    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    if (entry == nullptr || !entry->servo.profile || entry->servo.mode() == nullptr)
+        return false;
+    const auto kind = device::goalKind(entry->servo);
+    return kind != device::GoalKind::Position && kind != device::GoalKind::Turns;
+}
+
+QString StepPage::whyNot() const
+{
+    if (m_desk.state() != session::LinkState::Open)
+        return tr("Connect first.");
+    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    if (entry == nullptr)
+        return tr("Choose a servo in the list.");
+    if (!entry->servo.profile || !entry->servo.profile->writable)
+        return tr("What this servo is, is not known: nothing is moved.");
+    if (m_desk.searching())
+        return tr("The search goes on; a run can be started when it has ended.");
+    if (m_desk.testing())
+        return tr("Another test runs.");
+    if (entry->stopped)
+        return tr("It was stopped in an emergency: switch torque on first.");
+    if (otherMode() && !m_switchMode->isChecked())
+        return tr("It is in a mode without positions; tick the switch, or change its mode.");
+    if (m_form->spec().size.isEmpty())
+        return tr("Say how far the step is to go.");
+    return {};
+}
+
+QString StepPage::whyNoTrial() const
+{
+    const QString why = whyNot();
+    if (!why.isEmpty())
+        return why;
+    return m_gains->trial().empty() ? tr("Change a value under Try first.") : QString();
+}
+
+void StepPage::showState()
+{
+    if (!m_deskLives)
+        return;
+    const bool running = m_test.running();
+    const session::ServoRef ref = m_selection.current();
+    m_switchMode->setVisible(otherMode() && !running);
+    const QString why = whyNot();
+    const QString noTrial = whyNoTrial();
+    m_setup->setEnabled(!running);
+    m_run->setEnabled(!running && why.isEmpty());
+    m_try->setEnabled(!running && noTrial.isEmpty());
+    m_stop->setEnabled(running);
+    const bool open = m_desk.state() == session::LinkState::Open && !m_desk.testing();
+    m_accept->setEnabled(!running && open && !m_gains->trial().empty());
+    m_back->setEnabled(!running && open &&
+                       (!m_gains->trial().empty() || !m_test.earlier(ref).empty()));
+    m_progress->setVisible(running);
+    m_why->setText(running          ? tr("The servo moves. Esc takes torque off all servos.")
+                   : !why.isEmpty() ? why
+                                    : tr("The servo will move when you press Run or Try."));
+    m_try->setToolTip(noTrial.isEmpty()
+                          ? tr("The same step with the values under Try, which are put back "
+                               "afterwards: %1")
+                                .arg(stepGainsText(m_gains->trial()))
+                          : noTrial);
+    QStringList earlier;
+    for (const device::WriteItem& item : m_test.earlier(ref))
+        earlier << QStringLiteral("%1 %2").arg(item.key).arg(item.raw);
+    m_back->setToolTip(
+        earlier.isEmpty()
+            ? tr("Under Try the values as they are now")
+            : tr("Write what was accepted over: %1").arg(earlier.join(QStringLiteral(", "))));
+    showProgress();
+}
+
+void StepPage::showProgress()
+{
+    if (m_test.running())
+        m_progress->setValue(int(m_test.progress().fraction * 1000));
+}
+
+void StepPage::run(bool trial)
+{
+    if (m_asked)
+        start(trial);
+    else
+        askFirst(trial);
+}
+
+void StepPage::askFirst(bool trial)
+{
+    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    if (entry == nullptr || !entry->servo.profile)
+        return;
+    Question question;
+    question.title = tr("Start the run?");
+    question.text = tr("ID %1 · %2 gets torque and moves by itself, as fast as it can, until the "
+                       "run has ended.")
+                        .arg(entry->servo.id)
+                        .arg(entry->servo.profile->modelName);
+    question.risk = tr("Nothing may be in its way, and nobody's fingers. Esc takes torque off all "
+                       "servos at once.");
+    question.yes = tr("Start");
+    question.guard = this;
+    ask(this, question, [this, trial] {
+        m_asked = true;
+        start(trial);
+    });
+}
+
+void StepPage::start(bool trial)
+{
+    m_banner->clear();
+    m_form->remember();
+    session::StepTestOrder order{m_form->spec(), m_selection.current()};
+    if (trial)
+        order.spec.trial = m_gains->trial();
+    order.switchMode = otherMode() && m_switchMode->isChecked();
+    (void)m_test.start(order);
+    showState();
+}
+
+/// What is tried now, for good: an ordinary safe write, which the journal and Undo know.
+void StepPage::accept()
+{
+    m_test.accept(m_selection.current(), m_gains->trial());
+}
+
+void StepPage::ended()
+{
+    const record::StepRun& run = m_test.runs().back();
+    if (!run.putBack) {
+        m_banner->present([] {
+            return BannerWords{
+                Tone::Bad,
+                tr("What the run had set could not be put back."),
+                {},
+                tr("It is noted in the journal: settle it under interrupted writes when the servo "
+                   "answers again. At power-off the servo forgets it by itself.")};
+        });
+    } else if (run.end != record::SweepEnd::Finished && run.end != record::SweepEnd::Stopped) {
+        m_banner->present([end = run.end] {
+            return BannerWords{Tone::Warn, report::endWords(end).in(text::inChinese())};
+        });
+    }
+    servoChosen();
+}
+
+void StepPage::failed(const base::Error& error)
+{
+    if (error.code != base::ErrorCode::Stopped)
+        m_banner->present(error);
+    servoChosen();
+}
+
+void StepPage::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        showState();
+    }
+}
+
+void StepPage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_scroll->setFixedWidth(std::clamp(width() * setupPercent / 100, leastSetup, mostSetup));
+}
+
+void StepPage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    servoChosen();
+}
+} // namespace ui

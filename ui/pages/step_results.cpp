@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/step_results.h"
+
+#include "report/step_words.h"
+#include "text/error_words.h"
+#include "text/language.h"
+#include "ui/charts/palette.h"
+#include "ui/charts/trend_chart.h"
+#include "ui/models/sweep_cells.h"
+#include "ui/pages/step_words.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QTableWidget>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+using record::StepChange;
+
+namespace {
+constexpr std::size_t storeBudget = std::size_t(16) << 20;
+const QString folderChoice = QStringLiteral("sweep/report_folder");
+
+enum Column : int { Figure, Before, After, Difference, Change, Columns };
+
+QString in(const catalog::Text& words)
+{
+    return words.in(text::inChinese());
+}
+
+Tone toneOf(StepChange change)
+{
+    switch (change) {
+    case StepChange::Better:
+        return Tone::Good;
+    case StepChange::Worse:
+        return Tone::Warn;
+    default:
+        return Tone::Quiet;
+    }
+}
+} // namespace
+
+StepResults::StepResults(session::StepTest& test, session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_test(test)
+    , m_settings(settings)
+    , m_store(storeBudget)
+{
+    build();
+    m_chart->setStore(&m_store);
+    m_chart->setLive(false);
+    m_chart->setOrigin({});
+    connect(m_choice, &QComboBox::activated, this, &StepResults::showCurves);
+    connect(&m_test, &session::StepTest::responded, this, &StepResults::showCurves);
+    connect(&m_test, &session::StepTest::ended, this, &StepResults::refresh);
+    connect(&m_test, &session::StepTest::failed, this, &StepResults::refresh);
+    connect(&m_test, &session::StepTest::saved, this, [this](const QString& path) {
+        m_savedPath = path;
+        m_saveError.reset();
+        retranslate();
+    });
+    connect(&m_test, &session::StepTest::saveFailed, this, [this](const base::Error& error) {
+        m_saveError = error;
+        retranslate();
+    });
+    connect(m_forget, &QPushButton::clicked, this, [this] {
+        m_test.forget();
+        refresh();
+    });
+    refresh();
+}
+
+void StepResults::refresh()
+{
+    fillChoice();
+    showCurves();
+    showFigures();
+    showAdvice();
+    retranslate();
+}
+
+/// "1: there", "1: back", "2: there" … of the longest run.
+void StepResults::fillChoice()
+{
+    std::size_t most = 0;
+    for (const record::StepRun& run : m_test.runs())
+        most = std::max(most, run.responses.size());
+    const int kept = std::max(0, m_choice->currentIndex());
+    m_choice->clear();
+    for (std::size_t i = 0; i < most; ++i)
+        m_choice->addItem(i % 2 == 0 ? tr("%1, there").arg(i / 2 + 1)
+                                     : tr("%1, back").arg(i / 2 + 1));
+    m_choice->setCurrentIndex(most == 0 ? -1 : std::min(kept, int(most) - 1));
+    m_choice->setEnabled(most > 1);
+}
+
+int StepResults::shownResponse() const
+{
+    return std::max(0, m_choice->currentIndex()) + 1;
+}
+
+/// "1 · own values", "2 · position_p 40".
+QString StepResults::nameOf(const record::StepSpec& spec, std::size_t place) const
+{
+    return QStringLiteral("%1 · %2").arg(place).arg(spec.trial.empty() ? tr("own values")
+                                                                       : stepGainsText(spec.trial));
+}
+
+void StepResults::addCurve(const std::vector<record::StepResponse>& responses, const QString& name)
+{
+    const QColor ground = palette().color(QPalette::Base);
+    const auto found =
+        std::find_if(responses.begin(), responses.end(), [this](const record::StepResponse& one) {
+            return one.number == shownResponse();
+        });
+    const int colour = int(m_nextColour++);
+    if (found == responses.end())
+        return;
+    const record::ChannelId channel = m_store.open();
+    m_opened.push_back(channel);
+    const double sign = found->target < found->start ? -1 : 1;
+    for (const record::StepSample& sample : found->samples)
+        m_store.append(channel, sample.at, sign * (sample.position - found->start));
+    m_channels.push_back({channel, QStringLiteral("run%1").arg(colour), name, tr("steps"),
+                          trendColour(colour, ground)});
+}
+
+/// Where the way ends, as long as the longest response.
+void StepResults::showTarget(const std::vector<record::StepResponse>& responses)
+{
+    if (responses.empty() || responses.front().samples.empty())
+        return;
+    const record::StepResponse& one = responses.front();
+    const record::ChannelId channel = m_store.open();
+    m_opened.push_back(channel);
+    m_store.append(channel, {}, std::abs(one.target - one.start));
+    m_store.append(channel, one.samples.back().at, std::abs(one.target - one.start));
+    TrendChannel goal{channel, QStringLiteral("goal"), tr("Target"), tr("steps"),
+                      trendColour(trendColourCount - 1, palette().color(QPalette::Base))};
+    goal.steps = true;
+    m_channels.push_back(goal);
+}
+
+void StepResults::showCurves()
+{
+    m_chart->setChannels({});
+    m_channels.clear();
+    for (const record::ChannelId channel : m_opened)
+        m_store.close(channel);
+    m_opened.clear();
+    m_nextColour = 0;
+    const auto& runs = m_test.runs();
+    const auto& live = m_test.live();
+    showTarget(!runs.empty() ? runs.back().responses : live);
+    std::size_t place = 0;
+    for (const record::StepRun& run : runs)
+        addCurve(run.responses, nameOf(run.spec, ++place));
+    if (!live.empty())
+        addCurve(live, nameOf(m_test.liveSpec(), ++place));
+    m_nothing->setVisible(m_channels.empty());
+    m_chart->setChannels(m_channels);
+    m_chart->fit();
+}
+
+void StepResults::showFigures()
+{
+    const auto& runs = m_test.runs();
+    const record::StepRun* before = m_test.before();
+    m_figures->setRowCount(0);
+    if (runs.empty())
+        return;
+    const record::StepRun& after = runs.back();
+    for (const record::StepFigure& figure : record::stepFigures) {
+        const bool known =
+            after.mean.*figure.member || (before != nullptr && before->mean.*figure.member);
+        if (!known)
+            continue;
+        const int row = m_figures->rowCount();
+        m_figures->insertRow(row);
+        fillRow(row, figure);
+    }
+    for (const int column : {Before, Difference, Change})
+        m_figures->setColumnHidden(column, before == nullptr);
+    m_figures->resizeColumnsToContents();
+}
+
+void StepResults::fillRow(int row, const record::StepFigure& figure)
+{
+    const record::StepRun& after = m_test.runs().back();
+    const record::StepRun* before = m_test.before();
+    const auto put = [this, row](int column, const QString& words, Tone tone = Tone::Quiet) {
+        auto* item = new QTableWidgetItem(words);
+        const bool number = column != Figure && column != Change;
+        item->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        if (tone != Tone::Quiet)
+            item->setData(toneRole, int(tone));
+        m_figures->setItem(row, column, item);
+    };
+    const QString unit = report::stepUnit(figure, text::inChinese());
+    const QString name = in(report::stepFigureWords(QString::fromLatin1(figure.key)));
+    put(Figure, unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit));
+    put(After, report::stepValue(after.mean.*figure.member));
+    if (before == nullptr)
+        return;
+    put(Before, report::stepValue(before->mean.*figure.member));
+    for (const record::StepDifference& one : record::compareSteps(*before, after)) {
+        if (QLatin1StringView(one.figure.key) != QLatin1StringView(figure.key))
+            continue;
+        put(Difference, report::stepValue(one.difference));
+        put(Change, in(report::stepChangeWords(one.change)), toneOf(one.change));
+    }
+}
+
+void StepResults::showAdvice()
+{
+    while (QLayoutItem* item = m_advice->takeAt(0)) {
+        if (item->widget() != nullptr)
+            item->widget()->deleteLater();
+        delete item;
+    }
+    const auto& advice = m_test.advice();
+    for (std::size_t i = 0; i < advice.size(); ++i) {
+        const record::StepAdvice one = advice[i];
+        if (i == 0 || one.symptom != advice[i - 1].symptom) {
+            auto* symptom = new QLabel(in(report::stepSymptomWords(one.symptom)), m_adviceBox);
+            symptom->setWordWrap(true);
+            symptom->setObjectName(QStringLiteral("stepSymptom"));
+            m_advice->addWidget(symptom);
+        }
+        if (one.key.isEmpty()) {
+            m_advice->addWidget(new QLabel(in(report::stepAdviceWords(one)), m_adviceBox));
+            continue;
+        }
+        auto* button = new QPushButton(in(report::stepAdviceWords(one)), m_adviceBox);
+        button->setObjectName(QStringLiteral("stepTake_") + one.key);
+        button->setAccessibleName(button->text());
+        button->setToolTip(tr("Put this value into Try; nothing is written"));
+        connect(button, &QPushButton::clicked, this, [this, one] { Q_EMIT wished(one); });
+        m_advice->addWidget(button);
+    }
+    m_advice->addStretch();
+}
+
+void StepResults::askWhere(const QString& ending)
+{
+    const QString folder =
+        m_settings
+            .choice(folderChoice,
+                    QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+            .toString();
+    auto* dialog = new QFileDialog(this, tr("Save the runs"), folder);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(ending);
+    dialog->setNameFilter(QStringLiteral("*.") + ending);
+    dialog->selectFile(QStringLiteral("step-response.") + ending);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
+        m_test.save(path, text::inChinese());
+    });
+    dialog->open();
+}
+
+void StepResults::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        refresh();
+    else if (event->type() == QEvent::PaletteChange)
+        showCurves();
+}
+} // namespace ui
