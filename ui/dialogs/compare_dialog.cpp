@@ -60,6 +60,15 @@ void setGrade(QTableWidget* table, int row, int column, const std::optional<reco
         setCell(table, row, column, QString());
 }
 
+/// No higher than its rows, so that the figures have the room.
+void shorten(QTableWidget* table)
+{
+    table->resizeColumnsToContents();
+    const int rows = table->rowCount() * table->verticalHeader()->defaultSectionSize();
+    const int all = table->horizontalHeader()->sizeHint().height() + rows + 2 * table->frameWidth();
+    table->setFixedHeight(std::min(all, shortTable));
+}
+
 void setUp(QTableWidget* table, const char* name)
 {
     table->setObjectName(QLatin1String(name));
@@ -110,8 +119,6 @@ void CompareDialog::build()
     setUp(m_tests, "compareTests");
     setUp(m_figures, "compareFigures");
     setUp(m_settingsTable, "compareSettings");
-    m_tests->setMaximumHeight(shortTable);
-    m_settingsTable->setMaximumHeight(shortTable);
     auto* row = new QHBoxLayout;
     m_save->setObjectName(QStringLiteral("compareSave"));
     m_close->setObjectName(QStringLiteral("compareClose"));
@@ -188,10 +195,7 @@ void CompareDialog::fillWarnings()
     if (lines.isEmpty())
         lines << QStringLiteral("✓ ") + in(words.sameTest);
     m_warnings->setText(lines.join(QLatin1Char('\n')));
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText,
-                     tone(m_found.tests.empty() ? Tone::Good : Tone::Warn, palette()));
-    m_warnings->setPalette(colours);
+    colour();
     m_tests->setVisible(!m_found.tests.empty());
     m_tests->setHorizontalHeaderLabels(
         {in(words.testPart), QStringLiteral("A"), QStringLiteral("B")});
@@ -202,7 +206,15 @@ void CompareDialog::fillWarnings()
         setCell(m_tests, row, 1, in(report::testValueWords(one.item, one.a)));
         setCell(m_tests, row++, 2, in(report::testValueWords(one.item, one.b)));
     }
-    m_tests->resizeColumnsToContents();
+    shorten(m_tests);
+}
+
+void CompareDialog::colour()
+{
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText,
+                     tone(m_found.tests.empty() ? Tone::Good : Tone::Warn, palette()));
+    m_warnings->setPalette(colours);
 }
 
 void CompareDialog::fillFigures()
@@ -242,7 +254,7 @@ void CompareDialog::fillSettings()
         setNumber(m_settingsTable, row, 2, sweepNumber(one.b));
         setCell(m_settingsTable, row++, 3, one.unit);
     }
-    m_settingsTable->resizeColumnsToContents();
+    shorten(m_settingsTable);
 }
 
 void CompareDialog::askWhere()
@@ -284,5 +296,7 @@ void CompareDialog::changeEvent(QEvent* event)
     QDialog::changeEvent(event);
     if (event->type() == QEvent::LanguageChange && m_close != nullptr)
         retranslate();
+    else if (event->type() == QEvent::PaletteChange && m_close != nullptr)
+        colour();
 }
 } // namespace ui

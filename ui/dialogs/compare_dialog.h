@@ -36,6 +36,7 @@ private:
     void retranslate();
     void fillSides();
     void fillWarnings();
+    void colour();
     void fillFigures();
     void fillSettings();
     void askWhere();
@@ -54,6 +55,6 @@ private:
     QTableWidget* m_settingsTable;
     TaskResult* m_result;
     QPushButton* m_save;
-    QPushButton* m_close;
+    QPushButton* m_close = nullptr;
 };
 } // namespace ui
