@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/sweep_runner.h"
 
-#include "device/talk.h"
 #include "jobs/sweep_axis.h"
 #include "jobs/sweep_meter.h"
 
@@ -19,8 +18,7 @@ namespace {
 constexpr Duration readEvery = 20ms;
 constexpr Duration reportEvery = 100ms;
 
-/// A line that says nothing for so long is a gap; for longer, it is the end.
-constexpr Duration gapFrom = 300ms;
+/// A line that says nothing for so long has come to its end.
 constexpr Duration mostSilence = 5s;
 
 /// At rest for so long it has arrived at the start. One that rests a little beside it comes no
@@ -248,92 +246,7 @@ void SweepRunner::close()
     m_legAt = Duration::max(); // what comes now belongs to none
 }
 
-/// Tries again while the line is silent; what else goes wrong is said to the caller.
-base::Result<void> SweepRunner::send(std::vector<double> targets)
-{
-    for (;;) {
-        const auto held = stillHeld();
-        if (held && !*held)
-            return {};
-        const auto sent = held ? sendSweepGoals(m_context, m_servos, m_run.spec, targets)
-                               : base::Result<void>(tl::unexpected(held.error()));
-        if (sent) {
-            for (std::size_t i = 0; i < m_tracks.size(); ++i)
-                m_tracks[i].goal = targets[i];
-            return {};
-        }
-        switch (sent.error().code) {
-        case ErrorCode::NoAnswer:
-        case ErrorCode::Garbled:
-        case ErrorCode::WrongAnswer:
-        case ErrorCode::Uncertain: // a place to go to may be named twice
-            break;
-        case ErrorCode::Stopped:
-            endRun(SweepEnd::Stopped);
-            return {};
-        case ErrorCode::Preempted:
-            endRun(SweepEnd::Emergency);
-            return {};
-        case ErrorCode::LinkLost:
-            endRun(SweepEnd::LinkLost);
-            return {};
-        default:
-            return sent;
-        }
-        read(now() + gapFrom, [] { return false; });
-        if (ended())
-            return {};
-    }
-}
-
-/// Whoever restarted while nobody heard it has no torque, and a goal would switch it on by
-/// surprise, from wherever it has sunk to. Then the run ends, and this is false.
-base::Result<bool> SweepRunner::stillHeld()
-{
-    const Duration instant = now();
-    m_wasSilent |= std::any_of(m_tracks.begin(), m_tracks.end(), [&](const Track& track) {
-        return instant - track.heardAt >= gapFrom;
-    });
-    if (!m_measuring || !m_wasSilent)
-        return true;
-    for (std::size_t i = 0; i < m_servos.size(); ++i) {
-        device::Servo& servo = m_servos[i];
-        const catalog::Register* torque = servo.profile->byRole(catalog::Role::TorqueSwitch);
-        if (torque == nullptr)
-            continue;
-        const auto raw = device::readRegister(m_context, servo, *torque);
-        if (!raw)
-            return tl::unexpected(raw.error());
-        if (*raw == 0) {
-            endRun(SweepEnd::TorqueLost, int(i));
-            return false;
-        }
-    }
-    m_wasSilent = false;
-    return true;
-}
-
-bool SweepRunner::sendOrEnd(const std::vector<double>& targets)
-{
-    const auto sent = send(targets);
-    if (!sent) {
-        // The servo does not take a goal it took before: its limits or mode have changed.
-        endRun(SweepEnd::Refused, placeOf(sent.error().id));
-    }
-    return !ended();
-}
-
-int SweepRunner::placeOf(int id) const
-{
-    for (std::size_t i = 0; i < m_servos.size(); ++i) {
-        if (m_servos[i].id == id)
-            return int(i);
-    }
-    return -1;
-}
-
-template <typename Done>
-void SweepRunner::read(Duration until, const Done& done)
+void SweepRunner::read(Duration until, const std::function<bool()>& done)
 {
     while (!ended()) {
         drain();

@@ -6,6 +6,8 @@
 #include "jobs/sweep_drive.h"
 #include "jobs/sweep_reader.h"
 
+#include <functional>
+
 namespace jobs {
 class SweepRunner {
 public:
@@ -17,6 +19,10 @@ public:
     base::Result<record::SweepRun> run();
 
 private:
+    /// A line that says nothing for so long is a gap: nobody saw the servo, and it may have
+    /// restarted.
+    static constexpr base::Duration gapFrom = std::chrono::milliseconds(300);
+
     /// What is known of a servo beside its legs.
     struct Track {
         SweepPath path;
@@ -42,8 +48,7 @@ private:
     bool sendOrEnd(const std::vector<double>& targets);
 
     /// Reads until `until`, or `done`, or the end.
-    template <typename Done>
-    void read(base::Duration until, const Done& done);
+    void read(base::Duration until, const std::function<bool()>& done);
     void drain();
     void take(std::size_t i, const SweepSample& sample);
     void noteGap(base::Duration from, base::Duration span);
