@@ -194,6 +194,9 @@ bool SweepTest::start(const SweepTestOrder& order)
         live->readings.push_back(
             {servo, sample.at, sample.answered ? sample.position : std::nullopt, goal});
     };
+    watch.onGoal = [ending](std::size_t servo, int leg, Duration at) {
+        ending->recording->goal(servo, leg, at);
+    };
     watch.onLeg = [live](std::size_t servo, const record::SweepLeg& leg) {
         const std::lock_guard lock(live->mutex);
         live->legs.emplace_back(servo, leg);

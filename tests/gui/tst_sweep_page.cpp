@@ -310,7 +310,7 @@ private Q_SLOTS:
     {
         SweepBench bench;
         QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
-        bench.desk().write(bench.selection().current(), {{{QStringLiteral("operating_mode"), 1}}, true});
+        bench.desk().write(bench.selection().current(), {{{QStringLiteral("operating_mode"), 1}}, true, true});
         QVERIFY(bench.settled());
         bench.find<QSpinBox>("sweepPause")->setValue(700);
         auto* tick = bench.find<QCheckBox>("sweepSwitchMode");

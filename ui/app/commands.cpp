@@ -88,6 +88,8 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
      QT_TRANSLATE_NOOP("Commands", "Read and change what the servo keeps"), "", "Ctrl+2", Always},
     {Command::PageSweep, QT_TRANSLATE_NOOP("Commands", "S&weep test"),
      QT_TRANSLATE_NOOP("Commands", "Run servos through their paces and judge them"), "", "Ctrl+3", Always},
+    {Command::PageStep, QT_TRANSLATE_NOOP("Commands", "S&tep response"),
+     QT_TRANSLATE_NOOP("Commands", "See how a servo answers a step, and try other gains"), "", "Ctrl+4", Always},
     {Command::EarlierTests, QT_TRANSLATE_NOOP("Commands", "&Earlier tests…"),
      QT_TRANSLATE_NOOP("Commands", "Look at kept tests, compare two, choose a reference"), "view-history", "Ctrl+H", Always},
     {Command::PauseTrend, QT_TRANSLATE_NOOP("Commands", "&Pause the chart"),

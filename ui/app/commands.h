@@ -39,6 +39,7 @@ enum class Command : std::uint8_t {
     PageOperate,
     PageMemory,
     PageSweep,
+    PageStep,
     EarlierTests,
     PauseTrend,
     Record,

@@ -14,6 +14,7 @@
 #include "ui/dialogs/shortcut_list.h"
 #include "ui/pages/memory_page.h"
 #include "ui/pages/operate_page.h"
+#include "ui/pages/step_page.h"
 #include "ui/pages/sweep_page.h"
 #include "ui/pages/trend_panel.h"
 #include "ui/widgets/banner.h"
@@ -80,7 +81,8 @@ void MainWindow::start(const Options& options)
     m_selectFirst = !options.screenshot.isEmpty() && !options.select;
     const std::map<QString, QWidget*> pages{{QStringLiteral("operate"), m_operate},
                                             {QStringLiteral("memory"), m_memory},
-                                            {QStringLiteral("sweep"), m_sweep}};
+                                            {QStringLiteral("sweep"), m_sweep},
+                                            {QStringLiteral("step"), m_step}};
     if (const auto page = pages.find(options.page); page != pages.end())
         m_pages->setCurrentWidget(page->second);
     if (options.port) {
@@ -151,6 +153,7 @@ void MainWindow::connectPages()
     on(Command::PageOperate, m_operate, nothing);
     on(Command::PageMemory, m_memory, nothing);
     on(Command::PageSweep, m_sweep, nothing);
+    on(Command::PageStep, m_step, nothing);
     on(Command::PauseTrend, m_operate, [trend] { trend->toggleFollowing(); });
     on(Command::Record, m_operate, [trend] { trend->toggleRecording(); });
     on(Command::OpenRecording, m_operate, [trend] { trend->openRecording(); });

@@ -25,6 +25,7 @@ class Menus;
 class MessageLine;
 class MessageLog;
 class OperatePage;
+class StepPage;
 class SweepPage;
 class ThemeSwitch;
 
@@ -76,6 +77,7 @@ private:
     OperatePage* m_operate = nullptr;
     MemoryPage* m_memory = nullptr;
     SweepPage* m_sweep = nullptr;
+    StepPage* m_step = nullptr;
     QDockWidget* m_searchDock = nullptr;
     QDockWidget* m_logDock = nullptr;
     MessageLine* m_message = nullptr;

@@ -9,6 +9,7 @@
 #include "ui/pages/memory_page.h"
 #include "ui/pages/operate_page.h"
 #include "ui/pages/search_panel.h"
+#include "ui/pages/step_page.h"
 #include "ui/pages/sweep_page.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/connect_bar.h"
@@ -75,7 +76,8 @@ QWidget* MainWindow::buildCentre()
     m_operate = new OperatePage(m_bench, m_settings, m_pages);
     m_memory = new MemoryPage(m_desk, m_commands, m_selection, m_settings, m_pages);
     m_sweep = new SweepPage(m_bench, m_settings, m_pages);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_operate, m_memory, m_sweep})
+    m_step = new StepPage(m_bench, m_settings, m_pages);
+    for (QWidget* page : std::initializer_list<QWidget*>{m_operate, m_memory, m_sweep, m_step})
         m_pages->addTab(page, QString());
     m_centre = new QStackedWidget(centre);
     m_centre->addWidget(new Welcome(m_commands, m_centre));
@@ -126,6 +128,9 @@ void MainWindow::retranslate()
     m_pages->setTabText(m_pages->indexOf(m_sweep), tr("Sweep test"));
     m_pages->setTabToolTip(m_pages->indexOf(m_sweep),
                            tr("Run servos through their paces and say whether they are good"));
+    m_pages->setTabText(m_pages->indexOf(m_step), tr("Step response"));
+    m_pages->setTabToolTip(m_pages->indexOf(m_step),
+                           tr("See how a servo answers a step, and try other gains"));
     m_pages->setAccessibleName(tr("Pages"));
     m_stop->setText(tr("Esc   Torque off — all"));
     m_stop->setToolTip(m_commands.action(Command::TorqueOffAll)->toolTip());

@@ -133,7 +133,7 @@ void RunsDialog::remove()
     if (numbers.empty())
         return;
     Question question;
-    question.title = tr("Delete %n test(s)?", nullptr, int(numbers.size()));
+    question.title = tr("Delete these tests: %1?").arg(numbers.size());
     question.text = tr("Their figures, legs and settings leave the history, those of all servos "
                        "that were tested together. Reports and readings in files stay.");
     question.risk = tr("This cannot be undone.");

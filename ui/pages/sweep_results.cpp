@@ -255,7 +255,7 @@ void SweepResults::showVerdict()
     m_title->setText(m_servos->count() > 1 ? tr("Position and goal")
                                            : tr("Position and goal — %1").arg(servoName(*tested)));
     if (m_test.running())
-        m_verdict->setState(Tone::Accent, tr("test runs"));
+        m_verdict->setState(Tone::Accent, tr("running"));
     else
         m_verdict->setState(toneOf(tested->verdict), verdictWords(*tested),
                             in(report::gradeWords(tested->verdict)));

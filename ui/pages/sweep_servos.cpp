@@ -193,7 +193,13 @@ void SweepServos::showLimits()
 {
     const session::ServoRef ref = refAt(std::max(0, m_table->currentRow()));
     m_limits->setEnabled(ref != 0);
-    m_limitsName->setText(ref != 0 ? tr("Limits: %1").arg(limits(ref).name) : QString());
+    const session::ServoEntry* entry = m_desk.servo(ref);
+    if (ref == 0 || entry == nullptr) {
+        m_limitsName->clear();
+        return;
+    }
+    const bool own = m_modelLimits.count(entry->servo.profile->modelName) != 0;
+    m_limitsName->setText(own ? tr("Limits: %1").arg(limits(ref).name) : tr("Limits: built in"));
 }
 
 void SweepServos::retranslate()
