@@ -13,6 +13,7 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -221,6 +222,26 @@ void StepResults::fillRow(int row, const record::StepFigure& figure)
     }
 }
 
+/// What may help, and where it can be tried a button that puts it there.
+QWidget* StepResults::remedy(const record::StepAdvice& advice)
+{
+    auto* row = new QWidget(m_adviceBox);
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(8, 0, 0, 0);
+    auto* words = new QLabel(in(report::stepAdviceWords(advice)), row);
+    words->setWordWrap(true);
+    line->addWidget(words, 1);
+    if (advice.key.isEmpty())
+        return row;
+    auto* button = new QPushButton(tr("Take"), row);
+    button->setObjectName(QStringLiteral("stepTake_") + advice.key);
+    button->setAccessibleName(words->text());
+    button->setToolTip(tr("Put this value into Try; nothing is written"));
+    connect(button, &QPushButton::clicked, this, [this, advice] { Q_EMIT wished(advice); });
+    line->addWidget(button);
+    return row;
+}
+
 void StepResults::showAdvice()
 {
     while (QLayoutItem* item = m_advice->takeAt(0)) {
@@ -237,16 +258,7 @@ void StepResults::showAdvice()
             symptom->setObjectName(QStringLiteral("stepSymptom"));
             m_advice->addWidget(symptom);
         }
-        if (one.key.isEmpty()) {
-            m_advice->addWidget(new QLabel(in(report::stepAdviceWords(one)), m_adviceBox));
-            continue;
-        }
-        auto* button = new QPushButton(in(report::stepAdviceWords(one)), m_adviceBox);
-        button->setObjectName(QStringLiteral("stepTake_") + one.key);
-        button->setAccessibleName(button->text());
-        button->setToolTip(tr("Put this value into Try; nothing is written"));
-        connect(button, &QPushButton::clicked, this, [this, one] { Q_EMIT wished(one); });
-        m_advice->addWidget(button);
+        m_advice->addWidget(remedy(one));
     }
     m_advice->addStretch();
 }

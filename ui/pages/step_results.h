@@ -44,6 +44,7 @@ private:
     void showFigures();
     void fillRow(int row, const record::StepFigure& figure);
     void showAdvice();
+    QWidget* remedy(const record::StepAdvice& advice);
     void fillChoice();
     void askWhere(const QString& ending);
     void retranslate();

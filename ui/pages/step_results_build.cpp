@@ -23,6 +23,7 @@ namespace {
 constexpr int rowPadding = 6;
 constexpr int columns = 5;
 constexpr int leastAdvice = 220;
+constexpr int leastChart = 210;
 
 QTableWidget* figuresTable(QWidget* parent)
 {
@@ -65,12 +66,14 @@ void StepResults::build()
     m_nothing->setForegroundRole(QPalette::PlaceholderText);
     m_chart = new TrendChart(this);
     m_chart->setObjectName(QStringLiteral("stepChart"));
+    m_chart->setMinimumHeight(leastChart);
     auto* findings = new QSplitter(Qt::Horizontal, this);
     findings->setChildrenCollapsible(false);
     m_figures = figuresTable(findings);
     auto* side = new QScrollArea(findings);
     side->setFrameShape(QFrame::NoFrame);
     side->setWidgetResizable(true);
+    side->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     side->setMinimumWidth(leastAdvice);
     m_adviceBox = new QWidget(side);
     auto* advice = new QVBoxLayout(m_adviceBox);
@@ -106,8 +109,8 @@ void StepResults::build()
     split->setChildrenCollapsible(false);
     split->addWidget(m_chart);
     split->addWidget(findings);
-    split->setStretchFactor(0, 1);
-    split->setStretchFactor(1, 1);
+    split->setStretchFactor(0, 3);
+    split->setStretchFactor(1, 2);
     column->addLayout(head);
     column->addWidget(m_nothing);
     column->addWidget(split, 1);
