@@ -318,6 +318,30 @@
         <source>Show a recording in the chart</source>
         <translation>在曲线图中显示记录</translation>
     </message>
+    <message>
+        <source>S&amp;weep test</source>
+        <translation>扫描测试(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Run servos through their paces and judge them</source>
+        <translation>让舵机走一遍测试并判定好坏</translation>
+    </message>
+    <message>
+        <source>S&amp;tep response</source>
+        <translation>阶跃响应(&amp;T)</translation>
+    </message>
+    <message>
+        <source>See how a servo answers a step, and try other gains</source>
+        <translation>查看舵机对阶跃的响应，并试用其他增益</translation>
+    </message>
+    <message>
+        <source>&amp;Earlier tests…</source>
+        <translation>以往测试(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Look at kept tests, compare two, choose a reference</source>
+        <translation>查看已保存的测试，比较两次测试，选定参考舵机</translation>
+    </message>
 </context>
 <context>
     <name>ControlWords</name>
@@ -918,8 +942,8 @@
         <translation>--page：没有“%1”</translation>
     </message>
     <message>
-        <source>page to show: operate, memory</source>
-        <translation>要显示的页面：operate、memory</translation>
+        <source>page to show: operate, memory, sweep, step</source>
+        <translation>要显示的页面：operate、memory、sweep、step</translation>
     </message>
 </context>
 <context>
@@ -1639,6 +1663,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>Changes that were begun and have no end in the journal, because a cable was pulled, power failed, or the program was ended, are listed here.</source>
         <translation>因拔线、断电或程序被结束而没有写完的更改会列在这里。</translation>
+    </message>
+    <message>
+        <source>settings of a test</source>
+        <translation>测试期间的设置</translation>
     </message>
 </context>
 <context>
@@ -2969,6 +2997,202 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>a report ends with .html, .pdf, .json or .csv</source>
         <translation>报告文件名以 .html、.pdf、.json 或 .csv 结尾</translation>
     </message>
+    <message>
+        <source>a report ends with .html, .json or .csv</source>
+        <translation>报告文件须以 .html、.json 或 .csv 结尾</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>--size is needed</source>
+        <translation>缺少 --size</translation>
+    </message>
+    <message>
+        <source>%1 cannot be tried; this servo has %2</source>
+        <translation>%1 不能试用；该舵机可用：%2</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>阶跃响应</translation>
+    </message>
+    <message>
+        <source>Step response, trial</source>
+        <translation>阶跃响应（试用）</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>The trial is over: the servo has its own values again, unless a note says otherwise. &quot;write&quot; keeps what proved good.</source>
+        <translation>试用已结束：除非另有说明，舵机已恢复原值。效果好的值请用 write 保存。</translation>
+    </message>
+    <message>
+        <source>Report: %1</source>
+        <translation>报告：%1</translation>
+    </message>
+    <message>
+        <source>measure how a servo answers a step, before and after a change of its gains</source>
+        <translation>测量舵机的阶跃响应，可对比修改增益前后</translation>
+    </message>
+    <message>
+        <source>how far: raw, or with its unit (30deg)</source>
+        <translation>阶跃大小：原始值，或带单位（30deg）</translation>
+    </message>
+    <message>
+        <source>start (usual: where it stands, if there is room)</source>
+        <translation>起点（通常为当前位置，若空间足够）</translation>
+    </message>
+    <message>
+        <source>there and back so many times (usual: 3)</source>
+        <translation>往返次数（通常为 3）</translation>
+    </message>
+    <message>
+        <source>from one goal to the next (usual: as it needs)</source>
+        <translation>目标间隔（通常自动确定）</translation>
+    </message>
+    <message>
+        <source>raw or with its unit (usual: as fast as it can)</source>
+        <translation>原始值或带单位（通常为最快）</translation>
+    </message>
+    <message>
+        <source>a second run with these values, which are put back afterwards: position_p=40,position_d=20</source>
+        <translation>用这些值再运行一次，结束后恢复：position_p=40,position_d=20</translation>
+    </message>
+    <message>
+        <source>a servo in another mode is in position mode while the test lasts, and back afterwards</source>
+        <translation>处于其他模式的舵机在测试期间切换到位置模式，结束后切换回来</translation>
+    </message>
+    <message>
+        <source>write the runs to a file</source>
+        <translation>将运行结果写入文件</translation>
+    </message>
+    <message>
+        <source>the report of a comparison ends with .html</source>
+        <translation>对比报告的文件名须以 .html 结尾</translation>
+    </message>
+    <message>
+        <source>hold one sweep test against another; needs no port</source>
+        <translation>对比两次扫描测试；不需要端口</translation>
+    </message>
+    <message>
+        <source>a test run: 12 of the history, 12:3 for servo 3 of it, or a report that ends with .json</source>
+        <translation>测试记录：历史中的 12，其中舵机 3 写作 12:3，或以 .json 结尾的报告</translation>
+    </message>
+    <message>
+        <source>the one that is held against it</source>
+        <translation>与之对比的测试</translation>
+    </message>
+    <message>
+        <source>which servo, where a run has several</source>
+        <translation>记录含多个舵机时选哪一个</translation>
+    </message>
+    <message>
+        <source>save the comparison as a page (.html)</source>
+        <translation>将对比保存为网页（.html）</translation>
+    </message>
+    <message>
+        <source>make a report of an earlier sweep test; needs no port</source>
+        <translation>生成以前扫描测试的报告；不需要端口</translation>
+    </message>
+    <message>
+        <source>number in the history, or a report that ends with .json</source>
+        <translation>历史中的编号，或以 .json 结尾的报告</translation>
+    </message>
+    <message>
+        <source>by its ending: .html, .pdf, .json or .csv</source>
+        <translation>按扩展名：.html、.pdf、.json 或 .csv</translation>
+    </message>
+    <message>
+        <source>No test run fits.</source>
+        <translation>没有符合条件的测试记录。</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>结论</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>a reference is a test run of the history: 12, or 12:3 for servo 3 of it</source>
+        <translation>参考须为历史中的测试记录：12，或 12:3（其中的舵机 3）</translation>
+    </message>
+    <message>
+        <source>Test run %1, servo %2, is now the reference of %3</source>
+        <translation>测试记录 %1 的舵机 %2 现为 %3 的参考</translation>
+    </message>
+    <message>
+        <source>Test run %1, servo %2, is no reference of %3</source>
+        <translation>测试记录 %1 的舵机 %2 不是 %3 的参考</translation>
+    </message>
+    <message>
+        <source>list the sweep tests of the history; needs no port</source>
+        <translation>列出历史中的扫描测试；不需要端口</translation>
+    </message>
+    <message>
+        <source>only servos of this model</source>
+        <translation>仅此型号的舵机</translation>
+    </message>
+    <message>
+        <source>only with this ID</source>
+        <translation>仅此 ID</translation>
+    </message>
+    <message>
+        <source>only with this in label, note, operator or port</source>
+        <translation>仅标签、备注、操作员或端口含此文字的</translation>
+    </message>
+    <message>
+        <source>make a servo of a test run the reference of its model</source>
+        <translation>将测试记录中的舵机设为其型号的参考</translation>
+    </message>
+    <message>
+        <source>number in the history: 12, or 12:3 for servo 3</source>
+        <translation>历史中的编号：12，或 12:3（舵机 3）</translation>
+    </message>
+    <message>
+        <source>it is one no longer</source>
+        <translation>取消参考</translation>
+    </message>
+    <message>
+        <source>Kept in the history as test run %1</source>
+        <translation>已存入历史，测试记录 %1</translation>
+    </message>
+    <message>
+        <source>The test could not be kept in the history: %1 (%2)</source>
+        <translation>测试无法存入历史：%1（%2）</translation>
+    </message>
+    <message>
+        <source>It was left in %1 instead</source>
+        <translation>已改存到 %1</translation>
+    </message>
+    <message>
+        <source>there is no test run %1 in the history; sweep-runs lists them</source>
+        <translation>历史中没有测试记录 %1；sweep-runs 可列出全部</translation>
+    </message>
+    <message>
+        <source>%1 has no servo %2</source>
+        <translation>%1 中没有舵机 %2</translation>
+    </message>
+    <message>
+        <source>%1 has servos %2; say which, as in %1:%3 or with --servo</source>
+        <translation>%1 含舵机 %2；请指明是哪一个，如 %1:%3 或用 --servo</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -4150,10 +4374,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>在当前模式下，目标不是可以到达的位置。</translation>
     </message>
     <message>
-        <source>Change to position mode first; the test itself does not touch the mode, because that is kept in the servo.</source>
-        <translation>请先切换到位置模式；测试本身不改模式，因为模式会保存在舵机中。</translation>
-    </message>
-    <message>
         <source>start and end are the same place</source>
         <translation>起点与终点相同</translation>
     </message>
@@ -4248,6 +4468,70 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Free its way, then look at torque limit, speed and alarms.</source>
         <translation>请清除阻挡，再检查扭矩限制、速度和报警。</translation>
+    </message>
+    <message>
+        <source>%3 could not be put back to %1 after the test; it is noted in the journal. Use recover when the servo answers again. At power-off the servo forgets the trial by itself.</source>
+        <translation>测试后 %3 未能恢复为 %1；日志中已有记录。舵机恢复应答后请使用 recover。断电后舵机会自行恢复。</translation>
+    </message>
+    <message>
+        <source>Let the test switch the mode while it lasts (the tick &quot;switch the mode&quot;; --switch-mode on the command line), or change to position mode first.</source>
+        <translation>让测试在运行期间切换模式（勾选“切换模式”；命令行用 --switch-mode），或先切换到位置模式。</translation>
+    </message>
+    <message>
+        <source>There would be nothing to answer to.</source>
+        <translation>没有可响应的阶跃。</translation>
+    </message>
+    <message>
+        <source>Give a step of 1 or more, or a negative one.</source>
+        <translation>请给出不小于 1 的步数，或负数。</translation>
+    </message>
+    <message>
+        <source>the time from goal to goal is out of reach</source>
+        <translation>目标间隔时间超出范围</translation>
+    </message>
+    <message>
+        <source>Every reading of a response is kept, for ten seconds at most.</source>
+        <translation>每次响应的所有采样都会保存，最长十秒。</translation>
+    </message>
+    <message>
+        <source>Give up to ten seconds, or none: then it is worked out.</source>
+        <translation>请给出不超过十秒的时间，或留空由程序确定。</translation>
+    </message>
+    <message>
+        <source>the number of repeats is out of reach</source>
+        <translation>重复次数超出范围</translation>
+    </message>
+    <message>
+        <source>Every reading is kept, of fifty steps there and back at most.</source>
+        <translation>所有采样都会保存，最多往返五十次。</translation>
+    </message>
+    <message>
+        <source>Give 1 to 50.</source>
+        <translation>请给出 1 到 50。</translation>
+    </message>
+    <message>
+        <source>this register is none that can be tried</source>
+        <translation>该寄存器不能试用</translation>
+    </message>
+    <message>
+        <source>A trial sets gains, startup force, integral limit and dead zones, as far as the servo has them.</source>
+        <translation>试用只设置增益、启动力、积分限制和死区（视舵机而定）。</translation>
+    </message>
+    <message>
+        <source>Write other registers in the memory table.</source>
+        <translation>其他寄存器请在内存表中写入。</translation>
+    </message>
+    <message>
+        <source>a test has the bus to itself</source>
+        <translation>总线正被测试独占</translation>
+    </message>
+    <message>
+        <source>Anything else on the wire would spoil what is being measured.</source>
+        <translation>总线上的其他通信会影响测量结果。</translation>
+    </message>
+    <message>
+        <source>Wait until the test has ended, or stop it.</source>
+        <translation>请等测试结束，或停止测试。</translation>
     </message>
 </context>
 <context>
@@ -4418,6 +4702,73 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Tick off what you have looked at</source>
         <translation>检查过的打勾</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CompareDialog</name>
+    <message>
+        <source>Save as page…</source>
+        <translation>保存为网页…</translation>
+    </message>
+    <message>
+        <source>Save the comparison as a page in both languages</source>
+        <translation>将对比保存为双语网页</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close this comparison</source>
+        <translation>关闭此对比</translation>
+    </message>
+    <message>
+        <source>What was different between the two tests</source>
+        <translation>两次测试之间的差异</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Figures of both servos; the difference is B less A</source>
+        <translation>两个舵机的指标；差值为 B 减 A</translation>
+    </message>
+    <message>
+        <source>Settings of the servos that were different at the start of the tests</source>
+        <translation>测试开始时两个舵机不同的参数</translation>
+    </message>
+    <message>
+        <source>test %1</source>
+        <translation>测试 %1</translation>
+    </message>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>firmware %1</source>
+        <translation>固件 %1</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Save the comparison</source>
+        <translation>保存对比</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
     </message>
 </context>
 <context>
@@ -4926,6 +5277,33 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::ErrorHistogram</name>
+    <message>
+        <source>No steady error has been measured yet.</source>
+        <translation>尚未测得静差。</translation>
+    </message>
+    <message>
+        <source>Legs: %1. From %2 to %3 %4, mean %5 %4.</source>
+        <translation>程数：%1。%2 至 %3 %4，平均 %5 %4。</translation>
+    </message>
+    <message>
+        <source>Beyond the warning limit of %1 %2: %3.</source>
+        <translation>超出警告限值 %1 %2：%3。</translation>
+    </message>
+    <message>
+        <source>Beyond the limit of %1 %2: %3.</source>
+        <translation>超出限值 %1 %2：%3。</translation>
+    </message>
+    <message>
+        <source>Error at target</source>
+        <translation>到位误差</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3: %4 of %5 legs (%6 %)</source>
+        <translation>%1 至 %2 %3：%4 / %5 程（%6 %）</translation>
+    </message>
+</context>
+<context>
     <name>ui::HelpWindow</name>
     <message>
         <source>ServoDesk — help</source>
@@ -4976,6 +5354,180 @@ Asked more than once: %9</source>
     <message>
         <source>Writes to a servo of this model, firmware and ID, newest first</source>
         <translation>向这个型号、固件和 ID 的舵机写入的记录，最新的在前</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LimitsDialog</name>
+    <message>
+        <source>Give these limits a name: the report says by which ones a servo was judged.</source>
+        <translation>请为限值命名：报告中会写明舵机按哪组限值判定。</translation>
+    </message>
+    <message>
+        <source>The tolerance must be a number of steps above 0, or empty.</source>
+        <translation>允差必须是大于 0 的步数，或留空。</translation>
+    </message>
+    <message>
+        <source>Without a line every servo would pass: add one.</source>
+        <translation>没有任何限值行时所有舵机都会合格：请添加一行。</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: %3</source>
+        <translation>第 %1 行，%2：%3</translation>
+    </message>
+    <message>
+        <source>Judge by these limits from now on</source>
+        <translation>今后按这些限值判定</translation>
+    </message>
+    <message>
+        <source>Keep these limits in a file</source>
+        <translation>将这些限值保存到文件</translation>
+    </message>
+    <message>
+        <source>Keep the limits</source>
+        <translation>保存限值</translation>
+    </message>
+    <message>
+        <source>Limits from a file</source>
+        <translation>从文件读取限值</translation>
+    </message>
+    <message>
+        <source>Limits (*.json)</source>
+        <translation>限值 (*.json)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>已保存到 %1</translation>
+    </message>
+    <message>
+        <source>Limits of the sweep test</source>
+        <translation>扫描测试的限值</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Stands in the report</source>
+        <translation>写入报告</translation>
+    </message>
+    <message>
+        <source>Models</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>Models or series these are for, with commas between them; empty: any</source>
+        <translation>适用的型号或系列，以逗号分隔；留空表示任意</translation>
+    </message>
+    <message>
+        <source>Tolerance, steps</source>
+        <translation>到位允差，步</translation>
+    </message>
+    <message>
+        <source>So near its target a servo has reached it; empty: as is usual for its family</source>
+        <translation>距目标在此范围内即为到位；留空则用该系列的默认值</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>as usual for the family</source>
+        <translation>该系列默认值</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>限值</translation>
+    </message>
+    <message>
+        <source>A line a figure; type, or press F2, to change it</source>
+        <translation>每行一个指标；直接输入或按 F2 修改</translation>
+    </message>
+    <message>
+        <source>Add a line</source>
+        <translation>添加一行</translation>
+    </message>
+    <message>
+        <source>A limit for one more figure</source>
+        <translation>为另一项指标设限值</translation>
+    </message>
+    <message>
+        <source>Remove the line</source>
+        <translation>删除该行</translation>
+    </message>
+    <message>
+        <source>The chosen figure is no longer judged</source>
+        <translation>所选指标不再判定</translation>
+    </message>
+    <message>
+        <source>Built-in values</source>
+        <translation>内置限值</translation>
+    </message>
+    <message>
+        <source>The limits that come with the program</source>
+        <translation>程序自带的限值</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>读取…</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>另存为…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>The limits stay as they were</source>
+        <translation>限值保持不变</translation>
+    </message>
+    <message>
+        <source>Use these limits</source>
+        <translation>使用这些限值</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LimitsModel</name>
+    <message>
+        <source>at least</source>
+        <translation>至少</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>至多</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number.</source>
+        <translation>“%1”不是数字。</translation>
+    </message>
+    <message>
+        <source>A limit is never negative: errors are judged without their sign.</source>
+        <translation>限值不能为负：误差按绝对值判定。</translation>
+    </message>
+    <message>
+        <source>Give a number to warn at, one to fail at, or both.</source>
+        <translation>请填写警告限值、不合格限值，或两者。</translation>
+    </message>
+    <message>
+        <source>It would fail before it warns: change one of the two numbers.</source>
+        <translation>会先判不合格再警告：请修改其中一个数值。</translation>
+    </message>
+    <message>
+        <source>This figure has a limit in the same direction already.</source>
+        <translation>该指标在同一方向已有限值。</translation>
+    </message>
+    <message>
+        <source>A number in the unit of the figure; empty: no such limit</source>
+        <translation>以该指标的单位填写数值；留空表示无此限值</translation>
+    </message>
+    <message>
+        <source>Must be</source>
+        <translation>要求</translation>
     </message>
 </context>
 <context>
@@ -5184,6 +5736,22 @@ Asked more than once: %9</source>
     <message>
         <source>Drive the servo and watch it</source>
         <translation>驱动舵机并观察</translation>
+    </message>
+    <message>
+        <source>Sweep test</source>
+        <translation>扫描测试</translation>
+    </message>
+    <message>
+        <source>Run servos through their paces and say whether they are good</source>
+        <translation>让舵机走一遍测试，判定是否合格</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>阶跃响应</translation>
+    </message>
+    <message>
+        <source>See how a servo answers a step, and try other gains</source>
+        <translation>查看舵机对阶跃的响应，并试用其他增益</translation>
     </message>
 </context>
 <context>
@@ -5807,6 +6375,181 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::RunsDialog</name>
+    <message>
+        <source>Earlier tests</source>
+        <translation>以往测试</translation>
+    </message>
+    <message>
+        <source>Model, firmware, label, note, operator or port</source>
+        <translation>型号、固件、标签、备注、操作员或端口</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>Show only tests with this text</source>
+        <translation>仅显示含此文字的测试</translation>
+    </message>
+    <message>
+        <source>One row for each servo of a test, newest first</source>
+        <translation>测试中每个舵机一行，最新的在前</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>保存报告…</translation>
+    </message>
+    <message>
+        <source>Save the report of the selected test as a page</source>
+        <translation>将所选测试的报告保存为网页</translation>
+    </message>
+    <message>
+        <source>Compare two</source>
+        <translation>对比两项</translation>
+    </message>
+    <message>
+        <source>Hold two selected tests against each other; the one marked as reference, else the older one, is A</source>
+        <translation>对比所选的两次测试；标为参考的为 A，否则较早的为 A</translation>
+    </message>
+    <message>
+        <source>Label…</source>
+        <translation>标签…</translation>
+    </message>
+    <message>
+        <source>Give the servo in the selected test a name: servos carry no serial number</source>
+        <translation>为所选测试中的舵机命名：舵机没有序列号</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>删除…</translation>
+    </message>
+    <message>
+        <source>Delete the selected tests from the history</source>
+        <translation>从历史中删除所选测试</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>关闭此窗口</translation>
+    </message>
+    <message>
+        <source>Clear reference</source>
+        <translation>取消参考</translation>
+    </message>
+    <message>
+        <source>Mark as reference</source>
+        <translation>设为参考</translation>
+    </message>
+    <message>
+        <source>This servo is no longer what others are held against</source>
+        <translation>不再以此舵机作为对比标准</translation>
+    </message>
+    <message>
+        <source>Hold later tests of this model against this servo; a model has one reference</source>
+        <translation>此型号以后的测试与此舵机对比；每个型号一个参考</translation>
+    </message>
+    <message>
+        <source>No test has been run yet. Tests of the window and of the command line are kept here.</source>
+        <translation>还没有测试。窗口和命令行的测试都保存在这里。</translation>
+    </message>
+    <message>
+        <source>No test fits this filter.</source>
+        <translation>没有符合筛选条件的测试。</translation>
+    </message>
+    <message>
+        <source>Select two rows to hold one against the other. Servos carry no serial number: who is who is told by model, firmware, ID and your label.</source>
+        <translation>选择两行即可对比。舵机没有序列号：只能按型号、固件、ID 和您的标签区分。</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Name of this servo, as it is written on it:</source>
+        <translation>此舵机的名称（如其上所写）：</translation>
+    </message>
+    <message>
+        <source>Delete these tests: %1?</source>
+        <translation>删除所选测试（%1 次）？</translation>
+    </message>
+    <message>
+        <source>Their figures, legs and settings leave the history, those of all servos that were tested together. Reports and readings in files stay.</source>
+        <translation>其指标、各程数据和参数将从历史中移除，包括一同测试的所有舵机。文件形式的报告和读数保留。</translation>
+    </message>
+    <message>
+        <source>This cannot be undone.</source>
+        <translation>此操作无法撤销。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Compared with the reference %1 (test %2 of %3):</source>
+        <translation>与参考 %1（测试 %2，%3）对比：</translation>
+    </message>
+    <message>
+        <source>no figure differs by a tenth or more</source>
+        <translation>没有指标相差十分之一或以上</translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation>%1（模拟）</translation>
+    </message>
+    <message>
+        <source>★ reference</source>
+        <translation>★ 参考</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>固件</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>结论</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+</context>
+<context>
     <name>ui::SearchPanel</name>
     <message>
         <source>%1 % · servos: %2 · %3 left</source>
@@ -6067,6 +6810,900 @@ Asked more than once: %9</source>
     <message>
         <source>Takes torque off the whole bus at once, whatever is open</source>
         <translation>无论打开了什么，立即让整条总线卸力</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StepForm</name>
+    <message>
+        <source>Step</source>
+        <translation>阶跃</translation>
+    </message>
+    <message>
+        <source>How far: in steps, or with a unit (30deg); negative: downwards first</source>
+        <translation>阶跃大小：步数，或带单位（30deg）；负值表示先向下</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>Where the step begins; empty: where the servo stands, or as near as there is room</source>
+        <translation>阶跃的起点；留空：舵机当前位置，或最近的可用位置</translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation>重复</translation>
+    </message>
+    <message>
+        <source>So many times there and back</source>
+        <translation>往返次数</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>From one goal to the next; 0: as long as the step needs</source>
+        <translation>从一个目标到下一个目标的时间；0：按阶跃所需自动确定</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Raw or with a unit; empty: as fast as it can. It gets its own value back</source>
+        <translation>原始值或带单位；留空：最快。结束后恢复原值</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>where it stands</source>
+        <translation>当前位置</translation>
+    </message>
+    <message>
+        <source>as fast as it can</source>
+        <translation>最快</translation>
+    </message>
+    <message>
+        <source>as it needs</source>
+        <translation>自动</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StepGains</name>
+    <message>
+        <source>Now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>试用</translation>
+    </message>
+    <message>
+        <source>This family has no gains to set.</source>
+        <translation>该系列没有可设置的增益。</translation>
+    </message>
+    <message>
+        <source>Choose a servo to see its gains.</source>
+        <translation>请选择舵机以查看增益。</translation>
+    </message>
+    <message>
+        <source>%1: value to try</source>
+        <translation>%1：试用值</translation>
+    </message>
+    <message>
+        <source>%1 … %2; in force during a trial run only, until it is accepted</source>
+        <translation>%1 … %2；仅在试运行期间生效，采用后才永久写入</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StepPage</name>
+    <message>
+        <source>Connect first.</source>
+        <translation>请先连接。</translation>
+    </message>
+    <message>
+        <source>Choose a servo in the list.</source>
+        <translation>请在列表中选择舵机。</translation>
+    </message>
+    <message>
+        <source>What this servo is, is not known: nothing is moved.</source>
+        <translation>无法识别该舵机，不会驱动它。</translation>
+    </message>
+    <message>
+        <source>The search goes on; a run can be started when it has ended.</source>
+        <translation>正在搜索；结束后方可运行。</translation>
+    </message>
+    <message>
+        <source>Another test runs.</source>
+        <translation>另一项测试正在运行。</translation>
+    </message>
+    <message>
+        <source>It was stopped in an emergency: switch torque on first.</source>
+        <translation>已急停：请先打开扭矩输出。</translation>
+    </message>
+    <message>
+        <source>It is in a mode without positions; tick the switch, or change its mode.</source>
+        <translation>当前模式没有位置目标；请勾选切换，或更改模式。</translation>
+    </message>
+    <message>
+        <source>Say how far the step is to go.</source>
+        <translation>请填写阶跃大小。</translation>
+    </message>
+    <message>
+        <source>Change a value under Try first.</source>
+        <translation>请先更改“试用”中的值。</translation>
+    </message>
+    <message>
+        <source>The servo moves. Esc takes torque off all servos.</source>
+        <translation>舵机正在运动。按 Esc 关闭所有舵机的扭矩。</translation>
+    </message>
+    <message>
+        <source>The servo will move when you press Run or Try.</source>
+        <translation>按“运行”或“试用”后舵机会转动。</translation>
+    </message>
+    <message>
+        <source>The same step with the values under Try, which are put back afterwards: %1</source>
+        <translation>用试用值做同样的阶跃，结束后恢复原值：%1</translation>
+    </message>
+    <message>
+        <source>Under Try the values as they are now</source>
+        <translation>将试用值恢复为当前值</translation>
+    </message>
+    <message>
+        <source>Write what was accepted over: %1</source>
+        <translation>写回采用之前的值：%1</translation>
+    </message>
+    <message>
+        <source>Start the run?</source>
+        <translation>开始运行？</translation>
+    </message>
+    <message>
+        <source>ID %1 · %2 gets torque and moves by itself, as fast as it can, until the run has ended.</source>
+        <translation>ID %1 · %2 将打开扭矩并以最快速度自行运动，直到运行结束。</translation>
+    </message>
+    <message>
+        <source>Nothing may be in its way, and nobody&apos;s fingers. Esc takes torque off all servos at once.</source>
+        <translation>运动范围内不得有物体或手指。按 Esc 立即关闭所有舵机的扭矩。</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>What the run had set could not be put back.</source>
+        <translation>运行时的设置未能恢复。</translation>
+    </message>
+    <message>
+        <source>It is noted in the journal: settle it under interrupted writes when the servo answers again. At power-off the servo forgets it by itself.</source>
+        <translation>日志中已有记录：舵机恢复应答后，请在“中断的写入”中处理。断电后舵机会自行恢复。</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>阶跃响应</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>The step with the servo&apos;s own values: it will move</source>
+        <translation>用舵机自身的参数做阶跃：舵机会转动</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>试用</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>End the run; the servo holds where it is</source>
+        <translation>结束运行；舵机保持在当前位置</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>Write the values under Try for good</source>
+        <translation>将试用值永久写入</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Switch to position mode for the run</source>
+        <translation>运行期间切换到位置模式</translation>
+    </message>
+    <message>
+        <source>Until the run has ended, then back again; nothing is kept in the servo for good</source>
+        <translation>运行结束后切换回原模式；不会永久保存到舵机</translation>
+    </message>
+    <message>
+        <source>Progress of the run</source>
+        <translation>运行进度</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StepResults</name>
+    <message>
+        <source>%1, there</source>
+        <translation>%1，去程</translation>
+    </message>
+    <message>
+        <source>%1, back</source>
+        <translation>%1，回程</translation>
+    </message>
+    <message>
+        <source>own values</source>
+        <translation>自身参数</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>步</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>采纳</translation>
+    </message>
+    <message>
+        <source>Put this value into Try; nothing is written</source>
+        <translation>将该值放入“试用”；不写入舵机</translation>
+    </message>
+    <message>
+        <source>Save the runs</source>
+        <translation>保存运行结果</translation>
+    </message>
+    <message>
+        <source>Responses, in steps towards the target</source>
+        <translation>响应曲线（朝目标方向的步数）</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>阶跃</translation>
+    </message>
+    <message>
+        <source>Which step of each run is shown</source>
+        <translation>显示每次运行的哪一次阶跃</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Forget these runs; nothing in the servo changes</source>
+        <translation>清除这些运行结果；舵机不受影响</translation>
+    </message>
+    <message>
+        <source>Run measures how the servo answers a step; Try does the same with other gains, lays both over each other, and puts the gains back.</source>
+        <translation>“运行”测量舵机的阶跃响应；“试用”用其他增益重复测量，叠加显示，然后恢复原增益。</translation>
+    </message>
+    <message>
+        <source>Step responses over each other</source>
+        <translation>阶跃响应叠加图</translation>
+    </message>
+    <message>
+        <source>Figures before and after</source>
+        <translation>前后指标对比</translation>
+    </message>
+    <message>
+        <source>Means of all steps of a run, there and back</source>
+        <translation>一次运行中所有往返阶跃的平均值</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>之后</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>变化</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;What to try next&lt;/b&gt;</source>
+        <translation>&lt;b&gt;下一步建议&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Nothing in these figures asks for another setting.</source>
+        <translation>这些指标无需调整参数。</translation>
+    </message>
+    <message>
+        <source>Save these runs as %1</source>
+        <translation>将这些运行结果保存为 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SweepForm</name>
+    <message>
+        <source>Open a list of targets</source>
+        <translation>打开目标列表</translation>
+    </message>
+    <message>
+        <source>Targets, one a line: target,pause in ms (*.csv *.txt)</source>
+        <translation>目标列表，每行：目标,停顿毫秒数 (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>To and fro between start and end</source>
+        <translation>在起启与结束之间来回</translation>
+    </message>
+    <message>
+        <source>Stairs</source>
+        <translation>步进</translation>
+    </message>
+    <message>
+        <source>From start to end in steps, and back the same steps</source>
+        <translation>从起启到结束逐步走，再逐步返回</translation>
+    </message>
+    <message>
+        <source>Both sides</source>
+        <translation>双向</translation>
+    </message>
+    <message>
+        <source>The middle is come to from either side: shows hysteresis</source>
+        <translation>从两侧到达中间位置：看回差</translation>
+    </message>
+    <message>
+        <source>Sine</source>
+        <translation>正弦</translation>
+    </message>
+    <message>
+        <source>Goals follow a sine: shows how well it follows</source>
+        <translation>目标按正弦变化：看跟随性能</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>随机</translation>
+    </message>
+    <message>
+        <source>Random targets, the same ones for the same number</source>
+        <translation>随机目标，同一序号得到同样的目标</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>列表</translation>
+    </message>
+    <message>
+        <source>Targets from a file, one a line</source>
+        <translation>目标取自文件，每行一个</translation>
+    </message>
+    <message>
+        <source>A raw number, or an angle with its unit: 90deg</source>
+        <translation>原始值，或带单位的角度：90deg</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起启</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>A raw number of steps, or an angle with its unit: 10deg</source>
+        <translation>原始步数，或带单位的角度：10deg</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>周期</translation>
+    </message>
+    <message>
+        <source>Of one whole sine, to the end and back</source>
+        <translation>一个完整正弦，去到结束再返回</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>序号</translation>
+    </message>
+    <message>
+        <source>The same number gives the same targets again</source>
+        <translation>同一序号再次得到同样的目标</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>A text file: one target a line, and if wished a comma and its pause in milliseconds</source>
+        <translation>文本文件：每行一个目标，可再加逗号和停顿毫秒数</translation>
+    </message>
+    <message>
+        <source>Next goal</source>
+        <translation>下一目标</translation>
+    </message>
+    <message>
+        <source>When the next goal is sent</source>
+        <translation>何时发送下一个目标</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>停留</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>延时</translation>
+    </message>
+    <message>
+        <source>So long it rests where it has arrived</source>
+        <translation>到达后停留的时间</translation>
+    </message>
+    <message>
+        <source>From one goal to the next, arrived or not</source>
+        <translation>从一个目标到下一个目标，不论是否到达</translation>
+    </message>
+    <message>
+        <source>Ends after</source>
+        <translation>结束条件</translation>
+    </message>
+    <message>
+        <source>When the test has run its course</source>
+        <translation>测试何时算完成</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>循环次数</translation>
+    </message>
+    <message>
+        <source>One cycle is there and back</source>
+        <translation>一个循环为一去一回</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>From the first leg on</source>
+        <translation>从第一段行程算起</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>A raw number, or with its unit: 30rpm. Empty: as the servo has it</source>
+        <translation>原始值，或带单位：30rpm。留空：用舵机现有值</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>A raw number. Empty: as the servo has it</source>
+        <translation>原始值。留空：用舵机现有值</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Travel time of a move in milliseconds. Empty: as fast as the speed says</source>
+        <translation>一次运动的时间（毫秒）。留空：由速度决定</translation>
+    </message>
+    <message>
+        <source>Warm-up</source>
+        <translation>预热</translation>
+    </message>
+    <message>
+        <source>It moves so long before anything is measured</source>
+        <translation>先运动这么久，再开始测量</translation>
+    </message>
+    <message>
+        <source>Afterwards</source>
+        <translation>结束后</translation>
+    </message>
+    <message>
+        <source>What the servos do when the test has ended or was stopped</source>
+        <translation>测试结束或停止后舵机的状态</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作员</translation>
+    </message>
+    <message>
+        <source>Stands in the report</source>
+        <translation>写入报告</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> 毫秒</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分钟</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>不改变</translation>
+    </message>
+    <message>
+        <source>by speed</source>
+        <translation>由速度决定</translation>
+    </message>
+    <message>
+        <source>After a delay</source>
+        <translation>延时之后</translation>
+    </message>
+    <message>
+        <source>After arrival</source>
+        <translation>到达之后</translation>
+    </message>
+    <message>
+        <source>A number of cycles</source>
+        <translation>循环次数</translation>
+    </message>
+    <message>
+        <source>A length of time</source>
+        <translation>一段时间</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保持扭矩</translation>
+    </message>
+    <message>
+        <source>Torque off</source>
+        <translation>释放扭矩</translation>
+    </message>
+    <message>
+        <source>Open a list…</source>
+        <translation>打开列表…</translation>
+    </message>
+    <message>
+        <source>%1 (targets: %2)</source>
+        <translation>%1（目标：%2 个）</translation>
+    </message>
+    <message>
+        <source>Ends early on</source>
+        <translation>提前结束</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Over-temperature, overload, voltage: whatever the servo reports</source>
+        <translation>过温、过载、电压：舵机报告的任何故障</translation>
+    </message>
+    <message>
+        <source>stall</source>
+        <translation>堵转</translation>
+    </message>
+    <message>
+        <source>It stands still away from its target</source>
+        <translation>停在离目标较远处不动</translation>
+    </message>
+    <message>
+        <source>first failure</source>
+        <translation>首个不合格项</translation>
+    </message>
+    <message>
+        <source>A limit is failed: judged after every cycle</source>
+        <translation>超出限值：每个循环后判定</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SweepLegsModel</name>
+    <message>
+        <source>The latest %1 of %2 legs are shown; the CSV and JSON files have all.</source>
+        <translation>仅显示最近 %1 程（共 %2 程）；CSV 和 JSON 文件含全部。</translation>
+    </message>
+    <message>
+        <source>readings lost: %1</source>
+        <translation>丢失读数：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SweepPage</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <translation>改为 %1</translation>
+    </message>
+    <message>
+        <source>the sine is faster than the servo can turn; it needs a period of at least %1.</source>
+        <translation>正弦变化快于舵机能转的速度，周期至少需要 %1。</translation>
+    </message>
+    <message>
+        <source>the longest way takes %1 at this speed: the servo would turn round before it arrives.</source>
+        <translation>按此速度，最长行程需要 %1：延时太短，舵机未到达就会折返。</translation>
+    </message>
+    <message>
+        <source>nothing tells how fast it goes, so the delay cannot be judged.</source>
+        <translation>无法得知其速度，因此不能判断延时是否够用。</translation>
+    </message>
+    <message>
+        <source>the longest way takes %1 at this speed.</source>
+        <translation>按此速度，最长行程需要 %1。</translation>
+    </message>
+    <message>
+        <source>the longest way takes %1 at this speed: the delay is long enough.</source>
+        <translation>按此速度，最长行程需要 %1：延时够用。</translation>
+    </message>
+    <message>
+        <source>About %1 in all.</source>
+        <translation>全程约 %1。</translation>
+    </message>
+    <message>
+        <source>On the way to the start</source>
+        <translation>正在前往起启位置</translation>
+    </message>
+    <message>
+        <source>Warming up; nothing is measured yet</source>
+        <translation>预热中，尚未开始测量</translation>
+    </message>
+    <message>
+        <source>cycle %1 of %2</source>
+        <translation>第 %1 个循环，共 %2 个</translation>
+    </message>
+    <message>
+        <source>cycle %1</source>
+        <translation>第 %1 个循环</translation>
+    </message>
+    <message>
+        <source>%1 · %2 left</source>
+        <translation>%1 · 剩余 %2</translation>
+    </message>
+    <message>
+        <source>The test is not in the history.</source>
+        <translation>测试未能存入历史记录。</translation>
+    </message>
+    <message>
+        <source>It was left in the file %1.</source>
+        <translation>已保存在文件 %1。</translation>
+    </message>
+    <message>
+        <source>Connect first: there is no open port.</source>
+        <translation>请先连接：尚未打开串口。</translation>
+    </message>
+    <message>
+        <source>The search goes on; the test can be started when it has ended.</source>
+        <translation>搜索进行中，结束后才能开始测试。</translation>
+    </message>
+    <message>
+        <source>Choose a servo in the list, or tick one below.</source>
+        <translation>请在列表中选择舵机，或在此勾选。</translation>
+    </message>
+    <message>
+        <source>Start the test?</source>
+        <translation>开始测试？</translation>
+    </message>
+    <message>
+        <source>These servos get torque and move by themselves until the test has ended: %1</source>
+        <translation>以下舵机将上扭矩并自行运动，直到测试结束：%1</translation>
+    </message>
+    <message>
+        <source>Nothing may be in their way, and nobody&apos;s fingers. Esc takes torque off all servos at once.</source>
+        <translation>行程内不得有任何物体，更不得有手指。按 Esc 立即释放全部舵机的扭矩。</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Sweep test</source>
+        <translation>扫描测试</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Start the test: the servos will move</source>
+        <translation>开始测试：舵机将会运动</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>End the test; the servos hold or are released, as chosen</source>
+        <translation>结束测试；舵机按所选保持或释放扭矩</translation>
+    </message>
+    <message>
+        <source>Switch to position mode for the test</source>
+        <translation>测试期间切换到位置模式</translation>
+    </message>
+    <message>
+        <source>Until the test has ended, then back again; nothing is kept in the servo for good</source>
+        <translation>测试结束后切换回来；舵机中不会永久保存任何改动</translation>
+    </message>
+    <message>
+        <source>Progress of the test</source>
+        <translation>测试进度</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SweepResults</name>
+    <message>
+        <source>Position and goal</source>
+        <translation>位置与目标</translation>
+    </message>
+    <message>
+        <source>Position and goal — %1</source>
+        <translation>位置与目标 — %1</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>No test has run yet. Choose a test at the left, look at start and end, then press Run: the servo will move.</source>
+        <translation>尚未运行测试。在左侧选择测试，确认起启与结束，然后按“运行”：舵机将会运动。</translation>
+    </message>
+    <message>
+        <source>The servo that is shown</source>
+        <translation>当前显示的舵机</translation>
+    </message>
+    <message>
+        <source>Servo shown</source>
+        <translation>显示的舵机</translation>
+    </message>
+    <message>
+        <source>Figures and their grades</source>
+        <translation>各项数值与判定</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>行程</translation>
+    </message>
+    <message>
+        <source>All figures</source>
+        <translation>全部数值</translation>
+    </message>
+    <message>
+        <source>Show the figures without a limit, too</source>
+        <translation>也显示没有限值的数值</translation>
+    </message>
+    <message>
+        <source>Error at the target</source>
+        <translation>到位误差</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>All legs as a table, and all readings beside it</source>
+        <translation>全部行程的表格，旁边附全部读数</translation>
+    </message>
+    <message>
+        <source>Save the report as %1</source>
+        <translation>将报告保存为 %1</translation>
+    </message>
+    <message>
+        <source>Earlier tests…</source>
+        <translation>以往测试…</translation>
+    </message>
+    <message>
+        <source>Look at kept tests, compare two, choose a reference</source>
+        <translation>查看已保存的测试，比较两次测试，选定参考舵机</translation>
+    </message>
+    <message>
+        <source>Silences of the line that were waited out: %1.</source>
+        <translation>已等待恢复的通信中断：%1 次。</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SweepServos</name>
+    <message>
+        <source>Ticked: takes part in the test</source>
+        <translation>勾选：参加测试</translation>
+    </message>
+    <message>
+        <source>A range of its own; empty: start and end above</source>
+        <translation>单独的范围；留空：用上面的起启与结束</translation>
+    </message>
+    <message>
+        <source>Limits: %1</source>
+        <translation>限值：%1</translation>
+    </message>
+    <message>
+        <source>Limits: built in</source>
+        <translation>限值：内置</translation>
+    </message>
+    <message>
+        <source>Servos</source>
+        <translation>舵机</translation>
+    </message>
+    <message>
+        <source>Servos to be tested</source>
+        <translation>要测试的舵机</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>舵机</translation>
+    </message>
+    <message>
+        <source>own start</source>
+        <translation>单独起启</translation>
+    </message>
+    <message>
+        <source>own end</source>
+        <translation>单独结束</translation>
+    </message>
+    <message>
+        <source>Limits…</source>
+        <translation>限值…</translation>
+    </message>
+    <message>
+        <source>What the servo of the marked row is judged by: look, edit, load, save</source>
+        <translation>所选行的舵机按什么限值判定：查看、编辑、载入、保存</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SweepVerdictModel</name>
+    <message>
+        <source>no limit</source>
+        <translation>无限值</translation>
     </message>
 </context>
 <context>
