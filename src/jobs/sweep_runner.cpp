@@ -101,16 +101,29 @@ base::Result<void> SweepRunner::approach()
     const auto there = [](const Track& track) {
         return track.meter->arrived(approachRest) || track.meter->standsNear(approachRest);
     };
-    read(at + patience(), [&] { return std::all_of(m_tracks.begin(), m_tracks.end(), there); });
+    const auto allThere = [&] { return std::all_of(m_tracks.begin(), m_tracks.end(), there); };
+    read(at + patience(), allThere);
+    if (silent()) { // perhaps it is there
+        read(Duration::max(), [this] { return !silent(); });
+        read(now() + patience(), allThere);
+    }
     for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
         if (!m_tracks[i].meter->arrived(Duration::zero()) && !there(m_tracks[i]))
-            return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("sweep"),
-                                              QStringLiteral("no-start"), m_servos[i].id});
+            return notAtStart(i);
         m_reader.anchor(i, m_tracks[i].goal);
     }
     for (Track& track : m_tracks)
         track.meter.reset();
     return {};
+}
+
+/// Who has lost its torque on the way is not to blame for that.
+base::Result<void> SweepRunner::notAtStart(std::size_t i)
+{
+    if (const auto held = stillHeld(); held && !*held)
+        return {};
+    return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("sweep"),
+                                      QStringLiteral("no-start"), m_servos[i].id});
 }
 
 /// The same legs, not measured.

@@ -37,6 +37,7 @@ private:
 
     base::Result<void> goThrough();
     base::Result<void> approach();
+    base::Result<void> notAtStart(std::size_t i);
     void warmUp();
     void measure();
     void step(int number);
@@ -45,6 +46,7 @@ private:
     void close();
     base::Result<void> send(std::vector<double> targets);
     base::Result<bool> stillHeld();
+    bool silent() const; ///< somebody is
     bool sendOrEnd(const std::vector<double>& targets);
 
     /// Reads until `until`, or `done`, or the end.
@@ -82,6 +84,7 @@ private:
     base::Duration m_nextAt{};         ///< Delay: the next goal is due; 0: at once
     base::Duration m_waveStart{};
     base::Duration m_toldAt{};
+    bool m_drives = false; ///< a goal of this run has been sent
     bool m_measuring = false;
     int m_leg = 0;
     base::Duration m_legAt{}; ///< its goal had been sent

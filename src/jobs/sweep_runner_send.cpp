@@ -6,7 +6,6 @@
 #include <algorithm>
 
 namespace jobs {
-using base::Duration;
 using base::ErrorCode;
 using record::SweepEnd;
 
@@ -22,6 +21,7 @@ base::Result<void> SweepRunner::send(std::vector<double> targets)
         if (sent) {
             for (std::size_t i = 0; i < m_tracks.size(); ++i)
                 m_tracks[i].goal = targets[i];
+            m_drives = true;
             return {};
         }
         switch (sent.error().code) {
@@ -49,14 +49,14 @@ base::Result<void> SweepRunner::send(std::vector<double> targets)
 }
 
 /// Whoever restarted while nobody heard it has no torque, and a goal would switch it on by
-/// surprise, from wherever it has sunk to. Then the run ends, and this is false.
+/// surprise, from wherever it has sunk to. Then the run ends, and this is false. Before the first
+/// goal torque may be off by right: that goal is to switch it on.
 base::Result<bool> SweepRunner::stillHeld()
 {
-    const Duration instant = now();
-    m_wasSilent |= std::any_of(m_tracks.begin(), m_tracks.end(), [&](const Track& track) {
-        return instant - track.heardAt >= gapFrom;
-    });
-    if (!m_measuring || !m_wasSilent)
+    if (!m_drives)
+        return true;
+    m_wasSilent |= silent();
+    if (!m_wasSilent)
         return true;
     for (std::size_t i = 0; i < m_servos.size(); ++i) {
         device::Servo& servo = m_servos[i];
@@ -73,6 +73,12 @@ base::Result<bool> SweepRunner::stillHeld()
     }
     m_wasSilent = false;
     return true;
+}
+
+bool SweepRunner::silent() const
+{
+    return std::any_of(m_tracks.begin(), m_tracks.end(),
+                       [this](const Track& track) { return now() - track.heardAt >= gapFrom; });
 }
 
 bool SweepRunner::sendOrEnd(const std::vector<double>& targets)

@@ -91,6 +91,11 @@ private Q_SLOTS:
     void aPlugPulledAndPutBackIsAGap();
     void aPlugThatStaysOutEndsIt();
     void whoLostTorqueWithThePlugIsNotSwitchedOn();
+    void whoLostTorqueBeforeItIsMeasuredIsNotSwitchedOn_data();
+    void whoLostTorqueBeforeItIsMeasuredIsNotSwitchedOn();
+    void aPlugPutBackBeforeItIsMeasuredCostsNothing_data();
+    void aPlugPutBackBeforeItIsMeasuredCostsNothing();
+    void whoHadNoTorqueAtTheBeginningIsSwitchedOn();
     void aStopWhileThePlugIsOutIsTheFirstWord();
     void theUserStops();
     void theEmergencyStopEndsIt();
@@ -454,6 +459,125 @@ void TestSweep::whoLostTorqueWithThePlugIsNotSwitchedOn()
     QCOMPARE(bench.raw(1, text("torque_switch")), 0);
     QCOMPARE(bench.raw(2, text("torque_switch")), 0);
     QCOMPARE(bench.frames(support::SyncWrite), 0); // no goal went out
+}
+
+namespace {
+/// Pulls the plug so long after the first goal, for 2 s; `meanwhile` is what happens then.
+jobs::SweepWatch pullingThePlugEarly(SimBench& bench, base::Duration after,
+                                     std::function<void()> meanwhile = {})
+{
+    jobs::SweepWatch watch;
+    const auto at = std::make_shared<std::optional<base::Duration>>();
+    const auto phase = std::make_shared<int>(0);
+    watch.onProgress = [&bench, at, phase, after, meanwhile](const jobs::SweepProgress& progress) {
+        const base::Duration now = bench.clock().now();
+        if (*phase == 0 && progress.warmingUp && bench.frames(support::SyncWrite) > 0) {
+            *at = now + after;
+            *phase = 1;
+        } else if (*phase == 1 && now >= **at) {
+            bench.cutLink();
+            *at = now + 2s;
+            *phase = 2;
+        } else if (*phase == 2 && now >= **at) {
+            if (meanwhile)
+                meanwhile();
+            bench.forgetFrames();
+            bench.restoreLink();
+            *phase = 3;
+        }
+    };
+    return watch;
+}
+
+void earlyPhases()
+{
+    QTest::addColumn<int>("after");
+    QTest::addColumn<QString>("from");
+    QTest::newRow("on the way to the start") << 100 << text("1000");
+    QTest::newRow("at the start already") << 100 << text("2048");
+    QTest::newRow("while warming up") << 5000 << text("1000");
+    QTest::newRow("on the way back from it") << 11'900 << text("1000");
+}
+
+record::SweepSpec warmedUp(const QString& from)
+{
+    record::SweepSpec spec = sweepSpec();
+    spec.range.from = from;
+    spec.warmUp = 10s;
+    return spec;
+}
+} // namespace
+
+void TestSweep::whoLostTorqueBeforeItIsMeasuredIsNotSwitchedOn_data()
+{
+    earlyPhases();
+}
+
+void TestSweep::whoLostTorqueBeforeItIsMeasuredIsNotSwitchedOn()
+{
+    QFETCH(int, after);
+    QFETCH(QString, from);
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    bench.forgetFrames();
+    const auto done = run(
+        bench, servos, warmedUp(from),
+        pullingThePlugEarly(bench, std::chrono::milliseconds(after), [&] { bench.powerCycle(); }));
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->end, SweepEnd::TorqueLost);
+    QCOMPARE(done->endedBy, 1);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+    QVERIFY(done->servos.at(0).legs.empty());
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QCOMPARE(bench.raw(2, text("torque_switch")), 0);
+    QCOMPARE(bench.frames(support::SyncWrite), 0); // no goal went out
+}
+
+void TestSweep::aPlugPutBackBeforeItIsMeasuredCostsNothing_data()
+{
+    earlyPhases();
+}
+
+void TestSweep::aPlugPutBackBeforeItIsMeasuredCostsNothing()
+{
+    QFETCH(int, after);
+    QFETCH(QString, from);
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    bench.forgetFrames();
+    const auto done = run(bench, servos, warmedUp(from),
+                          pullingThePlugEarly(bench, std::chrono::milliseconds(after)));
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QVERIFY(done->gaps.empty());
+    for (const record::SweepServo& servo : done->servos) {
+        QCOMPARE(servo.legs.size(), std::size_t(6));
+        QCOMPARE(*metric(servo, "missed_targets"), 0.0);
+        QCOMPARE(*metric(servo, "communication_errors"), 0.0);
+    }
+}
+
+/// A silence before its first goal says nothing of the torque: the test is to switch it on.
+void TestSweep::whoHadNoTorqueAtTheBeginningIsSwitchedOn()
+{
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    jobs::SweepWatch watch;
+    base::Duration backAt{};
+    watch.onBegin = [&](const record::SweepRun&) -> std::optional<base::Error> {
+        bench.wireConfig().faults.dropRequest = 1.0;
+        backAt = bench.clock().now() + 1500ms;
+        return {};
+    };
+    bench.tap().onWrite = [&](const base::Bytes&) {
+        if (backAt > 0s && bench.clock().now() >= backAt)
+            bench.wireConfig().faults.dropRequest = 0;
+    };
+    const auto done = run(bench, servos, sweepSpec(), watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QVERIFY(bench.clock().now() > backAt);
 }
 
 void TestSweep::aStopWhileThePlugIsOutIsTheFirstWord()
