@@ -3,7 +3,9 @@
 
 #include "device/motion.h"
 #include "device/talk.h"
+#include "jobs/link_return.h"
 #include "jobs/step_meter.h"
+#include "jobs/sweep_runner.h"
 #include "jobs/temporary.h"
 
 #include <algorithm>
@@ -49,6 +51,17 @@ base::Result<std::vector<record::StepGain>> gainsOf(const device::Context& conte
             gains.push_back({reg->key, *raw});
     }
     return gains;
+}
+
+/// The leg's own figures forget it themselves.
+void forgetMotion(record::StepFigures& figures)
+{
+    figures.deadTime.reset();
+    figures.riseTime.reset();
+    figures.swings.reset();
+    figures.swingFrequency.reset();
+    figures.swingAmplitude.reset();
+    figures.peakSpeed.reset();
 }
 
 /// The speed and the acceleration a servo had before, which are in its RAM only.
@@ -113,7 +126,10 @@ public:
     base::Result<record::StepRun> run();
 
 private:
+    base::Result<record::StepRun> ride();
     base::Result<void> drive();
+    base::Result<void> checkGains();
+    bool seenThroughout() const;
     SweepWatch watch();
     void take(const SweepSample& sample, int leg);
     void close(const record::SweepLeg& leg);
@@ -136,6 +152,18 @@ void StepJob::take(const SweepSample& sample, int leg)
         {sample.at - m_goalAt, *sample.position, sample.speed, sample.load, sample.current});
 }
 
+/// Without a gap in which nobody knows what it did.
+bool StepJob::seenThroughout() const
+{
+    base::Duration heardAt{};
+    for (const record::StepSample& sample : m_samples) {
+        if (sample.at - heardAt >= SweepRunner::gapFrom)
+            return false;
+        heardAt = sample.at;
+    }
+    return m_context.bus.clock().now() - m_goalAt - heardAt < SweepRunner::gapFrom;
+}
+
 void StepJob::close(const record::SweepLeg& leg)
 {
     record::StepResponse response;
@@ -146,6 +174,8 @@ void StepJob::close(const record::SweepLeg& leg)
     response.lost = leg.lost;
     response.alarms = leg.alarms;
     response.figures = stepFigures(m_samples, leg);
+    if (!seenThroughout())
+        forgetMotion(response.figures);
     response.samples = std::exchange(m_samples, {});
     if (m_watch.onResponse)
         m_watch.onResponse(response);
@@ -188,6 +218,11 @@ base::Result<void> StepJob::drive()
     std::vector<device::Servo> servos{m_servo};
     auto done = sweep(m_context, servos, order, watch());
     m_servo = servos.front();
+    m_context.bus.awaitReturn(SweepRunner::mostSilence); // the sweep's has ended with it
+    if (done && done->end == record::SweepEnd::Finished) {
+        if (const auto same = checkGains(); !same)
+            done = tl::unexpected(same.error());
+    }
     m_run.putBack = (*trial)->putBack().has_value();
     if (!done)
         return tl::unexpected(done.error());
@@ -202,7 +237,29 @@ base::Result<void> StepJob::drive()
     return {};
 }
 
+/// Who restarted between the setting and the first goal has moved with its own gains: what a trial
+/// of others has brought is not known then.
+base::Result<void> StepJob::checkGains()
+{
+    const auto now = gainsOf(m_context, m_servo);
+    if (!now || *now == m_run.gains)
+        return {};
+    for (std::size_t i = 0; i < now->size() && i < m_run.gains.size(); ++i) {
+        if (!((*now)[i] == m_run.gains[i]))
+            return tl::unexpected(base::Error{ErrorCode::Mismatch, QStringLiteral("step"),
+                                              QString(), m_servo.id, (*now)[i].key});
+    }
+    return {};
+}
+
 base::Result<record::StepRun> StepJob::run()
+{
+    // A plug that is pulled may be put back, also while settings are written.
+    const bus::LinkPatience patience(m_context.bus, SweepRunner::mostSilence);
+    return ride();
+}
+
+base::Result<record::StepRun> StepJob::ride()
 {
     m_run.program = m_order.program;
     m_run.simulated = m_order.simulated;
@@ -220,6 +277,7 @@ base::Result<record::StepRun> StepJob::run()
     if (!rates)
         return tl::unexpected(rates.error());
     const auto driven = drive();
+    waitWhileAway(m_context.bus);
     if (m_run.end != record::SweepEnd::Emergency && !m_context.bus.lost())
         rates->putBack(m_context, m_servo);
     if (mode && !mode->putBack())

@@ -2,6 +2,7 @@
 #include "jobs/sweep_drive.h"
 
 #include "device/move_limits.h"
+#include "jobs/link_return.h"
 #include "jobs/sweep_axis.h"
 
 #include <algorithm>
@@ -38,19 +39,24 @@ base::Result<void> sendSweepGoals(const device::Context& context,
 void leaveSafe(const device::Context& context, std::vector<device::Servo>& servos,
                const record::SweepRun& run, int atFault)
 {
-    if (run.end == SweepEnd::Emergency || context.bus.lost())
+    if (run.end == SweepEnd::Emergency)
         return;
     // The user's stop has ended the test, not what makes its end safe.
     const base::Stop unstopped;
     const device::Context last{context.bus,     context.catalog,  context.journal, unstopped,
                                context.notices, context.priority, context.hold,    context.epoch};
-    for (std::size_t i = 0; i < servos.size(); ++i) {
-        const bool fault = int(i) == atFault;
-        if (run.end != SweepEnd::Finished && !fault)
-            (void)device::halt(last, servos[i]);
-        // Neither heat nor a jammed lever gets better by pushing on.
-        if (fault || run.spec.releaseAtEnd)
-            (void)device::setTorque(last, servos[i], device::Torque::Off);
-    }
+    do {
+        waitWhileAway(context.bus);
+        if (context.bus.lost())
+            return;
+        for (std::size_t i = 0; i < servos.size(); ++i) {
+            const bool fault = int(i) == atFault;
+            if (run.end != SweepEnd::Finished && !fault)
+                (void)device::halt(last, servos[i]);
+            // Neither heat nor a jammed lever gets better by pushing on.
+            if (fault || run.spec.releaseAtEnd)
+                (void)device::setTorque(last, servos[i], device::Torque::Off);
+        }
+    } while (context.bus.away()); // pulled in the middle of it
 }
 } // namespace jobs

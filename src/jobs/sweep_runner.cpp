@@ -18,9 +18,6 @@ namespace {
 constexpr Duration readEvery = 20ms;
 constexpr Duration reportEvery = 100ms;
 
-/// A line that says nothing for so long has come to its end.
-constexpr Duration mostSilence = 5s;
-
 /// At rest for so long it has arrived at the start. One that rests a little beside it comes no
 /// nearer: how far that is the test will measure.
 constexpr Duration approachRest = 200ms;
@@ -33,6 +30,18 @@ constexpr Duration waveStep = 20ms;
 /// A leg that is not over after thrice its time has missed its target.
 constexpr Duration slowestStart = 2s;
 constexpr Duration unknownTravel = 20s;
+
+/// What nobody saw from beginning to end is not measured.
+void forgetMotion(record::SweepLeg& leg)
+{
+    leg.timeToTarget.reset();
+    leg.settling.reset();
+    leg.overshoot.reset();
+    leg.overshootSteps.reset();
+    leg.meanSpeed.reset();
+    leg.topSpeed.reset();
+    leg.followingError.reset();
+}
 } // namespace
 
 SweepRunner::SweepRunner(const device::Context& context, std::vector<device::Servo>& servos,
@@ -246,10 +255,8 @@ void SweepRunner::close()
         // when that was is not known either.
         const bool unseen = track.gapInLeg || now() - track.heardAt >= gapFrom;
         leg.missed = leg.missed && !ended() && !unseen;
-        if (unseen) {
-            leg.timeToTarget.reset();
-            leg.settling.reset();
-        }
+        if (unseen)
+            forgetMotion(leg);
         m_run.servos[i].legs.push_back(leg);
         if (m_watch.onLeg)
             m_watch.onLeg(i, leg);

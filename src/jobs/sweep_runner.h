@@ -11,6 +11,11 @@
 namespace jobs {
 class SweepRunner {
 public:
+    /// A line that says nothing for so long is a gap: nobody saw the servo, and it may have
+    /// restarted. For longer, it is the end.
+    static constexpr base::Duration gapFrom = std::chrono::milliseconds(300);
+    static constexpr base::Duration mostSilence = std::chrono::seconds(5);
+
     /// `run`: what was asked for, with an axis and limits for each servo.
     SweepRunner(const device::Context& context, std::vector<device::Servo>& servos,
                 record::SweepRun run, const SweepWatch& watch);
@@ -19,10 +24,6 @@ public:
     base::Result<record::SweepRun> run();
 
 private:
-    /// A line that says nothing for so long is a gap: nobody saw the servo, and it may have
-    /// restarted.
-    static constexpr base::Duration gapFrom = std::chrono::milliseconds(300);
-
     /// What is known of a servo beside its legs.
     struct Track {
         SweepPath path;

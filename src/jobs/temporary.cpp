@@ -3,6 +3,7 @@
 
 #include "device/motion.h"
 #include "device/move_limits.h"
+#include "jobs/link_return.h"
 
 #include <algorithm>
 #include <map>
@@ -202,6 +203,7 @@ base::Result<void> TemporarySettings::tryBack()
 {
     // The user's stop has ended the job, not what makes its end safe.
     const base::Stop unstopped;
+    waitWhileAway(m_context.bus);
     const std::uint64_t now = m_context.bus.emergencies();
     const bool emergency = now != m_emergencies || m_context.epoch.value_or(now) != now;
     if (emergency && m_mode)

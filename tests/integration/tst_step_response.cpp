@@ -127,6 +127,12 @@ private Q_SLOTS:
     void gainsAreBackHoweverItEnds_data();
     void gainsAreBackHoweverItEnds();
     void aLostLinkIsFoundByRecovery();
+    void aPlugPulledAndPutBackCostsOneResponse();
+    void whoRestartedWithThePlugStaysOffAndHasItsOwnGains_data();
+    void whoRestartedWithThePlugStaysOffAndHasItsOwnGains();
+    void aStopWhileThePlugIsOutPutsGainsBackAfterIt();
+    void aPlugPulledWhileGainsAreSetLeavesNothingBehind();
+    void gainsThatWereLostBeforeTheFirstStepAreNoTrial();
     void anotherModeIsSwitchedIfAsked();
     void whatForbidsIt_data();
     void whatForbidsIt();
@@ -317,6 +323,177 @@ void TestStepResponse::aLostLinkIsFoundByRecovery()
     const auto settled = jobs::recover(bench.context(), jobs::RecoverAction::Undo);
     QVERIFY(settled && settled->front().done);
     QCOMPARE(bench.raw(1, text("position_p")), 32);
+}
+
+namespace {
+/// Pulls the plug a moment after response 1, for so long; `meanwhile` is what happens then.
+jobs::StepWatch pullingThePlug(SimBench& bench, base::Duration away,
+                               std::function<void()> meanwhile = {})
+{
+    jobs::StepWatch watch;
+    const auto at = std::make_shared<std::optional<base::Duration>>();
+    watch.onResponse = [&bench, at, away](const record::StepResponse& response) {
+        if (response.number != 1)
+            return;
+        bench.cutLink();
+        *at = bench.clock().now() + away;
+    };
+    watch.onProgress = [&bench, at, meanwhile](const jobs::SweepProgress&) {
+        if (!*at || bench.clock().now() < **at)
+            return;
+        *at = base::Duration::max();
+        if (meanwhile)
+            meanwhile();
+        bench.restoreLink();
+    };
+    return watch;
+}
+
+bool said(SimBench& bench, device::NoticeCode code)
+{
+    return std::any_of(bench.notices().begin(), bench.notices().end(),
+                       [code](const device::Notice& notice) { return notice.code == code; });
+}
+} // namespace
+
+/// Nobody saw what it did meanwhile; the others are as good as ever.
+void TestStepResponse::aPlugPulledAndPutBackCostsOneResponse()
+{
+    SimBench bench(text("sts3215@1"));
+    jobs::StepOrder asked = order("400", {{text("position_p"), 20}});
+    asked.spec.hold = 1s;
+    const auto done = run(bench, asked, pullingThePlug(bench, 2s));
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QCOMPARE(done->responses.size(), std::size_t(4));
+    int seen = 0;
+    for (const record::StepResponse& response : done->responses) {
+        const record::StepFigures& found = response.figures;
+        QVERIFY(!response.missed);
+        if (found.riseTime) {
+            ++seen;
+            QVERIFY(found.deadTime && found.peakSpeed && found.timeToTarget);
+            continue;
+        }
+        QVERIFY(!found.deadTime && !found.timeToTarget && !found.settling && !found.overshoot);
+        QVERIFY(!found.overshootSteps && !found.swings && !found.swingFrequency);
+        QVERIFY(!found.swingAmplitude && !found.peakSpeed);
+    }
+    QVERIFY(seen == 3 || seen == 2);
+    QVERIFY(done->putBack);
+    QCOMPARE(bench.raw(1, text("position_p")), 32);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 1);
+    QVERIFY(bench.journal().open()->empty());
+    // The patience was the run's.
+    bench.cutLink();
+    bench.bus().listen(10ms);
+    QVERIFY(bench.bus().lost());
+}
+
+void TestStepResponse::whoRestartedWithThePlugStaysOffAndHasItsOwnGains_data()
+{
+    QTest::addColumn<int>("mode");
+    QTest::newRow("in its own mode") << 0;
+    QTest::newRow("in another mode") << 1;
+}
+
+void TestStepResponse::whoRestartedWithThePlugStaysOffAndHasItsOwnGains()
+{
+    QFETCH(int, mode);
+    SimBench bench(text("sts3215@1"));
+    bench.poke(1, text("operating_mode"), mode);
+    const auto before = eprom(bench);
+    jobs::StepOrder asked = order("400", {{text("position_p"), 20}});
+    asked.switchMode = mode != 0;
+    bool afterwards = false;
+    const auto done = run(bench, asked, pullingThePlug(bench, 2s, [&] {
+                              QCOMPARE(bench.raw(1, text("position_p")), 20);
+                              bench.powerCycle();
+                              afterwards = true;
+                          }));
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QVERIFY(afterwards);
+    QCOMPARE(done->end, SweepEnd::TorqueLost);
+    QVERIFY(!done->responses.empty() && done->responses.front().figures.riseTime);
+    QVERIFY(done->putBack);
+    QVERIFY(!said(bench, device::NoticeCode::SettingNotPutBack));
+    QVERIFY(bench.journal().open()->empty());
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QCOMPARE(bench.raw(1, text("position_p")), 32);
+    QCOMPARE(bench.raw(1, text("operating_mode")), mode);
+    QVERIFY(before == eprom(bench));
+    const auto stands = bench.raw(1, text("present_position"));
+    bench.letTimePass(2s);
+    QVERIFY(std::abs(bench.raw(1, text("present_position")) - stands) < 3);
+}
+
+namespace {
+void pullFor(SimBench& bench, base::Duration span)
+{
+    bench.cutLink();
+    const base::Duration backAt = bench.clock().now() + span;
+    bench.tap().onOpen = [&bench, backAt] {
+        if (bench.clock().now() >= backAt)
+            bench.restoreLink();
+    };
+}
+} // namespace
+
+void TestStepResponse::aStopWhileThePlugIsOutPutsGainsBackAfterIt()
+{
+    SimBench bench(text("sts3215@1"));
+    jobs::StepWatch watch;
+    watch.onResponse = [&](const record::StepResponse& response) {
+        if (response.number != 1)
+            return;
+        pullFor(bench, 1s);
+        bench.stop().request();
+    };
+    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Stopped);
+    QVERIFY(done->putBack);
+    QVERIFY(!said(bench, device::NoticeCode::SettingNotPutBack));
+    QCOMPARE(bench.raw(1, text("position_p")), 32);
+    QVERIFY(bench.journal().open()->empty());
+}
+
+void TestStepResponse::aPlugPulledWhileGainsAreSetLeavesNothingBehind()
+{
+    SimBench bench(text("sts3215@1"));
+    int gains = 0;
+    bench.tap().onWrite = [&](const base::Bytes& frame) {
+        constexpr int addressOfP = 21;
+        if (gains == 1) // the frame after it
+            pullFor(bench, 1s);
+        if (gains > 0 || (frame.size() > 5 && frame[4] == support::Write && frame[5] == addressOfP))
+            ++gains;
+    };
+    const auto done = run(bench, order("400", {{text("position_p"), 20}}));
+    QVERIFY(!done);
+    QCOMPARE(done.error().code, ErrorCode::NoAnswer);
+    QVERIFY(gains > 1);
+    QCOMPARE(bench.raw(1, text("position_p")), 32);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QVERIFY(bench.journal().open()->empty());
+}
+
+/// It restarts before it is driven: what is measured then is not what was asked for.
+void TestStepResponse::gainsThatWereLostBeforeTheFirstStepAreNoTrial()
+{
+    SimBench bench(text("sts3215@1"));
+    jobs::StepWatch watch;
+    bool restarted = false;
+    watch.onProgress = [&](const jobs::SweepProgress&) {
+        if (!std::exchange(restarted, true))
+            bench.powerCycle();
+    };
+    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    QVERIFY(!done);
+    QCOMPARE(done.error().code, ErrorCode::Mismatch);
+    QCOMPARE(done.error().registerKey, text("position_p"));
+    QCOMPARE(bench.raw(1, text("position_p")), 32);
+    QVERIFY(bench.journal().open()->empty());
 }
 
 void TestStepResponse::anotherModeIsSwitchedIfAsked()

@@ -89,6 +89,7 @@ private Q_SLOTS:
     void aSilentSecondIsAGap();
     void aLongSilenceEndsIt();
     void aPlugPulledAndPutBackIsAGap();
+    void whoeverIsStoppedWhileThePlugIsOutIsReleasedAfterIt();
     void aPlugThatStaysOutEndsIt();
     void whoLostTorqueWithThePlugIsNotSwitchedOn();
     void whoLostTorqueBeforeItIsMeasuredIsNotSwitchedOn_data();
@@ -423,7 +424,13 @@ void TestSweep::aPlugPulledAndPutBackIsAGap()
     for (const record::SweepServo& servo : done->servos) {
         QCOMPARE(servo.legs.size(), std::size_t(6));
         QVERIFY(servo.legs[1].lost > 0);
-        QVERIFY(!servo.legs[1].missed && !servo.legs[1].timeToTarget); // nobody saw it
+        const record::SweepLeg& unseen = servo.legs[1];
+        QVERIFY(!unseen.missed && !unseen.timeToTarget && !unseen.settling); // nobody saw it
+        QVERIFY(!unseen.meanSpeed && !unseen.topSpeed && !unseen.followingError);
+        QVERIFY(!unseen.overshoot && !unseen.overshootSteps);
+        const record::SweepLeg& seen = servo.legs[4];
+        QVERIFY(seen.timeToTarget && seen.settling && seen.meanSpeed && seen.topSpeed);
+        QVERIFY(seen.followingError);
         QCOMPARE(*metric(servo, "missed_targets"), 0.0);
         QVERIFY(!servo.legs[4].missed && servo.legs[4].lost == 0);
         QVERIFY(*metric(servo, "communication_errors") > 0);
@@ -433,6 +440,31 @@ void TestSweep::aPlugPulledAndPutBackIsAGap()
     bench.cutLink();
     bench.bus().listen(10ms);
     QVERIFY(bench.bus().lost());
+}
+
+/// What the user stops is to be left safe, also when that can be said only later.
+void TestSweep::whoeverIsStoppedWhileThePlugIsOutIsReleasedAfterIt()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = sweepSpec();
+    spec.releaseAtEnd = true;
+    jobs::SweepWatch watch;
+    watch.onGoal = [&](std::size_t, int leg, base::Duration) {
+        if (leg != 2)
+            return;
+        bench.cutLink();
+        const base::Duration backAt = bench.clock().now() + 1s;
+        bench.tap().onOpen = [&bench, backAt] {
+            if (bench.clock().now() >= backAt)
+                bench.restoreLink();
+        };
+        bench.stop().request();
+    };
+    const auto done = run(bench, servos, spec, watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Stopped);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
 }
 
 void TestSweep::aPlugThatStaysOutEndsIt()

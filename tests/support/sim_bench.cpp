@@ -124,6 +124,8 @@ void SimBench::reconnect(int baud)
     m_stop = std::make_unique<base::Stop>();
     m_notices.clear();
     const auto open = [this, baud]() -> base::Result<std::unique_ptr<transport::Link>> {
+        if (m_tap.onOpen)
+            m_tap.onOpen();
         return tapped(sim::makeSimLink(m_wire, QStringLiteral("sim:bench"), m_clock, baud), m_tap);
     };
     m_bus = std::make_unique<bus::BusCore>(*open(), protocol::feetechCodec(), m_clock,

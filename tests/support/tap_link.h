@@ -13,6 +13,7 @@ namespace support {
 struct LinkTap {
     std::vector<base::Bytes> written; ///< one entry a write, that is a frame
     std::function<void(const base::Bytes&)> onWrite;
+    std::function<void()> onOpen; ///< about to try
     std::set<int> refusedRates;
 };
 
