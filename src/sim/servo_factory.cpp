@@ -75,6 +75,8 @@ int typicalValue(const catalog::Register& reg, const catalog::Profile& profile,
         return type.positionP;
     case Role::PositionD:
         return type.positionD;
+    case Role::StartupForce:
+        return type.startupForce;
     case Role::UnloadCondition:
         return type.unloadCondition;
     case Role::LedCondition:

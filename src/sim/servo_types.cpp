@@ -45,16 +45,17 @@ struct Series {
     int positionD;
     int unloadCondition;
     int ledCondition;
+    int startupForce; ///< so much that a servo without I overcomes its friction
 };
 constexpr Series seriesFigures[] = {
-    {"STS", 1.91, 55.0, 2.4, 0.15, 4.0, 12, 32, 32, 44, 45},
-    {"SCS", 15.0 * newtonMetresPerKgCm, 60.0, 1.6, 0.13, 2.5, 8, 32, 0, 37, 37},
-    {"SCS2", 15.0 * newtonMetresPerKgCm, 60.0, 1.6, 0.13, 4.0, 0, 32, 0, 37, 37},
-    {"SMS", 40.0 * newtonMetresPerKgCm, 65.0, 3.8, 0.25, 7.0, 44, 32, 32, 44, 45},
-    {"SMCL", 60.0 * newtonMetresPerKgCm, 45.0, 4.0, 0.25, 8.0, 0, 32, 0, 37, 37},
-    {"SMSMB", 40.0 * newtonMetresPerKgCm, 65.0, 3.8, 0.25, 7.0, 0, 32, 32, 47, 47},
-    {"HLS", 25.0 * newtonMetresPerKgCm, 60.0, 3.0, 0.18, 4.0, 0, 32, 40, 13, 13},
-    {"LX", 17.0 * newtonMetresPerKgCm, 60.0, 2.4, 0.12, 4.5, 0, 60, 8, 0, 7},
+    {"STS", 1.91, 55.0, 2.4, 0.15, 4.0, 12, 32, 32, 44, 45, 0},
+    {"SCS", 15.0 * newtonMetresPerKgCm, 60.0, 1.6, 0.13, 2.5, 8, 32, 0, 37, 37, 50},
+    {"SCS2", 15.0 * newtonMetresPerKgCm, 60.0, 1.6, 0.13, 4.0, 0, 32, 0, 37, 37, 0},
+    {"SMS", 40.0 * newtonMetresPerKgCm, 65.0, 3.8, 0.25, 7.0, 44, 32, 32, 44, 45, 0},
+    {"SMCL", 60.0 * newtonMetresPerKgCm, 45.0, 4.0, 0.25, 8.0, 0, 32, 0, 37, 37, 0},
+    {"SMSMB", 40.0 * newtonMetresPerKgCm, 65.0, 3.8, 0.25, 7.0, 0, 32, 32, 47, 47, 0},
+    {"HLS", 25.0 * newtonMetresPerKgCm, 60.0, 3.0, 0.18, 4.0, 0, 32, 40, 13, 13, 0},
+    {"LX", 17.0 * newtonMetresPerKgCm, 60.0, 2.4, 0.12, 4.5, 0, 60, 8, 0, 7, 0},
 };
 
 /// LX servos of the 11.1 V class carry it in their names only.
@@ -110,6 +111,7 @@ ServoType seriesType(const catalog::Profile& profile)
             type.positionP = series.positionP;
             type.positionD = series.positionD;
             type.unloadCondition = series.unloadCondition;
+            type.startupForce = series.startupForce;
             type.ledCondition = series.ledCondition;
         }
     }

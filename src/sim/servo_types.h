@@ -27,6 +27,7 @@ struct ServoType {
     int positionP = 32;
     int positionD = 32;
     int unloadCondition = 44;
+    int startupForce = 0; ///< register value, where the sheet leaves it open
     int ledCondition = 45;
     int speedP = 10;
     int speedI = 200;
