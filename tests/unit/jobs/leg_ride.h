@@ -5,6 +5,8 @@
 
 #include "jobs/leg_meter.h"
 
+#include <QByteArray>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -142,4 +144,18 @@ inline Truth truthOf(const Motion& motion, double target, double tolerance, doub
     truth.settling = std::max(0.0, settled - truth.arrival);
     return truth;
 }
+
+inline bool near(std::optional<double> value, double truth, double by)
+{
+    return value && std::abs(*value - truth) <= by;
+}
+
+inline QByteArray say(std::optional<double> value, double truth)
+{
+    return (value ? QByteArray::number(*value) : QByteArray("nothing")) + " instead of " +
+           QByteArray::number(truth);
+}
 } // namespace ride
+
+#define VERIFY_NEAR(value, truth, by)                                                              \
+    QVERIFY2(ride::near(value, truth, by), ride::say(value, truth).constData())

@@ -15,19 +15,6 @@ using ride::Reading;
 using std::chrono::milliseconds;
 
 namespace {
-bool near(std::optional<double> value, double truth, double by)
-{
-    return value && std::abs(*value - truth) <= by;
-}
-
-QByteArray say(std::optional<double> value, double truth)
-{
-    return (value ? QByteArray::number(*value) : QByteArray("nothing")) + " instead of " +
-           QByteArray::number(truth);
-}
-
-#define VERIFY_NEAR(value, truth, by)                                                              \
-    QVERIFY2(near(value, truth, by), say(value, truth).constData())
 #define VERIFY_TIME(value, truth, by) VERIFY_NEAR(std::optional(ride::seconds(value)), truth, by)
 
 Motion plain(double place)

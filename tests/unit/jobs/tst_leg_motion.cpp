@@ -15,20 +15,6 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 namespace {
-bool near(std::optional<double> value, double truth, double by)
-{
-    return value && std::abs(*value - truth) <= by;
-}
-
-QByteArray say(std::optional<double> value, double truth)
-{
-    return (value ? QByteArray::number(*value) : QByteArray("nothing")) + " instead of " +
-           QByteArray::number(truth);
-}
-
-#define VERIFY_NEAR(value, truth, by)                                                              \
-    QVERIFY2(near(value, truth, by), say(value, truth).constData())
-
 SweepAxis told(double speed, std::optional<double> acceleration = {})
 {
     SweepAxis axis = ride::axis();
