@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Documents that are files of their own and parts of a larger one, read from where they stand
-// there. What is wrong goes to the reader's complaint. Pure; any thread.
+// What several kinds of document have in common: the name and version they begin with; and those
+// that are files of their own and parts of a larger one, read from where they stand there. What is
+// wrong goes to the reader's complaint. Pure; any thread.
 #pragma once
 
 #include "record/json_reader.h"
@@ -8,6 +9,11 @@
 #include "record/sweep_limits.h"
 
 namespace record {
+/// The head of a document: "format" is `name`, or the complaint is `notThat`; "version" is one that
+/// this program knows.
+void checkFormat(const JsonReader& json, QLatin1StringView name, int newest,
+                 const QString& notThat);
+
 Snapshot readSnapshot(const JsonReader& json);
 
 /// Without lines they are allowed here: a test may have been run without limits.

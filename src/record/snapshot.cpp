@@ -107,18 +107,6 @@ SnapshotServo readServo(const JsonReader& json)
     };
 }
 
-void checkFormat(const JsonReader& json)
-{
-    if (json.text("format") != formatName)
-        json.complain("format", QStringLiteral("not a ServoDesk snapshot"));
-    const int version = numberWithin(json, "version", 1, std::numeric_limits<int>::max());
-    if (version > formatVersion) {
-        json.complain("version", QStringLiteral("written by a newer program: format %1, this "
-                                                "program reads formats up to %2")
-                                     .arg(version)
-                                     .arg(formatVersion));
-    }
-}
 } // namespace
 
 QByteArray encodeSnapshot(const Snapshot& snapshot)
@@ -146,7 +134,7 @@ QByteArray encodeSnapshot(const Snapshot& snapshot)
 
 Snapshot readSnapshot(const JsonReader& json)
 {
-    checkFormat(json);
+    checkFormat(json, formatName, formatVersion, QStringLiteral("not a ServoDesk snapshot"));
     Snapshot snapshot;
     snapshot.program = json.text("program");
     snapshot.at = json.time("time");

@@ -140,13 +140,8 @@ base::Result<std::vector<StepRun>> decodeStepRuns(const QByteArray& text)
         return base::fail(base::ErrorCode::FileFormat, loading, document.error());
     JsonComplaint complaint;
     const JsonReader json(*document, complaint);
-    if (json.text("format") != QLatin1String("servodesk-step-response"))
-        json.complain("format", QStringLiteral("not a step response of ServoDesk"));
-    const int version = json.small("version");
-    if (version < 1 || version > formatVersion)
-        json.complain("version", QStringLiteral("format %1, this program reads formats up to %2")
-                                     .arg(version)
-                                     .arg(formatVersion));
+    checkFormat(json, QLatin1StringView("servodesk-step-response"), formatVersion,
+                QStringLiteral("not a step response of ServoDesk"));
     std::vector<StepRun> runs;
     for (const JsonReader& run : json.objects("runs"))
         runs.push_back(readRun(run));

@@ -213,20 +213,10 @@ void readRows(const JsonReader& json, const char* key, std::vector<SweepServo>& 
     }
 }
 
-void checkFormat(const JsonReader& json)
-{
-    if (json.text("format") != QLatin1String("servodesk-sweep"))
-        json.complain("format", QStringLiteral("not a sweep test of ServoDesk"));
-    const int version = json.small("version");
-    if (version < 1 || version > formatVersion)
-        json.complain("version", QStringLiteral("format %1, this program reads formats up to %2")
-                                     .arg(version)
-                                     .arg(formatVersion));
-}
-
 SweepRun readRun(const JsonReader& json)
 {
-    checkFormat(json);
+    checkFormat(json, QLatin1StringView("servodesk-sweep"), formatVersion,
+                QStringLiteral("not a sweep test of ServoDesk"));
     SweepRun run;
     run.program = json.text("program");
     run.at = json.time("time");

@@ -96,17 +96,6 @@ std::vector<SweepLimit> readLines(const JsonReader& json)
     return lines;
 }
 
-void checkFormat(const JsonReader& json)
-{
-    if (json.text("format") != formatName)
-        json.complain("format", QStringLiteral("not a file of ServoDesk limits"));
-    const int version = json.small("version");
-    if (version < 1 || version > formatVersion)
-        json.complain("version", QStringLiteral("format %1, this program reads formats up to %2")
-                                     .arg(version)
-                                     .arg(formatVersion));
-}
-
 QByteArray lineText(const SweepLimit& line)
 {
     return "    {\"metric\": " + jsonText(line.metric) + ", \"unit\": " + jsonText(line.unit) +
@@ -154,7 +143,7 @@ SweepLimits readSweepLimits(const JsonReader& json)
                                    QStringLiteral("version"), QStringLiteral("name"),
                                    QStringLiteral("models"),  QStringLiteral("tolerance"),
                                    QStringLiteral("lines"),   QStringLiteral("comment")};
-    checkFormat(json);
+    checkFormat(json, formatName, formatVersion, QStringLiteral("not a file of ServoDesk limits"));
     json.complainAboutOthers(known);
     SweepLimits limits;
     limits.name = json.text("name");

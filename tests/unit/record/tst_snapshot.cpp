@@ -148,7 +148,7 @@ private Q_SLOTS:
         row("syntax", "\"baud\": 1000000,", "\"baud\": 1000000", "line 10: ");
         row("another format", "servodesk-snapshot", "servodesk-run", "format: not a ServoDesk");
         row("no format", "\"format\"", "\"form\"", "format: ");
-        row("newer", "\"version\": 1", "\"version\": 2", "version: written by a newer program");
+        row("newer", "\"version\": 1", "\"version\": 2", "version: format 2 is of a newer");
         row("version zero", "\"version\": 1", "\"version\": 0", "version: ");
         row("version a text", "\"version\": 1", "\"version\": \"1\"", "version: ");
         row("no such day", "2025-01-31", "2025-02-31", "time: ");
