@@ -2,6 +2,8 @@
 // The top row: what is opened is what the fields say, what worked is remembered for the adapter,
 // and what failed is told with its cause and its remedy.
 #include "gui/desk_bench.h"
+#include "session/connection.h"
+#include "sim/sim_link.h"
 #include "text/language.h"
 #include "ui/models/link_meter.h"
 #include "ui/models/rate_words.h"
@@ -101,6 +103,7 @@ private Q_SLOTS:
     void rememberedForEachAdapter();
     void theLastOneIsSuggested();
     void figuresAreShown();
+    void anAdapterThatIsAwaitedIsSaidToBeGone();
     void aStopIsNoError();
     void searchesAreNoErrors();
     void failuresAreTold_data();
@@ -236,6 +239,24 @@ void TestConnectBar::figuresAreShown()
     QTRY_VERIFY2_WITH_TIMEOUT(busy.match(status->words()).hasMatch(), qPrintable(status->words()),
                               5000);
     QVERIFY(status->toolTip().contains(QStringLiteral("Round trip")));
+}
+
+/// As while a sweep test runs: the link is not lost yet, but it is no good link either.
+void TestConnectBar::anAdapterThatIsAwaitedIsSaidToBeGone()
+{
+    Bench bench;
+    auto* status = bench.find<ui::Pill>("linkStatus");
+    QVERIFY(bench.open(QStringLiteral("sim:sts3215@1")));
+    QVERIFY(bench.search({.firstId = 0, .lastId = 2, .bauds = {}}));
+    session::Connection& connection = *bench.desk.connection();
+    const bus::LinkPatience patience(connection.bus(), std::chrono::minutes(5));
+    const auto wire = connection.simulation();
+    wire->with([](sim::VirtualBus& bus) { bus.cutLink(); });
+    QTRY_COMPARE(status->words(), QStringLiteral("adapter gone, waiting up to 5 s"));
+    QVERIFY(status->toolTip().contains(QStringLiteral("not switched on")));
+    QCOMPARE(bench.desk.state(), LinkState::Open);
+    wire->with([](sim::VirtualBus& bus) { bus.restoreLink(); });
+    QTRY_VERIFY2(status->words().contains(QStringLiteral("reads/s")), qPrintable(status->words()));
 }
 
 /// Every servo answers to the stop, and nobody waits for it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/connect_bar.h"
 
+#include "session/connection.h"
 #include "ui/dialogs/port_dialog.h"
 #include "ui/models/rate_words.h"
 #include "ui/widgets/link_options.h"
@@ -243,6 +244,13 @@ void ConnectBar::showStatistics()
         return m_status->setState(Tone::Bad, tr("unplugged"));
     case LinkState::Open:
         break;
+    }
+    session::Connection* connection = m_desk.connection();
+    if (connection != nullptr && connection->bus().away()) {
+        return m_status->setState(
+            Tone::Warn, tr("adapter gone, waiting up to 5 s"), tr("waiting …"),
+            tr("The adapter has been pulled out or has no power. A test that is running goes on "
+               "when it is back; a servo that has restarted meanwhile is not switched on."));
     }
     const LinkMeter::Figures& now = m_meter.figures();
     const bus::Statistics sum = m_desk.statistics();
