@@ -22,7 +22,9 @@
 //                   held against the path as it was one reading earlier (at most 5 ms): so long
 //                   may the goal and the reading have been on the wire
 //   current, load:  magnitudes
-// The goals of a sine move on: time to target, settling, rest and overshoot are not measured there.
+// A leg with a silence of 300 ms or more tells none of this but rest, current and load: the run
+// takes the rest back, since nobody saw it. The goals of a sine move on: time to target, settling,
+// rest and overshoot are not measured there.
 #pragma once
 
 #include "jobs/leg_parts.h"

@@ -10,6 +10,7 @@
 //   frequency:   of three swings or more, from the first to the last
 //   amplitude:   of two or more, half of the longest way between two of them
 //   peak speed:  the leg's top speed; on ways too short for that what the servo reports
+// A response with a silence of 300 ms or more has none of these (step_response.cpp).
 // Crossings are interpolated, but not across more than 50 ms. Pure; any thread.
 #pragma once
 

@@ -29,9 +29,10 @@ public:
     ~TemporarySettings(); ///< puts back what is not back yet
 
     /// The values before, proven by reading; again and again if need be. Stop does not keep it from
-    /// that. After an emergency stop gains go back, but not a mode: that would write the new mode's
-    /// command. A mode goes back with torque off and that command at 0. What could not be put back
-    /// is noted, and its intent stays open: LinkLost, NoAnswer, Preempted, Mismatch …
+    /// that, and a link that is away is waited for. After an emergency stop gains go back, but not
+    /// a mode: that would write the new mode's command. A mode goes back with torque off and that
+    /// command at 0. What could not be put back is noted, and its intent stays open: LinkLost,
+    /// NoAnswer, Preempted, Mismatch …
     base::Result<void> putBack();
 
     /// What differs from before; empty: everything was so already.
