@@ -246,8 +246,9 @@ base::Result<void> StepJob::checkGains()
         return {};
     for (std::size_t i = 0; i < now->size() && i < m_run.gains.size(); ++i) {
         if (!((*now)[i] == m_run.gains[i]))
-            return tl::unexpected(base::Error{ErrorCode::Mismatch, QStringLiteral("step"),
-                                              QString(), m_servo.id, (*now)[i].key});
+            return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("step"),
+                                              QStringLiteral("trial-lost"), m_servo.id,
+                                              (*now)[i].key});
     }
     return {};
 }

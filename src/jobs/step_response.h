@@ -8,7 +8,7 @@
 // Errors, all before anything has moved, operation "step": BadArgument no-size, no-hold,
 // no-gain, no-repeats; OutOfRange (no room for the step between the limits); TurnsUnknown
 // (multi-turn without a start); those of the sweep test and of temporary settings. Afterwards:
-// Mismatch: gains of the trial were not in force any more; the servo had restarted before it moved.
+// Refused trial-lost: the gains were not in force any more, it had restarted before it moved.
 #pragma once
 
 #include "jobs/sweep.h"

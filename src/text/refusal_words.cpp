@@ -176,6 +176,11 @@ constexpr std::array refused{
                                            "lie before that place."),
                  QT_TRANSLATE_NOOP("text", "Free its way, then look at torque limit, speed and "
                                            "alarms.")},
+    RefusalWords{"trial-lost", QT_TRANSLATE_NOOP("text", "it restarted before its first step"),
+                 QT_TRANSLATE_NOOP("text",
+                                   "Its power failed for a moment, and with that the values "
+                                   "on trial were gone: it moved with its own."),
+                 QT_TRANSLATE_NOOP("text", "Look at plug and supply, then run the step again.")},
     RefusalWords{"mode-changed", QT_TRANSLATE_NOOP("text", "its operating mode is another one now"),
                  QT_TRANSLATE_NOOP("text", "Something else has switched it. In the new mode this "
                                            "goal would mean something else."),

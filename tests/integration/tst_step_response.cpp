@@ -490,7 +490,8 @@ void TestStepResponse::gainsThatWereLostBeforeTheFirstStepAreNoTrial()
     };
     const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
     QVERIFY(!done);
-    QCOMPARE(done.error().code, ErrorCode::Mismatch);
+    QCOMPARE(done.error().code, ErrorCode::Refused);
+    QCOMPARE(done.error().detail, text("trial-lost"));
     QCOMPARE(done.error().registerKey, text("position_p"));
     QCOMPARE(bench.raw(1, text("position_p")), 32);
     QVERIFY(bench.journal().open()->empty());
