@@ -3193,6 +3193,14 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>%1 has servos %2; say which, as in %1:%3 or with --servo</source>
         <translation>%1 含舵机 %2；请指明是哪一个，如 %1:%3 或用 --servo</translation>
     </message>
+    <message>
+        <source>Servo %1: the sine is faster than it can turn; its period needs %2 ms.</source>
+        <translation>舵机 %1：正弦变化快于它能转的速度，周期需要 %2 毫秒。</translation>
+    </message>
+    <message>
+        <source>Servo %1: the delay is shorter than the longest way takes, so it turns round before it arrives; %2 ms are enough.</source>
+        <translation>舵机 %1：延时短于最长行程所需时间，未到达就会折返；%2 毫秒足够。</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -4533,6 +4541,18 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Wait until the test has ended, or stop it.</source>
         <translation>请等测试结束，或停止测试。</translation>
     </message>
+    <message>
+        <source>it restarted before its first step</source>
+        <translation>舵机在第一次阶跃之前已重启</translation>
+    </message>
+    <message>
+        <source>Its power failed for a moment, and with that the values on trial were gone: it moved with its own.</source>
+        <translation>供电曾短暂中断，试用的参数随之丢失：舵机是以自身参数运动的。</translation>
+    </message>
+    <message>
+        <source>Look at plug and supply, then run the step again.</source>
+        <translation>请检查插头和供电，然后重新运行阶跃测试。</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -4870,6 +4890,18 @@ Asked more than once: %9</source>
     <message>
         <source>These servos exist in the computer only</source>
         <translation>这些舵机只存在于电脑中</translation>
+    </message>
+    <message>
+        <source>adapter gone, waiting up to 5 s</source>
+        <translation>适配器已断开，等待恢复（最多 5 秒）</translation>
+    </message>
+    <message>
+        <source>waiting …</source>
+        <translation>等待恢复…</translation>
+    </message>
+    <message>
+        <source>The adapter has been pulled out or has no power. A test that is running goes on when it is back; a servo that has restarted meanwhile is not switched on.</source>
+        <translation>适配器已拔出或断电。恢复后正在运行的测试将继续；其间已重启的舵机不会再次输出扭矩。</translation>
     </message>
 </context>
 <context>
@@ -7018,7 +7050,7 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>Back</source>
-        <translation>返回</translation>
+        <translation>还原</translation>
     </message>
     <message>
         <source>Switch to position mode for the run</source>
@@ -7057,7 +7089,7 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>Take</source>
-        <translation>采纳</translation>
+        <translation>填入“试用”</translation>
     </message>
     <message>
         <source>Put this value into Try; nothing is written</source>
@@ -7388,7 +7420,7 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>Torque off</source>
-        <translation>释放扭矩</translation>
+        <translation>卸力</translation>
     </message>
     <message>
         <source>Open a list…</source>
@@ -7651,6 +7683,10 @@ Asked more than once: %9</source>
         <source>Saved: %1</source>
         <translation>已保存：%1</translation>
     </message>
+    <message>
+        <source>Each row tells more when the mouse rests on it</source>
+        <translation>鼠标停在某一行上可看到更多内容</translation>
+    </message>
 </context>
 <context>
     <name>ui::SweepServos</name>
@@ -7697,6 +7733,10 @@ Asked more than once: %9</source>
     <message>
         <source>What the servo of the marked row is judged by: look, edit, load, save</source>
         <translation>所选行的舵机按什么限值判定：查看、编辑、载入、保存</translation>
+    </message>
+    <message>
+        <source>Tick who takes part; start and end of their own, where they need them</source>
+        <translation>勾选参加测试的舵机；需要时填写单独的起启与结束</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include "cli/table.h"
 #include "cli/translate.h"
 #include "jobs/sweep.h"
+#include "jobs/sweep_proposal.h"
 #include "record/sweep_json.h"
 #include "report/sweep_words.h"
 #include "session/safety_snapshot.h"
@@ -81,6 +82,7 @@ public:
 
 private:
     base::Result<void> collect();
+    void warnOfHaste(const device::Context& context);
     jobs::SweepWatch watch();
     base::Result<void> save(const record::SweepRun& run);
     QStringList files() const;
@@ -126,6 +128,27 @@ base::Result<void> SweepCommand::collect()
     const auto connection = m_run.connect();
     m_order.simulated = connection && (*connection)->simulated();
     return {};
+}
+
+/// The classic mistake, told before it condemns a good servo. What keeps the test from running is
+/// the job's to say.
+void SweepCommand::warnOfHaste(const device::Context& context)
+{
+    for (std::size_t i = 0; i < m_servos.size(); ++i) {
+        const auto outlook =
+            jobs::lookAtSweep(context, m_servos[i], m_order.spec, m_order.limits[i]);
+        if (!outlook || !outlook->tooShort)
+            continue;
+        const QString enough = QString::number(outlook->enough / std::chrono::milliseconds(1));
+        const bool sine = m_order.spec.shape == record::SweepShape::Sine;
+        m_run.console().say(
+            (sine ? translate("cli", "Servo %1: the sine is faster than it can turn; its period "
+                                     "needs %2 ms.")
+                  : translate("cli", "Servo %1: the delay is shorter than the longest way takes, "
+                                     "so it turns round before it arrives; %2 ms are enough."))
+                .arg(m_servos[i].id)
+                .arg(enough));
+    }
 }
 
 jobs::SweepWatch SweepCommand::watch()
@@ -208,6 +231,7 @@ base::Result<Exit> SweepCommand::run()
     const auto context = m_run.context();
     if (!context)
         return tl::unexpected(context.error());
+    warnOfHaste(*context);
     const auto done = jobs::sweep(*context, m_servos, m_order, watch());
     m_line.reset();
     if (!done)

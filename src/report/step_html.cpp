@@ -118,7 +118,7 @@ QByteArray stepHtml(const std::vector<StepRun>& runs, const std::vector<record::
                    gains(scribe, runs) + scribe.heading(2, both("Figures", "指标")) +
                    scribe.paragraph(both("Means of all responses, there and back; errors that "
                                          "remain by their size.",
-                                         "所有往返响应的平均值；稳态误差取绝对值。"));
+                                         "所有往返响应的平均值；静差取绝对值。"));
     body += runs.size() > 1 ? compared(scribe, runs.front(), runs.back())
                             : single(scribe, runs.front());
     if (!advice.empty()) {

@@ -8,6 +8,7 @@
 #include "ui/charts/trend_chart.h"
 #include "ui/dialogs/limits_dialog.h"
 #include "ui/pages/sweep_results.h"
+#include "ui/pages/sweep_servos.h"
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/pill.h"
 
@@ -342,6 +343,9 @@ private Q_SLOTS:
         Q_EMIT dialog->chosen(strict);
         dialog->close();
         QVERIFY(bench.text("sweepLimitsName").contains(QLatin1String("strict")));
+        // The next start of the program knows them, too.
+        ui::SweepServos later(bench.desk(), bench.selection(), bench.settings, nullptr);
+        QCOMPARE(later.limits(bench.selection().current()), strict);
         bench.run();
         QVERIFY(bench.begun());
         QVERIFY(bench.over());

@@ -92,8 +92,19 @@ private Q_SLOTS:
     void figuresCanBeWorkedOutFromTheReadings();
     void mistakesAreNamed_data();
     void mistakesAreNamed();
+    void tooShortADelayIsTold();
     void ctrlCEndsItSafely();
 };
+
+void TestCliSweep::tooShortADelayIsTold()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const Ran hasty = cli.run("sweep 1 --from 1000 --to 3000 --delay 150 --cycles 1 --speed 3000");
+    QVERIFY2(hasty.err.contains(text("turns round before it arrives")), qPrintable(hasty.err));
+    const Ran calm = cli.run("sweep 1 --from 2000 --to 2200 --delay 700 --cycles 1 --speed 3000");
+    QVERIFY2(!calm.err.contains(text("turns round")), qPrintable(calm.err));
+}
 
 void TestCliSweep::goodAndBadServos()
 {

@@ -108,6 +108,7 @@ void StepPage::retranslate()
     m_accept->setToolTip(tr("Write the values under Try for good"));
     m_back->setText(tr("Back"));
     m_switchMode->setText(tr("Switch to position mode for the run"));
+    m_switchMode->setAccessibleName(m_switchMode->text());
     m_switchMode->setToolTip(tr("Until the run has ended, then back again; nothing is kept in the "
                                 "servo for good"));
     m_progress->setAccessibleName(tr("Progress of the run"));

@@ -92,5 +92,7 @@ void SweepForm::retranslate()
     m_onStall->setToolTip(tr("It stands still away from its target"));
     m_onFailure->setText(tr("first failure"));
     m_onFailure->setToolTip(tr("A limit is failed: judged after every cycle"));
+    for (QCheckBox* box : {m_onAlarm, m_onStall, m_onFailure})
+        box->setAccessibleName(m_earlyTitle->text() + QLatin1Char(' ') + box->text());
 }
 } // namespace ui

@@ -89,7 +89,7 @@ void SweepPage::build(session::Settings& settings)
     auto* setup = new QVBoxLayout(m_setup);
     setup->setContentsMargins(0, 0, 4, 0);
     m_form = new SweepForm(settings, m_setup);
-    m_servos = new SweepServos(m_desk, m_selection, m_setup);
+    m_servos = new SweepServos(m_desk, m_selection, settings, m_setup);
     setup->addWidget(m_form);
     m_form->insert(m_servos);
     setup->addStretch();
@@ -397,9 +397,8 @@ void SweepPage::editLimits(session::ServoRef ref)
     const auto& profile = *entry->servo.profile;
     auto* dialog = new LimitsDialog(m_servos->limits(ref), profile.modelName, profile.series, this);
     connect(dialog, &LimitsDialog::chosen, this,
-            [this, model = profile.modelName](const record::SweepLimits& limits) {
-                m_servos->setLimits(model, limits);
-            });
+            [this, model = profile.modelName, series = profile.series](
+                const record::SweepLimits& limits) { m_servos->setLimits(model, series, limits); });
     dialog->open();
 }
 
@@ -414,6 +413,9 @@ void SweepPage::retranslate()
     m_switchMode->setToolTip(tr("Until the test has ended, then back again; nothing is kept in the "
                                 "servo for good"));
     m_progress->setAccessibleName(tr("Progress of the test"));
+    for (QAbstractButton* button :
+         std::initializer_list<QAbstractButton*>{m_run, m_stop, m_switchMode})
+        button->setAccessibleName(button->text());
 }
 
 void SweepPage::changeEvent(QEvent* event)

@@ -315,6 +315,8 @@ void SweepResults::retranslate()
     m_tabs->setTabText(1, in(words.legs));
     m_verdictView->setAccessibleName(tr("Figures and their grades"));
     m_legsView->setAccessibleName(tr("Legs"));
+    m_verdictView->setToolTip(tr("Each row tells more when the mouse rests on it"));
+    m_legsView->setToolTip(m_verdictView->toolTip());
     m_all->setText(tr("All figures"));
     m_all->setToolTip(tr("Show the figures without a limit, too"));
     m_histogramTitle->setText(tr("Error at the target"));
@@ -326,6 +328,8 @@ void SweepResults::retranslate()
         button->setAccessibleName(button->toolTip());
     }
     m_earlier->setText(tr("Earlier tests…"));
+    m_earlier->setAccessibleName(m_earlier->text());
+    m_all->setAccessibleName(m_all->text());
     m_earlier->setToolTip(tr("Look at kept tests, compare two, choose a reference"));
     const record::SweepRun* run = m_test.run();
     QString end;

@@ -15,16 +15,23 @@ enum Column { Servo, Start, End, ColumnCount };
 constexpr int rowsSeen = 4;
 constexpr int rowPadding = 8;
 
+QString limitsChoice(const QString& model)
+{
+    return QStringLiteral("sweep/limits/") + model;
+}
+
 bool testable(const session::ServoEntry* entry)
 {
     return entry != nullptr && entry->servo.profile && entry->servo.profile->writable;
 }
 } // namespace
 
-SweepServos::SweepServos(session::Desk& desk, Selection& selection, QWidget* parent)
+SweepServos::SweepServos(session::Desk& desk, Selection& selection, session::Settings& settings,
+                         QWidget* parent)
     : QWidget(parent)
     , m_desk(desk)
     , m_selection(selection)
+    , m_settings(settings)
     , m_title(new QLabel(this))
     , m_table(new QTableWidget(0, ColumnCount, this))
     , m_limitsName(new QLabel(this))
@@ -170,21 +177,35 @@ std::map<int, record::SweepRange> SweepServos::ranges() const
     return ranges;
 }
 
+const std::optional<record::SweepLimits>& SweepServos::ownLimits(const QString& model) const
+{
+    const auto known = m_modelLimits.find(model);
+    if (known != m_modelLimits.end())
+        return known->second;
+    const QByteArray kept = m_settings.choice(limitsChoice(model), QString()).toString().toUtf8();
+    std::optional<record::SweepLimits> own;
+    if (const auto read = record::decodeSweepLimits(kept); !kept.isEmpty() && read)
+        own = *read;
+    return m_modelLimits[model] = own;
+}
+
 record::SweepLimits SweepServos::limits(session::ServoRef ref) const
 {
     const session::ServoEntry* entry = m_desk.servo(ref);
     if (!testable(entry))
         return {};
     const auto& profile = *entry->servo.profile;
-    const auto own = m_modelLimits.find(profile.modelName);
-    return own != m_modelLimits.end()
-               ? own->second
-               : record::builtInSweepLimits(profile.modelName, profile.series);
+    return ownLimits(profile.modelName)
+        .value_or(record::builtInSweepLimits(profile.modelName, profile.series));
 }
 
-void SweepServos::setLimits(const QString& model, const record::SweepLimits& limits)
+void SweepServos::setLimits(const QString& model, const QString& series,
+                            const record::SweepLimits& limits)
 {
-    m_modelLimits[model] = limits;
+    const bool own = !(limits == record::builtInSweepLimits(model, series));
+    m_modelLimits[model] = own ? std::optional(limits) : std::nullopt;
+    m_settings.setChoice(limitsChoice(model),
+                         own ? QString::fromUtf8(record::encodeSweepLimits(limits)) : QString());
     showLimits();
     Q_EMIT changed();
 }
@@ -198,7 +219,7 @@ void SweepServos::showLimits()
         m_limitsName->clear();
         return;
     }
-    const bool own = m_modelLimits.count(entry->servo.profile->modelName) != 0;
+    const bool own = ownLimits(entry->servo.profile->modelName).has_value();
     m_limitsName->setText(own ? tr("Limits: %1").arg(limits(ref).name) : tr("Limits: built in"));
 }
 
@@ -207,7 +228,10 @@ void SweepServos::retranslate()
     m_title->setText(tr("Servos"));
     m_table->setAccessibleName(tr("Servos to be tested"));
     m_table->setHorizontalHeaderLabels({tr("Servo"), tr("own start"), tr("own end")});
+    m_table->setToolTip(
+        tr("Tick who takes part; start and end of their own, where they need them"));
     m_limits->setText(tr("Limits…"));
+    m_limits->setAccessibleName(m_limits->text());
     m_limits->setToolTip(tr("What the servo of the marked row is judged by: look, edit, load, "
                             "save"));
     m_rebuild.start();

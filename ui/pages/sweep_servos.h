@@ -7,6 +7,7 @@
 #include "record/sweep_limits.h"
 #include "record/sweep_spec.h"
 #include "session/desk.h"
+#include "session/settings.h"
 #include "ui/app/selection.h"
 
 #include <QTimer>
@@ -25,14 +26,15 @@ class SweepServos final : public QWidget {
     Q_OBJECT
 
 public:
-    SweepServos(session::Desk& desk, Selection& selection, QWidget* parent);
+    SweepServos(session::Desk& desk, Selection& selection, session::Settings& settings,
+                QWidget* parent);
 
     /// Those that can be tested, in the order of the list.
     std::vector<session::ServoRef> ticked() const;
     std::map<int, record::SweepRange> ranges() const; ///< by ID, of the ticked ones
-    /// The user's for this model, else the built-in ones.
+    /// The user's for this model, which the settings keep, else the built-in ones.
     record::SweepLimits limits(session::ServoRef ref) const;
-    void setLimits(const QString& model, const record::SweepLimits& limits);
+    void setLimits(const QString& model, const QString& series, const record::SweepLimits& limits);
 
 Q_SIGNALS:
     void changed();
@@ -49,9 +51,11 @@ private:
     void showLimits();
     void retranslate();
     session::ServoRef refAt(int row) const;
+    const std::optional<record::SweepLimits>& ownLimits(const QString& model) const;
 
     session::Desk& m_desk;
     Selection& m_selection;
+    session::Settings& m_settings;
     QLabel* m_title;
     QTableWidget* m_table;
     QLabel* m_limitsName;
@@ -59,7 +63,7 @@ private:
     QTimer m_rebuild; ///< several changes of the list are one
     std::set<session::ServoRef> m_ticked;
     std::map<session::ServoRef, record::SweepRange> m_ranges;
-    std::map<QString, record::SweepLimits> m_modelLimits;
+    mutable std::map<QString, std::optional<record::SweepLimits>> m_modelLimits; ///< as read
     bool m_filling = false;
 };
 } // namespace ui
