@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the pictures of README and help anew, by the program itself, without a screen: the window at
-# its first start, a search, the operate page at work, the memory table; both languages, both themes.
+# its first start, a search, the pages at work, the memory table; both languages, both themes.
 # Needs a build with the benches and a Chinese font (fonts-noto-cjk).
 set -euo pipefail
 
@@ -25,15 +25,21 @@ picture() {
         --screenshot "$images/$name-${language%%_*}-$theme.png" "$@"
 }
 
+# scene NAME PICTURE LANGUAGE THEME
+scene() {
+    env LC_ALL=C.UTF-8 XDG_RUNTIME_DIR="$place" \
+        "$BUILD_DIR/tests/bench_scenes" "$place" "$1-$3-$4-1280"
+    cp -- "$place/$1-$3-$4-1280.png" "$images/$2-${3%%_*}-$4.png"
+}
+
 for language in en zh_CN; do
     for theme in light dark; do
         picture shell "$language" "$theme" --after 800
         picture search "$language" "$theme" --port sim:trouble --select 5 --after 4000
         picture memory "$language" "$theme" --port sim:demo --select 1 --after 4000
-        env LC_ALL=C.UTF-8 XDG_RUNTIME_DIR="$place" \
-            "$BUILD_DIR/tests/bench_scenes" "$place" "sts-position-$language-$theme-1280"
-        cp -- "$place/sts-position-$language-$theme-1280.png" \
-            "$images/operate-${language%%_*}-$theme.png"
+        scene sts-position operate "$language" "$theme"
+        scene sweep-bad sweep "$language" "$theme"
+        scene step-trial step "$language" "$theme"
         step "$language" "$theme"
     done
 done

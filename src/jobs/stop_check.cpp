@@ -3,6 +3,7 @@
 
 #include "device/disarm.h"
 #include "device/talk.h"
+#include "jobs/link_return.h"
 
 namespace jobs {
 using base::ErrorCode;
@@ -59,6 +60,7 @@ base::Result<Torque> switchOff(const device::Context& context, device::Servo& se
 base::Result<std::vector<StopVerdict>> checkStopped(const device::Context& outer,
                                                     const std::vector<device::Servo*>& servos)
 {
+    waitWhileAway(outer.bus); // the stop itself is said when the line is back, before all else
     std::vector<StopVerdict> verdicts(servos.size());
     // Torque of all of them first: what waits in one of them does nothing by itself.
     for (std::size_t i = 0; i < servos.size(); ++i) {

@@ -64,6 +64,8 @@ base::Result<record::SweepRun> SweepRunner::run()
     for (Track& track : m_tracks)
         track.heardAt = now();
     const auto moved = goThrough();
+    if (!moved)
+        endRun(SweepEnd::Refused); // nobody goes on towards a goal that was not to be
     m_context.bus.stopPoll(m_poll);
     leaveSafe(m_context, m_servos, m_run, m_fault);
     if (!moved)
@@ -131,6 +133,7 @@ base::Result<void> SweepRunner::notAtStart(std::size_t i)
 {
     if (const auto held = stillHeld(); held && !*held)
         return {};
+    endRun(SweepEnd::Stall, int(i));
     return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("sweep"),
                                       QStringLiteral("no-start"), m_servos[i].id});
 }

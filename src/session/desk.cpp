@@ -149,6 +149,7 @@ void Desk::disconnectFrom()
     }
     dropQueue(base::ErrorCode::Stopped, true);
     stopSearch();
+    stopTest(); // hours may be left of it
     setState(LinkState::Closing);
     goOn();
 }

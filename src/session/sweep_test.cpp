@@ -167,7 +167,6 @@ bool SweepTest::start(const SweepTestOrder& order)
     m_running = true;
     ++m_looks; // what is still being looked at does not matter any more
     m_progress = {};
-    m_recording.reset();
     m_live = std::make_shared<Live>();
     const auto live = m_live;
     const auto ending = std::make_shared<Ending>();
@@ -265,7 +264,8 @@ void SweepTest::drain()
         legs.swap(m_live->legs);
         progress.swap(m_live->progress);
         begun.swap(m_live->begun);
-        m_readingsPath = m_live->path;
+        if (begun)
+            m_readingsPath = m_live->path;
     }
     if (begun) {
         m_run = std::move(begun);
@@ -295,15 +295,16 @@ void SweepTest::drain()
         Q_EMIT legged();
 }
 
-void SweepTest::finish(const Ending& ending, const TaskEnd& end)
+void SweepTest::finish(Ending& ending, const TaskEnd& end)
 {
     drain();
     m_drainTimer.stop();
     m_live.reset();
     m_running = false;
-    m_recording = ending.recording;
+    if (ending.recording) // else the test before is still here to be saved
+        m_recording = ending.recording;
     if (ending.run) {
-        m_run = ending.run;
+        m_run = std::move(ending.run);
         if (m_recording && m_recording->failure())
             Q_EMIT saveFailed(*m_recording->failure());
         Q_EMIT ended();

@@ -77,7 +77,7 @@ private:
     struct Live;
     struct Ending;
     void drain();
-    void finish(const Ending& ending, const TaskEnd& end);
+    void finish(Ending& ending, const TaskEnd& end);
     void openCurves();
 
     Desk& m_desk;

@@ -136,6 +136,47 @@ void show(const SweepScene& scene, const QString& language, session::Theme look,
     (void)QTest::qWaitFor([&] { return !test.running(); }, 5000);
 }
 
+/// The step-response lab after a run and a trial.
+struct StepScene {
+    const char* name;
+    const char* port;
+    int id;
+    int trial; ///< P
+};
+constexpr StepScene stepScenes[] = {{"step-trial", "sim:sts3215@1", 1, 80},
+                                    {"step-scs", "sim:scs15@1", 1, 60}};
+
+void show(const StepScene& scene, const QString& language, session::Theme look, QSize size,
+          const QString& path)
+{
+    gui::WindowBench bench(language, look);
+    bench.page = QStringLiteral("step");
+    bench.window->resize(size);
+    if (!bench.ready(scene.id, QString::fromLatin1(scene.port))) {
+        QTextStream(stderr) << scene.name << ": no servo\n";
+        return;
+    }
+    const auto press = [&](const char* name) {
+        auto* button = bench.find<QAbstractButton>(name);
+        if (!QTest::qWaitFor([&] { return button->isEnabled(); }, 20'000))
+            QTextStream(stderr) << scene.name << ": " << name << " cannot be pressed\n";
+        button->click();
+        if (auto* yes = bench.find<QAbstractButton>("questionYes"))
+            yes->click();
+        letRun(500);
+    };
+    press("stepRun");
+    (void)QTest::qWaitFor([&] { return bench.find<QAbstractButton>("stepRun")->isEnabled(); },
+                          30'000);
+    bench.find<QSpinBox>("stepTry_position_p")->setValue(scene.trial);
+    press("stepTry");
+    (void)QTest::qWaitFor([&] { return bench.find<QAbstractButton>("stepRun")->isEnabled(); },
+                          30'000);
+    letRun(500);
+    if (!bench.window->grab().save(path, "PNG"))
+        QTextStream(stderr) << path << ": cannot be written\n";
+}
+
 /// Those whose names the filter lets through, in every language, theme and size.
 template <typename List>
 void showAll(const List& list, const QDir& folder, const QRegularExpression& filter)
@@ -177,5 +218,6 @@ int main(int argc, char* argv[])
     const QRegularExpression filter(arguments.value(2));
     showAll(scenes, folder, filter);
     showAll(sweepScenes, folder, filter);
+    showAll(stepScenes, folder, filter);
     return 0;
 }

@@ -261,6 +261,67 @@ private Q_SLOTS:
         QCOMPARE(bench.now("torque_switch"), 0);
     }
 
+    /// The plug is out when the key is pressed: the stop waits for it, and is proved like any.
+    void escWhileThePlugIsOutIsProvedToo()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.prepare(50);
+        bench.run();
+        QVERIFY(bench.begun());
+        bool proved = false;
+        QObject::connect(&bench.desk(), &session::Desk::happened, &bench.desk(),
+                         [&](const session::Event& event) {
+                             proved |= event.kind == session::Event::Kind::StopChecked &&
+                                       !event.stop.off.empty();
+                         });
+        const auto wire = bench.desk().connection()->simulation();
+        wire->with([](sim::VirtualBus& bus) { bus.cutLink(); });
+        QTRY_VERIFY(bench.desk().connection()->bus().away());
+        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        wire->with([](sim::VirtualBus& bus) { bus.restoreLink(); });
+        QVERIFY(bench.over());
+        QTRY_VERIFY_WITH_TIMEOUT(proved, 15000);
+        QCOMPARE(bench.now("torque_switch"), 0);
+    }
+
+    void closingThePortEndsTheTestAndKeepsIt()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.prepare(5000);
+        bench.run();
+        QVERIFY(bench.begun());
+        QSignalSpy kept(&bench.bench.archive, &session::Archive::kept);
+        bench.action(ui::Command::Disconnect)->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().state(), session::LinkState::Off, testTime);
+        QVERIFY(!bench.test().running());
+        QCOMPARE(bench.test().run()->end, record::SweepEnd::Stopped);
+        QTRY_COMPARE(kept.size(), 1);
+    }
+
+    void aTestThatCannotBeginLeavesTheOneBeforeToBeSaved()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.prepare(1);
+        bench.run();
+        QVERIFY(bench.begun());
+        QVERIFY(bench.over());
+        session::SweepTestOrder wrong;
+        wrong.spec.range = {QStringLiteral("1000"), QStringLiteral("1000")};
+        wrong.servos = {bench.selection().current()};
+        wrong.limits.resize(1);
+        QSignalSpy failed(&bench.test(), &session::SweepTest::failed);
+        QVERIFY(bench.test().start(wrong));
+        QVERIFY(failed.wait(10000));
+        QTemporaryDir place;
+        QSignalSpy saved(&bench.test(), &session::SweepTest::saved);
+        bench.test().save(place.filePath(QStringLiteral("r.csv")), false);
+        QVERIFY(saved.wait(10000));
+        QVERIFY(QFileInfo::exists(place.filePath(QStringLiteral("r.readings.csv"))));
+    }
+
     void theTestHasTheBusToItself()
     {
         SweepBench bench;
@@ -311,7 +372,8 @@ private Q_SLOTS:
     {
         SweepBench bench;
         QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
-        bench.desk().write(bench.selection().current(), {{{QStringLiteral("operating_mode"), 1}}, true, true});
+        bench.desk().write(bench.selection().current(),
+                           {{{QStringLiteral("operating_mode"), 1}}, true, true});
         QVERIFY(bench.settled());
         bench.find<QSpinBox>("sweepPause")->setValue(700);
         auto* tick = bench.find<QCheckBox>("sweepSwitchMode");

@@ -85,6 +85,7 @@ private Q_SLOTS:
     void whatForbidsATest();
     void otherModesAreRefused();
     void aJammedServoEndsTheTestWithoutTorque();
+    void whoCannotComeToTheStartIsLeftWithoutTorque();
     void anAlarmEndsIt();
     void aSilentSecondIsAGap();
     void aLongSilenceEndsIt();
@@ -325,6 +326,23 @@ void TestSweep::aJammedServoEndsTheTestWithoutTorque()
     QCOMPARE(done->end, SweepEnd::Stall);
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::Fail);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+}
+
+/// Nobody may go on pushing after the test has been called off.
+void TestSweep::whoCannotComeToTheStartIsLeftWithoutTorque()
+{
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    bench.withWire(
+        [](sim::VirtualBus& wire) { wire.servo(1)->load().stopHigh = 2300.0 / 4096 * 2 * M_PI; });
+    record::SweepSpec spec = sweepSpec("3000", "2500");
+    spec.stopOnAlarm = false;
+    spec.stopOnStall = false;
+    const auto done = run(bench, servos, spec);
+    QVERIFY(!done);
+    QCOMPARE(done.error().detail, text("no-start"));
+    QCOMPARE(done.error().id, 1);
     QCOMPARE(bench.raw(1, text("torque_switch")), 0);
 }
 
