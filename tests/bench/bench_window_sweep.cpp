@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sweep page while a test of six servos runs on a paced wire at 1 Mbaud, its curves, legs and
+// figures in sight: how long the main thread was busy. Wanted: p99 16 ms.
+#include "bench/bare_sync.h"
+#include "bench/stall_probe.h"
+#include "gui/window_bench.h"
+
+#include <QAbstractButton>
+
+using namespace std::chrono_literals;
+
+namespace {
+constexpr int servos = 6;
+constexpr int length = 30; // s
+
+session::SweepTestOrder orderFor(session::Desk& desk)
+{
+    session::SweepTestOrder order;
+    order.spec.range = {QStringLiteral("1500"), QStringLiteral("2500")};
+    order.spec.pause = 600ms;
+    order.spec.cycles = 10'000;
+    order.servos = desk.servos();
+    for (const session::ServoRef ref : order.servos) {
+        const auto& profile = *desk.servo(ref)->servo.profile;
+        order.limits.push_back(record::builtInSweepLimits(profile.modelName, profile.series));
+    }
+    return order;
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    const QTemporaryDir place; // the user's settings and journal are nobody's business here
+    qputenv("SERVODESK_DATA_DIR", place.path().toLocal8Bit());
+    qputenv("XDG_CONFIG_HOME", place.path().toLocal8Bit());
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication app(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("servodesk-bench"));
+    QTextStream out(stdout);
+    QStringList list;
+    for (int id = 1; id <= servos; ++id)
+        list += QStringLiteral("sts3215@%1").arg(id);
+    const raw::Simulator simulator({QStringLiteral("--servos"), list.join(u','),
+                                    QStringLiteral("--baud"), QStringLiteral("1000000"),
+                                    QStringLiteral("--wire-time")});
+    gui::WindowBench bench;
+    bench.window->resize(1600, 900);
+    bench.window->start({.port = session::PortRequest{.name = simulator.port(), .baud = 1'000'000},
+                         .page = QStringLiteral("sweep")});
+    const bool searched = QTest::qWaitFor(
+        [&] { return bench.desk().lastSearch() && !bench.desk().searching(); }, 30000);
+    if (!searched || bench.desk().servos().size() != servos || !bench.choose(1))
+        qFatal("not all servos were found");
+    session::SweepTest& test = bench.bench.sweep;
+    const bool started = test.start(orderFor(bench.desk()));
+    const bool legs = QTest::qWaitFor(
+        [&] { return test.run() != nullptr && test.run()->servos[0].legs.size() > 3; }, 30000);
+    if (!started || !legs)
+        qFatal("the test did not begin");
+    bench::Probe probe;
+    bench::letRun(length * 1000);
+    probe.report(out, "test of six servos runs");
+    out << "legs of each servo: " << test.run()->servos[0].legs.size()
+        << ", readings: " << test.store().count() / 2 << '\n';
+    test.stop();
+    return QTest::qWaitFor([&] { return !test.running(); }, 10000) ? 0 : 1;
+}
