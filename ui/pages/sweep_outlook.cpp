@@ -8,6 +8,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ui {
 using base::Duration;
@@ -26,7 +27,7 @@ QString spanWords(Duration span)
     const double s = seconds(span);
     if (s < 100)
         return SweepPage::tr("%1 s").arg(QLocale().toString(s, 'f', s < 10 ? 2 : 0));
-    const auto minutes = std::int64_t(s / 60 + 0.5);
+    const auto minutes = std::llround(s / 60);
     if (minutes < 120)
         return SweepPage::tr("%1 min").arg(minutes);
     return SweepPage::tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
@@ -34,7 +35,7 @@ QString spanWords(Duration span)
 
 QString shortSpan(Duration span)
 {
-    const auto s = std::int64_t(seconds(span) + 0.5);
+    const auto s = std::llround(seconds(span));
     return s < 60     ? SweepPage::tr("%1 s").arg(s)
            : s < 3600 ? SweepPage::tr("%1 min %2 s").arg(s / 60).arg(s % 60)
                       : SweepPage::tr("%1 h %2 min").arg(s / 3600).arg(s % 3600 / 60);
