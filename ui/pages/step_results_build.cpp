@@ -4,6 +4,7 @@
 #include "ui/charts/trend_chart.h"
 #include "ui/pages/step_results.h"
 #include "ui/widgets/flow_layout.h"
+#include "ui/widgets/roomy_column.h"
 #include "ui/widgets/tone_delegate.h"
 
 #include <QComboBox>
@@ -36,8 +37,7 @@ QTableWidget* figuresTable(QWidget* parent)
     table->setWordWrap(false);
     table->verticalHeader()->hide();
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + rowPadding);
-    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    new RoomyColumn(table);
     return table;
 }
 } // namespace

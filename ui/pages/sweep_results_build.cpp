@@ -5,6 +5,7 @@
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/pill.h"
+#include "ui/widgets/roomy_column.h"
 #include "ui/widgets/tone_delegate.h"
 
 #include <QComboBox>
@@ -86,8 +87,7 @@ QWidget* SweepResults::buildFindings()
     m_tabs->setObjectName(QStringLiteral("sweepTabs"));
     m_tabs->setDocumentMode(true);
     m_verdictView = table("sweepVerdictTable", m_verdictModel, m_tabs);
-    m_verdictView->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_verdictView->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    new RoomyColumn(m_verdictView);
     m_all = new QToolButton(m_tabs);
     m_all->setObjectName(QStringLiteral("sweepAllFigures"));
     m_all->setCheckable(true);
