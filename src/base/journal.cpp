@@ -1,7 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/journal.h"
 
+#include <algorithm>
+#include <array>
+
 namespace base {
+namespace {
+struct KindName {
+    IntentKind kind;
+    QLatin1String name;
+};
+
+constexpr std::array kindNames{
+    KindName{IntentKind::Write, QLatin1String("write")},
+    KindName{IntentKind::SetId, QLatin1String("set-id")},
+    KindName{IntentKind::SetBaud, QLatin1String("set-baud")},
+    KindName{IntentKind::Mode, QLatin1String("mode")},
+    KindName{IntentKind::Calibrate, QLatin1String("calibrate")},
+    KindName{IntentKind::Restore, QLatin1String("restore")},
+    KindName{IntentKind::Identify, QLatin1String("identify")},
+    KindName{IntentKind::Trial, QLatin1String("trial")},
+};
+
+bool concerns(const Intent& intent, const ServoIdentity& who)
+{
+    if (!intent.servo.sameKind(who))
+        return false;
+    const bool becameThis = intent.kind == IntentKind::SetId && !intent.items.empty() &&
+                            intent.items.front().newRaw == who.id;
+    return intent.servo.id == who.id || becameThis;
+}
+} // namespace
+
+QString intentKindName(IntentKind kind)
+{
+    for (const KindName& entry : kindNames) {
+        if (entry.kind == kind)
+            return entry.name;
+    }
+    Q_UNREACHABLE();
+}
+
+std::optional<IntentKind> intentKindFromName(const QString& name)
+{
+    for (const KindName& entry : kindNames) {
+        if (name == entry.name)
+            return entry.kind;
+    }
+    return std::nullopt;
+}
+
 Result<std::vector<Intent>> Journal::open() const
 {
     const auto all = entries();
@@ -13,5 +61,18 @@ Result<std::vector<Intent>> Journal::open() const
             intents.push_back(entry.intent);
     }
     return intents;
+}
+
+Result<std::vector<JournalEntry>> Journal::entriesOf(const ServoIdentity& servo, int most) const
+{
+    auto all = entries();
+    if (!all)
+        return all;
+    std::vector<JournalEntry> own;
+    std::copy_if(all->begin(), all->end(), std::back_inserter(own),
+                 [&](const JournalEntry& entry) { return concerns(entry.intent, servo); });
+    if (own.size() > std::size_t(most))
+        own.erase(own.begin(), own.end() - most);
+    return own;
 }
 } // namespace base

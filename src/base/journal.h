@@ -29,6 +29,7 @@ struct ServoIdentity {
     QString port; ///< canonical port name at that time
     int baud = 0;
     Protocol protocol = Protocol::Feetech;
+    QString model{}; ///< its name for people, "STS3215"; may be unknown, proves nothing
 
     bool sameKind(const ServoIdentity& other) const
     {
@@ -56,6 +57,10 @@ enum class IntentKind {
     Trial,    ///< set for the length of a task: likewise
 };
 
+/// "write", "set-id" … as files have it.
+QString intentKindName(IntentKind kind);
+std::optional<IntentKind> intentKindFromName(const QString& name);
+
 struct Intent {
     QString uuid; ///< set by begin()
     QDateTime at; ///< set by begin(), UTC
@@ -66,9 +71,17 @@ struct Intent {
     std::vector<JournalItem> items;
 };
 
+/// How one item of an intent ended.
+struct ItemEnd {
+    QString key;
+    std::optional<std::int64_t> readBack{};
+    QString outcome{}; ///< one of the six words of device::outcomeName()
+};
+
 struct IntentEnd {
     QString outcome; ///< "done", "undone", "failed", "abandoned"
     QString detail;
+    std::vector<ItemEnd> items{}; ///< as far as known, in any order
 };
 
 struct JournalEntry {
@@ -86,7 +99,11 @@ public:
 
     /// Oldest first.
     virtual Result<std::vector<JournalEntry>> entries() const = 0;
-    Result<std::vector<Intent>> open() const;
+    /// Those without an end.
+    virtual Result<std::vector<Intent>> open() const;
+    /// The latest `most` that may be about this servo: of its kind, and under its ID or on the way
+    /// to it. Servos carry no serial number, so more cannot be told.
+    virtual Result<std::vector<JournalEntry>> entriesOf(const ServoIdentity& servo, int most) const;
 
     /// Small facts by servo (kind and ID) and name; the latest value counts.
     virtual Result<void> keep(const ServoIdentity& servo, const QString& name,

@@ -94,6 +94,7 @@ base::ServoIdentity Servo::identity() const
         who.firmwareMajor = profile->identity.firmwareMajor;
         who.firmwareMinor = profile->identity.firmwareMinor;
         who.map = profile->mapKey;
+        who.model = profile->modelName;
     }
     return who;
 }

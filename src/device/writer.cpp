@@ -51,6 +51,14 @@ bool WriteReport::allGood() const
     return written && lock != LockState::Open && lock != LockState::Unknown;
 }
 
+std::vector<base::ItemEnd> WriteReport::itemEnds() const
+{
+    std::vector<base::ItemEnd> ends;
+    for (const WriteResult& result : writes)
+        ends.push_back({result.key, result.readBack, outcomeName(result.outcome)});
+    return ends;
+}
+
 namespace {
 base::Intent intentFor(const Servo& servo, const RegisterValues& items, const WriteOptions& options,
                        bool unlocks)
@@ -142,7 +150,7 @@ base::Result<WriteReport> write(const Context& outer, Servo& servo,
     if (run.finished()) {
         const QString outcome =
             report.allGood() ? QStringLiteral("done") : QStringLiteral("failed");
-        if (const auto ended = context.journal.end(*uuid, {outcome, {}}); !ended)
+        if (const auto ended = context.journal.end(*uuid, {outcome, {}, report.itemEnds()}); !ended)
             return tl::unexpected(ended.error());
     }
     return report;

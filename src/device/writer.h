@@ -36,6 +36,7 @@ struct WriteReport {
     std::vector<WriteResult> writes;
     LockState lock = LockState::None;
     bool allGood() const; ///< every outcome is kept or temporary, and the lock is not open
+    std::vector<base::ItemEnd> itemEnds() const; ///< as the journal keeps it
 };
 
 struct WriteOptions {

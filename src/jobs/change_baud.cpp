@@ -160,7 +160,7 @@ base::Result<device::WriteReport> changeBaud(const device::Context& outer, devic
     if (!uuid)
         return tl::unexpected(uuid.error());
     const device::WriteReport report = changeUnlocked(context, servo, *code, newBaud);
-    if (const auto ended = endIntent(context, *uuid, certainEnd(report), report.allGood()); !ended)
+    if (const auto ended = endIntent(context, *uuid, report); !ended)
         return tl::unexpected(ended.error());
     return report;
 }

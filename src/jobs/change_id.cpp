@@ -177,7 +177,7 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
     if (!uuid)
         return tl::unexpected(uuid.error());
     const device::WriteReport report = changeUnlocked(context, servo, newId);
-    if (const auto ended = endIntent(context, *uuid, certainEnd(report), report.allGood()); !ended)
+    if (const auto ended = endIntent(context, *uuid, report); !ended)
         return tl::unexpected(ended.error());
     return report;
 }

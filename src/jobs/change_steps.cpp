@@ -57,6 +57,16 @@ base::Result<void> endIntent(const device::Context& context, const QString& uuid
         uuid, {good ? QStringLiteral("done") : QStringLiteral("failed"), QString()});
 }
 
+base::Result<void> endIntent(const device::Context& context, const QString& uuid,
+                             const device::WriteReport& report)
+{
+    if (!certainEnd(report))
+        return {};
+    return context.journal.end(
+        uuid, {report.allGood() ? QStringLiteral("done") : QStringLiteral("failed"), QString(),
+               report.itemEnds()});
+}
+
 base::Result<void> requireSayable(const device::Servo& servo, const protocol::Request& request,
                                   const QString& operation, const QString& detail)
 {

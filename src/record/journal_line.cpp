@@ -6,36 +6,9 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
-#include <array>
-
 namespace record {
 namespace {
 constexpr int formatVersion = 1;
-
-struct KindName {
-    base::IntentKind kind;
-    QLatin1String name;
-};
-
-constexpr std::array kindNames{
-    KindName{base::IntentKind::Write, QLatin1String("write")},
-    KindName{base::IntentKind::SetId, QLatin1String("set-id")},
-    KindName{base::IntentKind::SetBaud, QLatin1String("set-baud")},
-    KindName{base::IntentKind::Mode, QLatin1String("mode")},
-    KindName{base::IntentKind::Calibrate, QLatin1String("calibrate")},
-    KindName{base::IntentKind::Restore, QLatin1String("restore")},
-    KindName{base::IntentKind::Identify, QLatin1String("identify")},
-    KindName{base::IntentKind::Trial, QLatin1String("trial")},
-};
-
-QString kindName(base::IntentKind kind)
-{
-    for (const KindName& entry : kindNames) {
-        if (entry.kind == kind)
-            return entry.name;
-    }
-    Q_UNREACHABLE();
-}
 
 QJsonObject toJson(const base::ServoIdentity& servo)
 {
@@ -66,7 +39,7 @@ void write(const BeginLine& line, QJsonObject& object)
     }
     object.insert(QStringLiteral("type"), QStringLiteral("begin"));
     object.insert(QStringLiteral("uuid"), intent.uuid);
-    object.insert(QStringLiteral("kind"), kindName(intent.kind));
+    object.insert(QStringLiteral("kind"), base::intentKindName(intent.kind));
     object.insert(QStringLiteral("temporary"), intent.temporary);
     object.insert(QStringLiteral("lock_opened"), intent.lockOpened);
     object.insert(QStringLiteral("servo"), toJson(intent.servo));
@@ -122,12 +95,10 @@ base::ServoIdentity readServo(const JsonReader& json)
 base::IntentKind readKind(const JsonReader& json)
 {
     const QString name = json.text("kind");
-    for (const KindName& entry : kindNames) {
-        if (name == entry.name)
-            return entry.kind;
-    }
-    json.complain("kind", QStringLiteral("unknown word \"%1\"").arg(name));
-    return base::IntentKind::Write;
+    const auto found = base::intentKindFromName(name);
+    if (!found)
+        json.complain("kind", QStringLiteral("unknown word \"%1\"").arg(name));
+    return found.value_or(base::IntentKind::Write);
 }
 
 BeginLine readBegin(const JsonReader& json)
