@@ -8,6 +8,9 @@
 #include "record/snapshot.h"
 
 namespace jobs {
+/// What has been read of it so far, as a snapshot: reads nothing.
+record::Snapshot snapshotOf(const device::Servo& servo, const QString& program);
+
 /// `program` is the name and version that goes into the file.
 base::Result<record::Snapshot> takeSnapshot(const device::Context& context, device::Servo& servo,
                                             const QString& program);

@@ -3,7 +3,8 @@
 // then one register a line in address order, so that text diff and version control work. raw is
 // signed where the register is; value is the physical value in unit. What could not be read has
 // neither. A plain value; any thread. Files of every published format version load for ever.
-// Fails with FileMissing, FileUnreadable, FileFormat (detail says where), FileUnwritable, DiskFull.
+// Fails with FileMissing, FileUnreadable, FileFormat (detail says where; also for a name that one
+// object has twice), FileUnwritable, DiskFull.
 #pragma once
 
 #include "base/error.h"
@@ -44,6 +45,11 @@ struct Snapshot {
     int baud = 0;
     SnapshotServo servo;
     std::vector<SnapshotRegister> registers;
+    /// Only chosen rows, for other servos (record/snapshot_template.h): what is not in it is left
+    /// alone and not "missing".
+    bool isTemplate = false;
+
+    const SnapshotRegister* find(const QString& key) const; ///< null: no such row
     bool operator==(const Snapshot&) const = default;
 };
 
@@ -54,4 +60,10 @@ base::Result<Snapshot> decodeSnapshot(const QByteArray& text);
 /// Replaces the file in one step: afterwards it is the old one or the new one, never half of one.
 base::Result<void> saveSnapshot(const Snapshot& snapshot, const QString& path);
 base::Result<Snapshot> loadSnapshot(const QString& path);
+
+/// For spreadsheets: one line a register, the servo's own columns (id, model, firmware, map, time,
+/// label) in each, so that several exports can be put together. UTF-8, decimal points, empty cells
+/// for what is not known.
+QByteArray encodeSnapshotCsv(const Snapshot& snapshot);
+base::Result<void> saveSnapshotCsv(const Snapshot& snapshot, const QString& path);
 } // namespace record

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What restoring a snapshot would do to a servo: every row with its value now, its value in the
+// file, whether it may be written and why (not), and from the ticks exactly the writes to come, in
+// safe order. By roles and flags of the map, so that every family works; to another model or
+// firmware by key. Pure values, nothing on the wire; any thread; never fails.
+#pragma once
+
+#include "device/servo.h"
+#include "record/snapshot.h"
+
+#include <QFlags>
+
+namespace jobs {
+/// Why a row is as it is. Several may hold. text::restoreReasonWords has the words.
+enum class RestoreReason : std::uint32_t {
+    Same = 1U << 0U,           ///< nothing to write
+    Identity = 1U << 1U,       ///< ID, rate: off unless asked; written last, as jobs of their own
+    Live = 1U << 2U,           ///< torque, goals, lock …: saved for the record, never restored
+    OffUnlessAsked = 1U << 3U, ///< lost at power-off (41, 48): may be ticked
+    MovesShaft = 1U << 4U,     ///< turns the shaft or shifts its zero (31, LX offset)
+    ReadOnly = 1U << 5U,
+    Factory = 1U << 6U,        ///< belongs to the factory values
+    NeedsConsent = 1U << 7U,   ///< dangerous: may be ticked, is off without the user's consent
+    NoSuchRegister = 1U << 8U, ///< this servo has none of that name: cannot be mapped
+    NotInFile = 1U << 9U,      ///< nothing to restore from; never said of a template
+    NoValue = 1U << 10U,       ///< in the file, but without a value (it could not be read)
+    NotRead = 1U << 11U,       ///< the servo's value is not known
+    OutsideRange = 1U << 12U,  ///< not a value this model takes
+    OtherMeaning = 1U << 13U,  ///< other unit or other kind of number here: cannot be mapped
+    Converted = 1U << 14U,     ///< same physical value, other raw number here
+    NotChosen = 1U << 15U,     ///< left out by RestoreChoice::only
+};
+Q_DECLARE_FLAGS(RestoreReasons, RestoreReason)
+QString restoreReasonName(RestoreReason reason);        ///< "off-unless-asked", for JSON and text
+QStringList restoreReasonNames(RestoreReasons reasons); ///< in the order above
+
+/// In this order they are written.
+enum class RestoreStage : std::uint8_t {
+    Limits, ///< angle, voltage, temperature, torque: before what they limit
+    Mode,   ///< mode, phase, resolution, offset: what others depend on
+    Gains,
+    Rest,
+    Link, ///< reply delay, response level: late, since they change the talk itself
+    Live, ///< 41, 48 where ticked
+    Id,
+    Baud,
+};
+
+struct RestoreRow {
+    QString key;
+    int address = 0; ///< here; the file's where this servo has no such register
+    std::optional<std::int64_t> now{};
+    std::optional<std::int64_t> wanted{}; ///< in this servo's raw numbers; none: cannot be mapped
+    std::optional<std::int64_t> fileRaw{};
+    std::optional<double> fileValue{};
+    QString fileUnit{};
+    RestoreReasons reasons{};
+    RestoreStage stage = RestoreStage::Rest;
+    bool mayTick = false;
+    bool ticked = false;
+    bool operator==(const RestoreRow&) const = default;
+};
+
+/// What the user asks for beyond the usual.
+struct RestoreChoice {
+    QStringList only{};     ///< keys; empty: all
+    bool identity = false;  ///< ID and rate too
+    bool dangerous = false; ///< consent: dangerous rows are ticked as well
+    bool live = false;      ///< rows that are lost at power-off (41, 48)
+};
+
+struct RestorePlan {
+    int id = -1; ///< of the servo it was made for
+    catalog::ProfilePtr profile{};
+    std::vector<RestoreRow> rows{}; ///< those that differ and may be ticked first, then by address
+    bool otherModel = false;
+    bool otherFirmware = false;
+    bool otherMap = false;
+    bool isTemplate = false;
+    std::optional<std::int64_t> torqueNow{};
+    int baudNow = 0;
+
+    const RestoreRow* find(const QString& key) const;
+    /// False when it may not be ticked; nothing happens then.
+    bool tick(const QString& key, bool on);
+    /// A ticked row is dangerous: write only with the user's consent.
+    bool needsConsent() const;
+    /// Rows that differ or might and cannot be written here, for the list of what is left out.
+    std::vector<const RestoreRow*> unmapped() const;
+    int count(RestoreReason reason) const;
+};
+
+/// `servo`: its whole table read (device::readAll). Ticks are set as the choice says.
+RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snapshot,
+                        const RestoreChoice& choice = {});
+
+/// One register write to come.
+struct RestoreWrite {
+    QString key;
+    int address = 0;
+    std::optional<std::int64_t> from{};
+    std::int64_t to = 0;
+    RestoreStage stage = RestoreStage::Rest;
+    bool operator==(const RestoreWrite&) const = default;
+};
+/// Exactly the ticked rows that differ, in the order of writing. Empty: a restore says nothing on
+/// the wire that could change the servo.
+std::vector<RestoreWrite> writesOf(const RestorePlan& plan);
+
+/// All that will happen, for --dry-run and the window.
+enum class RestoreStepKind : std::uint8_t {
+    TorqueOff, ///< and it stays off
+    Unlock,
+    Write,
+    ZeroCommand, ///< another mode: its command is set to 0
+    Lock,
+    SetId,
+    SetBaud,
+};
+struct RestoreStep {
+    RestoreStepKind kind = RestoreStepKind::Write;
+    QString key{};
+    std::optional<std::int64_t> from{};
+    std::optional<std::int64_t> to{};
+    bool operator==(const RestoreStep&) const = default;
+};
+std::vector<RestoreStep> stepsOf(const RestorePlan& plan);
+QString restoreStepName(RestoreStepKind kind); ///< "torque-off", "unlock", "write" …
+} // namespace jobs
+
+Q_DECLARE_OPERATORS_FOR_FLAGS(jobs::RestoreReasons)

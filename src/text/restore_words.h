@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why a row of a restore is ticked, off or impossible, what the steps and verdicts are called, and
+// what a comparison says of a row, in the language of the installed translator. The stable English
+// names of jobs and record come in, words go out. Pure; any thread.
+#pragma once
+
+#include <QStringList>
+
+namespace text {
+/// jobs::restoreReasonName: "identity" → "identity: off unless you ask"; unknown: as it is.
+QString restoreReasonWords(const QString& reason);
+/// The same for several, joined with semicolons.
+QString restoreReasonWords(const QStringList& reasons);
+/// A sentence that explains it, for a tooltip.
+QString restoreReasonHelp(const QString& reason);
+
+QString restoreStepWords(const QString& step); ///< "torque-off" → "torque off; it stays off"
+QString restoreVerdictWords(const QString& verdict); ///< "rolled-back", "no-answer" …
+QString compareVerdictWord(const QString& verdict);  ///< "read-only" → "read-only"
+/// A sign beside the word, so that colour is never alone: "≠", "=", "?", "–", "·".
+QString compareVerdictSign(const QString& verdict);
+} // namespace text
