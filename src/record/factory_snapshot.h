@@ -13,5 +13,5 @@ Snapshot factorySnapshot(const catalog::Profile& profile);
 
 /// The kind of servo a file tells of, as today's catalog knows it; null when its model, firmware
 /// and language lead to another map than the one the file names.
-catalog::ProfilePtr profileOf(const SnapshotServo& servo, const catalog::Catalog& catalog);
+catalog::ProfilePtr profileOf(const Snapshot& snapshot, const catalog::Catalog& catalog);
 } // namespace record

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record/snapshot.h"
 
+#include "record/json_duplicates.h"
 #include "record/json_parts.h"
 #include "record/json_text.h"
 
@@ -109,6 +110,13 @@ SnapshotServo readServo(const JsonReader& json)
 
 } // namespace
 
+const SnapshotRegister* Snapshot::find(const QString& key) const
+{
+    const auto found = std::find_if(registers.begin(), registers.end(),
+                                    [&](const auto& reg) { return reg.key == key; });
+    return found == registers.end() ? nullptr : &*found;
+}
+
 QByteArray encodeSnapshot(const Snapshot& snapshot)
 {
     std::vector<SnapshotRegister> registers = snapshot.registers;
@@ -117,6 +125,7 @@ QByteArray encodeSnapshot(const Snapshot& snapshot)
     });
     QByteArray text = "{\n  \"format\": " + jsonText(formatName) +
                       ",\n  \"version\": " + QByteArray::number(formatVersion) +
+                      (snapshot.isTemplate ? ",\n  \"template\": true" : "") +
                       ",\n  \"program\": " + jsonText(snapshot.program) +
                       ",\n  \"time\": " + jsonText(snapshot.at.toUTC().toString(Qt::ISODate)) +
                       ",\n  \"label\": " + jsonText(snapshot.label) +
@@ -136,6 +145,7 @@ Snapshot readSnapshot(const JsonReader& json)
 {
     checkFormat(json, formatName, formatVersion, QStringLiteral("not a ServoDesk snapshot"));
     Snapshot snapshot;
+    snapshot.isTemplate = json.has("template") && json.flag("template");
     snapshot.program = json.text("program");
     snapshot.at = json.time("time");
     snapshot.label = json.text("label");
@@ -153,6 +163,8 @@ base::Result<Snapshot> decodeSnapshot(const QByteArray& text)
     const auto document = parseJson(text);
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, operation, document.error());
+    if (const QString twice = duplicateMember(text); !twice.isEmpty())
+        return base::fail(base::ErrorCode::FileFormat, operation, twice);
     JsonComplaint complaint;
     Snapshot snapshot = readSnapshot(JsonReader(*document, complaint));
     if (complaint.made())

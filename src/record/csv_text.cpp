@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/csv_text.h"
+
+namespace record {
+namespace {
+/// "-5" and "+5" are numbers, "-5+cmd" and "=1" are not.
+bool looksLikeFormula(const QString& cell)
+{
+    if (cell.isEmpty() || !QStringLiteral("=+-@\t\r").contains(cell.front()))
+        return false;
+    bool number = false;
+    cell.toDouble(&number);
+    return !number;
+}
+} // namespace
+
+QByteArray csvText(const QString& cell)
+{
+    QString text = looksLikeFormula(cell) ? QLatin1Char('\'') + cell : cell;
+    const bool quoted = text.contains(QLatin1Char(',')) || text.contains(QLatin1Char('"')) ||
+                        text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\r'));
+    if (!quoted)
+        return text.toUtf8();
+    return '"' + text.replace(QLatin1Char('"'), QStringLiteral("\"\"")).toUtf8() + '"';
+}
+
+QByteArray csvLine(const QStringList& cells)
+{
+    QByteArray line;
+    for (const QString& cell : cells)
+        line += (line.isEmpty() ? "" : ",") + csvText(cell);
+    return line + '\n';
+}
+} // namespace record

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/csv_text.h"
+#include "record/snapshot.h"
+#include "record/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace record {
+namespace {
+constexpr int valueDigits = 12; ///< as in the file
+
+QString shown(std::optional<std::int64_t> raw)
+{
+    return raw ? QString::number(*raw) : QString();
+}
+
+QString shown(std::optional<double> value)
+{
+    return value && std::isfinite(*value) ? QString::number(*value, 'g', valueDigits) : QString();
+}
+} // namespace
+
+QByteArray encodeSnapshotCsv(const Snapshot& snapshot)
+{
+    std::vector<SnapshotRegister> registers = snapshot.registers;
+    std::sort(registers.begin(), registers.end(), [](const auto& left, const auto& right) {
+        return std::tie(left.address, left.key) < std::tie(right.address, right.key);
+    });
+    const SnapshotServo& servo = snapshot.servo;
+    const QStringList who{QString::number(servo.id),
+                          servo.model,
+                          servo.firmware,
+                          servo.map,
+                          snapshot.label,
+                          snapshot.at.toUTC().toString(Qt::ISODate)};
+    QByteArray text = "id,model,firmware,map,label,time,key,address,raw,value,unit,area,access\n";
+    for (const SnapshotRegister& reg : registers) {
+        text += csvLine(who + QStringList{reg.key, QString::number(reg.address), shown(reg.raw),
+                                          shown(reg.value), reg.unit, catalog::areaName(reg.area),
+                                          catalog::accessName(reg.access)});
+    }
+    return text;
+}
+
+base::Result<void> saveSnapshotCsv(const Snapshot& snapshot, const QString& path)
+{
+    return saveTextFile(QStringLiteral("save-snapshot"), encodeSnapshotCsv(snapshot), path);
+}
+} // namespace record
