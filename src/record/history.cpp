@@ -3,6 +3,7 @@
 #include "record/history.h"
 
 #include "record/history_file.h"
+#include "record/step_json.h"
 #include "record/sweep_json.h"
 
 #include <QDir>
@@ -88,10 +89,10 @@ private:
     std::optional<base::Error> m_failure;
 };
 
-QString fileBeside(const QString& historyPath, const SweepRun& run)
+QString fileBeside(const QString& historyPath, const QString& kind, const QDateTime& at)
 {
     const QString name =
-        QStringLiteral("sweep-") + run.at.toUTC().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
+        kind + QLatin1Char('-') + at.toUTC().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
     const QDir folder = QFileInfo(historyPath).absoluteDir();
     QString path = folder.filePath(name + QStringLiteral(".json"));
     for (int i = 2; QFile::exists(path); ++i)
@@ -167,6 +168,13 @@ base::Result<std::int64_t> History::add(const SweepRun& run, const QStringList& 
     return add(head, [&](const TextSink& sink) { writeSweepRun(run, sink); });
 }
 
+base::Result<std::int64_t> History::add(const StepRun& run, const QStringList& files)
+{
+    TestRun head = headOf(run);
+    head.files = files;
+    return add(head, [&](const TextSink& sink) { sink(encodeStepRuns({run}, {})); });
+}
+
 base::Result<void> History::change(const QString& sql, const QVariantList& values,
                                    std::int64_t number)
 {
@@ -233,8 +241,30 @@ TestRun headOf(const SweepRun& run)
     return head;
 }
 
-KeptRun keepRun(const QString& historyPath, const SweepRun& run, const QStringList& files,
-                std::chrono::milliseconds patience)
+/// A response lasts as long as its readings.
+TestRun headOf(const StepRun& run)
+{
+    TestRun head;
+    head.kind = QStringLiteral("step");
+    head.at = run.at;
+    head.program = run.program;
+    head.port = run.port;
+    head.simulated = run.simulated;
+    head.end = sweepEndName(run.end);
+    head.operatorName = run.spec.operatorName;
+    head.note = run.spec.note;
+    for (const StepResponse& response : run.responses)
+        head.length += response.samples.empty() ? base::Duration{} : response.samples.back().at;
+    const SnapshotServo& who = run.parameters.servo;
+    head.servos.push_back({who.id, who.model, who.map, who.firmware, Grade::NotMeasured,
+                           run.parameters.label, false});
+    return head;
+}
+
+namespace {
+template <typename Run, typename Save>
+KeptRun keep(const QString& historyPath, const Run& run, const QStringList& files,
+             std::chrono::milliseconds patience, const QString& kind, const Save& save)
 {
     KeptRun kept;
     const auto history = History::open(historyPath, patience);
@@ -245,9 +275,24 @@ KeptRun keepRun(const QString& historyPath, const SweepRun& run, const QStringLi
         return kept;
     }
     kept.trouble = number.error();
-    const QString beside = fileBeside(historyPath, run);
-    if (saveSweepRun(run, beside))
+    const QString beside = fileBeside(historyPath, kind, run.at);
+    if (save(beside))
         kept.file = beside;
     return kept;
+}
+} // namespace
+
+KeptRun keepRun(const QString& historyPath, const SweepRun& run, const QStringList& files,
+                std::chrono::milliseconds patience)
+{
+    return keep(historyPath, run, files, patience, QStringLiteral("sweep"),
+                [&](const QString& path) { return saveSweepRun(run, path).has_value(); });
+}
+
+KeptRun keepRun(const QString& historyPath, const StepRun& run, const QStringList& files,
+                std::chrono::milliseconds patience)
+{
+    return keep(historyPath, run, files, patience, QStringLiteral("step"),
+                [&](const QString& path) { return saveStepRuns({run}, {}, path).has_value(); });
 }
 } // namespace record

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The history database in the user's data folder: so far the test runs. SQLite; several programs
-// may use one file at the same time. An object belongs to the thread that opened it, and any number
-// may be open. Everything fails as record/history_file.h says; a run that is not there is a
-// BadArgument. Servos carry no serial number: a servo is a model, a firmware, an ID and the user's
-// label.
+// The history database in the user's data folder: the test runs; log() has servos, writes,
+// snapshots, alarms and recordings. SQLite; several programs may use one file at the same time. An
+// object belongs to the thread that opened it, and any number may be open. Everything fails as
+// record/history_file.h says; a run that is not there is a BadArgument. Servos carry no serial
+// number: a servo is a model, a firmware, an ID and the user's label.
 #pragma once
 
+#include "record/history_log.h"
+#include "record/step_run.h"
 #include "record/sweep_run.h"
 #include "record/text_file.h"
 
@@ -52,8 +54,11 @@ struct TestRun {
 struct RunFilter {
     QString kind{};
     QString model{};
+    QString firmware{};
     std::optional<int> id{};
-    QString text{}; ///< in model, firmware, label, note, operator or port
+    QDateTime from{};  ///< inclusive
+    QDateTime until{}; ///< exclusive
+    QString text{};    ///< in model, firmware, label, note, operator or port
     int most = 10000;
 };
 
@@ -74,6 +79,7 @@ public:
     base::Result<std::int64_t> add(const TestRun& head,
                                    const std::function<void(const TextSink&)>& write);
     base::Result<std::int64_t> add(const SweepRun& run, const QStringList& files = {});
+    base::Result<std::int64_t> add(const StepRun& run, const QStringList& files = {});
 
     /// Newest first.
     base::Result<std::vector<TestRun>> runs(const RunFilter& filter = {}) const;
@@ -81,6 +87,7 @@ public:
     base::Result<QByteArray> text(std::int64_t number) const;
     /// With the labels and the note as they are now.
     base::Result<SweepRun> sweep(std::int64_t number) const;
+    base::Result<StepRun> step(std::int64_t number) const;
     base::Result<void> remove(std::int64_t number);
 
     base::Result<void> setLabel(std::int64_t number, int servo, const QString& label);
@@ -88,6 +95,10 @@ public:
     /// Takes the mark from the model's reference before.
     base::Result<void> setReference(std::int64_t number, int servo, bool reference);
     base::Result<std::optional<ReferenceServo>> reference(const QString& model) const;
+
+    /// Borrows this connection.
+    HistoryLog log() const { return HistoryLog(*m_file); }
+    const HistoryFile& file() const { return *m_file; }
 
 private:
     explicit History(std::unique_ptr<HistoryFile> file);
@@ -101,6 +112,7 @@ private:
 };
 
 TestRun headOf(const SweepRun& run);
+TestRun headOf(const StepRun& run);
 
 struct KeptRun {
     std::int64_t number = 0;              ///< in the history; 0: it is not there
@@ -111,5 +123,7 @@ struct KeptRun {
 /// Opens the history, adds the run, closes it. If that cannot be, the run becomes a JSON file
 /// beside it: what was measured is not lost.
 KeptRun keepRun(const QString& historyPath, const SweepRun& run, const QStringList& files = {},
+                std::chrono::milliseconds patience = std::chrono::seconds(5));
+KeptRun keepRun(const QString& historyPath, const StepRun& run, const QStringList& files = {},
                 std::chrono::milliseconds patience = std::chrono::seconds(5));
 } // namespace record

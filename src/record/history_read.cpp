@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record/history.h"
 #include "record/history_file.h"
+#include "record/step_json.h"
 #include "record/sweep_json.h"
 
 #include <map>
@@ -70,8 +71,14 @@ Choice choiceOf(const RunFilter& filter)
     if (!filter.model.isEmpty())
         choice.add("number IN (SELECT run FROM run_servos WHERE model = ? COLLATE NOCASE)",
                    filter.model);
+    if (!filter.firmware.isEmpty())
+        choice.add("number IN (SELECT run FROM run_servos WHERE firmware = ?)", filter.firmware);
     if (filter.id)
         choice.add("number IN (SELECT run FROM run_servos WHERE id = ?)", *filter.id);
+    if (filter.from.isValid())
+        choice.add("at >= ?", filter.from.toMSecsSinceEpoch());
+    if (filter.until.isValid())
+        choice.add("at < ?", filter.until.toMSecsSinceEpoch());
     if (!filter.text.isEmpty()) {
         choice.add(R"((note LIKE ? ESCAPE '\' OR operator LIKE ? ESCAPE '\' )"
                    R"(OR port LIKE ? ESCAPE '\' OR number IN (SELECT run FROM run_servos WHERE )"
@@ -184,6 +191,26 @@ base::Result<SweepRun> History::sweep(std::int64_t number) const
     for (std::size_t i = 0; i < count; ++i)
         sweep->servos[i].parameters.label = head->servos[i].label;
     return sweep;
+}
+
+base::Result<StepRun> History::step(std::int64_t number) const
+{
+    const auto head = run(number);
+    if (!head)
+        return tl::unexpected(head.error());
+    const auto whole = text(number);
+    if (!whole)
+        return tl::unexpected(whole.error());
+    auto runs = decodeStepRuns(*whole);
+    if (!runs)
+        return tl::unexpected(runs.error());
+    if (runs->empty())
+        return tl::unexpected(notThere(number));
+    StepRun step = std::move(runs->front());
+    step.spec.note = head->note;
+    if (!head->servos.empty())
+        step.parameters.label = head->servos.front().label;
+    return step;
 }
 
 base::Result<std::optional<ReferenceServo>> History::reference(const QString& model) const

@@ -45,22 +45,22 @@ Archive::~Archive()
 /// On the archive's thread, and at the very end on the main thread.
 record::KeptRun Archive::keepNext()
 {
-    Pending next;
+    Keeping next;
     {
         const std::lock_guard lock(m_mutex);
         next = m_pending.front();
     }
-    record::KeptRun kept = record::keepRun(m_path, *next.run, next.files);
+    record::KeptRun kept = next(m_path);
     const std::lock_guard lock(m_mutex);
     m_pending.pop_front();
     return kept;
 }
 
-void Archive::keep(SharedRun run, const QStringList& files)
+void Archive::keepLater(Keeping keeping)
 {
     {
         const std::lock_guard lock(m_mutex);
-        m_pending.push_back({std::move(run), files});
+        m_pending.push_back(std::move(keeping));
     }
     m_thread->start([this] {
         m_inbox.post([this, kept = keepNext()] {
@@ -74,20 +74,17 @@ void Archive::keep(SharedRun run, const QStringList& files)
     });
 }
 
-/// Opened for each question: a file that was moved or mended meanwhile is no trouble then.
-template <typename T>
-void Archive::ask(std::function<base::Result<T>(History&)> question, QObject* context,
-                  Answer<T> answer)
+void Archive::keep(SharedRun run, const QStringList& files)
 {
-    const QPointer<QObject> guard(context);
-    m_thread->start([this, question = std::move(question), guard, answer = std::move(answer)] {
-        const auto history = History::open(m_path);
-        auto result =
-            history ? question(**history) : base::Result<T>(tl::unexpected(history.error()));
-        m_inbox.post([guard, answer, result = std::move(result)] {
-            if (guard)
-                answer(result);
-        });
+    keepLater([run = std::move(run), files](const QString& path) {
+        return record::keepRun(path, *run, files);
+    });
+}
+
+void Archive::keep(SharedStep run, const QStringList& files)
+{
+    keepLater([run = std::move(run), files](const QString& path) {
+        return record::keepRun(path, *run, files);
     });
 }
 

@@ -6,6 +6,8 @@
 #pragma once
 
 #include "record/history.h"
+#include "record/history_export.h"
+#include "record/history_point.h"
 #include "record/sweep_compare.h"
 #include "session/inbox.h"
 #include "session/job_thread.h"
@@ -15,6 +17,8 @@
 
 namespace session {
 using SharedRun = std::shared_ptr<const record::SweepRun>;
+using SharedStep = std::shared_ptr<const record::StepRun>;
+using SharedSnapshot = std::shared_ptr<const record::Snapshot>;
 
 /// One servo of a run against the reference of its model.
 struct ReferenceResult {
@@ -33,6 +37,15 @@ public:
 
     /// kept() or keepFailed() follow. Order is kept.
     void keep(SharedRun run, const QStringList& files = {});
+    void keep(SharedStep run, const QStringList& files = {});
+
+    // Kept in order; changed() or failed() follow. An alarm that came twice counts once.
+    void keepAlarm(const base::ServoIdentity& who, const QString& key, bool derived, bool came,
+                   const QDateTime& at);
+    void keepRecording(const record::HistoryRecording& recording,
+                       const std::vector<base::ServoIdentity>& servos);
+    void keepSnapshot(SharedSnapshot snapshot, record::SnapshotReason reason,
+                      const QString& file = {});
 
     template <typename T>
     using Answer = std::function<void(const base::Result<T>&)>;
@@ -40,6 +53,36 @@ public:
     void list(const record::RunFilter& filter, QObject* context,
               Answer<std::vector<record::TestRun>> answer);
     void load(std::int64_t number, QObject* context, Answer<SharedRun> answer);
+    void loadStep(std::int64_t number, QObject* context, Answer<SharedStep> answer);
+
+    /// Any other question or deed: run on the archive's thread with the history open.
+    template <typename T>
+    void ask(std::function<base::Result<T>(record::History&)> question, QObject* context,
+             Answer<T> answer);
+
+    // Pages: filter.most rows, filter.after for the next. archive_lists.cpp.
+    void servos(const record::HistoryFilter& filter, QObject* context,
+                Answer<std::vector<record::HistoryServo>> answer);
+    void writes(const record::HistoryFilter& filter, QObject* context,
+                Answer<std::vector<record::HistoryWrite>> answer);
+    void countWrites(const record::HistoryFilter& filter, QObject* context,
+                     Answer<std::int64_t> answer);
+    void writtenKeys(std::optional<std::int64_t> servo, QObject* context,
+                     Answer<QStringList> answer);
+    void snapshots(const record::HistoryFilter& filter, QObject* context,
+                   Answer<std::vector<record::HistorySnapshot>> answer);
+    void loadSnapshot(std::int64_t number, QObject* context, Answer<SharedSnapshot> answer);
+    /// The catalog is borrowed until the answer.
+    void tableAt(const catalog::Catalog& catalog, std::int64_t servo, const QDateTime& at,
+                 QObject* context, Answer<record::TablePoint> answer);
+    void alarms(const record::HistoryFilter& filter, QObject* context,
+                Answer<std::vector<record::HistoryAlarm>> answer);
+    void recordings(const record::HistoryFilter& filter, QObject* context,
+                    Answer<std::vector<record::HistoryRecording>> answer);
+    /// CSV takes one kind, JSON any. Answers the rows written.
+    void exportTo(const QString& path, bool csv, const std::vector<record::HistoryKind>& kinds,
+                  const record::HistoryFilter& filter, QObject* context,
+                  Answer<std::int64_t> answer);
     /// Of the servos whose model has a reference that is not this very run.
     void compareWithReference(SharedRun run, QObject* context,
                               Answer<std::vector<ReferenceResult>> answer);
@@ -49,6 +92,11 @@ public:
     void setNote(std::int64_t number, const QString& note);
     void setReference(std::int64_t number, int servo, bool reference);
     void remove(const std::vector<std::int64_t>& numbers);
+    void setServoLabel(std::int64_t servo, const QString& label);
+    void anotherServo(std::int64_t servo, const QString& label);
+    void setSnapshotNote(std::int64_t number, const QString& label, const QString& note);
+    void removeSnapshots(const std::vector<std::int64_t>& numbers);
+    void removeRecordings(const std::vector<std::int64_t>& numbers);
 
     /// Something slow that touches no history, such as saving a report, in the same order.
     void work(std::function<base::Result<void>()> job, QObject* context, Answer<void> answer);
@@ -61,20 +109,33 @@ Q_SIGNALS:
     void failed(const base::Error& error);
 
 private:
-    struct Pending {
-        SharedRun run;
-        QStringList files;
-    };
-    template <typename T>
-    void ask(std::function<base::Result<T>(record::History&)> question, QObject* context,
-             Answer<T> answer);
+    /// What is to be kept, whatever happens: answers where it went.
+    using Keeping = std::function<record::KeptRun(const QString& path)>;
+    void keepLater(Keeping keeping);
     void change(std::function<base::Result<void>(record::History&)> deed);
     record::KeptRun keepNext();
 
     const QString m_path;
     Inbox m_inbox;
     std::mutex m_mutex;
-    std::deque<Pending> m_pending; ///< what is to be kept and is not yet
+    std::deque<Keeping> m_pending; ///< what is to be kept and is not yet
     std::unique_ptr<JobThread> m_thread;
 };
+
+/// Opened for each question: a file that was moved or mended meanwhile is no trouble then.
+template <typename T>
+void Archive::ask(std::function<base::Result<T>(record::History&)> question, QObject* context,
+                  Answer<T> answer)
+{
+    const QPointer<QObject> guard(context);
+    m_thread->start([this, question = std::move(question), guard, answer = std::move(answer)] {
+        const auto history = record::History::open(m_path);
+        auto result =
+            history ? question(**history) : base::Result<T>(tl::unexpected(history.error()));
+        m_inbox.post([guard, answer, result = std::move(result)] {
+            if (guard)
+                answer(result);
+        });
+    });
+}
 } // namespace session

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The journal's home: the history database. Owned by session::Session; any thread: one connection
+// lives on a thread of its own, since SQLite connections of Qt belong to a thread, and whoever
+// calls waits for the disk (synchronous = FULL: begin, end and keep answer when it is there). The
+// database is opened by the first call that needs it, and opened again where the file was
+// replaced. Several programs may use one file. Errors as record/history_file.h: a database that is
+// damaged, newer, locked for long or may not be written refuses begin(), so no write begins.
+//
+// The file journal of earlier versions (journal.jsonl beside the database) is taken over whenever
+// the history is opened and finds it, with all its lines in one transaction, and renamed, never
+// deleted; whatever an older program appends later is taken over as well. See
+// record/journal_takeover.h.
+#pragma once
+
+#include "base/journal.h"
+
+#include <chrono>
+#include <memory>
+
+namespace record {
+class HistoryJournal final : public base::Journal {
+public:
+    /// Nothing is opened or created here. `program` is written beside every intent.
+    HistoryJournal(QString historyPath, QString program,
+                   std::chrono::milliseconds patience = std::chrono::seconds(5));
+    ~HistoryJournal() override;
+
+    base::Result<QString> begin(const base::Intent& intent) override;
+    base::Result<void> end(const QString& uuid, const base::IntentEnd& end) override;
+    base::Result<std::vector<base::JournalEntry>> entries() const override;
+    base::Result<std::vector<base::Intent>> open() const override;
+    base::Result<std::vector<base::JournalEntry>> entriesOf(const base::ServoIdentity& servo,
+                                                            int most) const override;
+    base::Result<void> keep(const base::ServoIdentity& servo, const QString& name,
+                            const std::vector<std::int64_t>& values) override;
+    base::Result<std::optional<std::vector<std::int64_t>>> kept(const base::ServoIdentity& servo,
+                                                                const QString& name) const override;
+
+    const QString& path() const { return m_path; }
+
+private:
+    class Worker;
+    const QString m_path;
+    std::unique_ptr<Worker> m_worker;
+};
+} // namespace record

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A servo's table as it was at a moment between two snapshots: the last snapshot before it, and the
+// kept writes after that. Says what it cannot know. Borrows the connection of a record::History
+// (its thread). BadArgument "no-snapshot" where none was taken before; else as
+// record/history_file.h.
+#pragma once
+
+#include "catalog/catalog.h"
+#include "record/history_log.h"
+
+namespace record {
+struct TablePoint {
+    Snapshot table{}; ///< `at` is the moment asked for
+    HistorySnapshot base{};
+    QStringList replayed{}; ///< keys whose value comes from a write after the snapshot
+    /// Keys that something changed in a way nobody recorded (centring, stored parameters put back,
+    /// interrupted or failed writes): they have no value in `table`.
+    QStringList unknown{};
+};
+
+/// Physical values follow the catalog's profile of that servo; without one they are left out.
+base::Result<TablePoint> tableAt(const HistoryFile& file, const catalog::Catalog& catalog,
+                                 std::int64_t servo, const QDateTime& at);
+} // namespace record
