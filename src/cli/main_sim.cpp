@@ -21,7 +21,8 @@ int main(int argc, char** argv)
     const auto announce = [](const QString& path) {
         std::cout << "port: " << path.toStdString() << std::endl;
     };
-    if (const auto run = session::runSimulator(*line.options, announce); !run) {
+    const auto tell = [](const QString& what) { std::cout << what.toStdString() << std::endl; };
+    if (const auto run = session::runSimulator(*line.options, announce, tell); !run) {
         const auto words = text::describe(run.error());
         std::cerr << "servodesk-sim: " << words.what.toStdString() << '\n'
                   << words.remedy.toStdString() << '\n';

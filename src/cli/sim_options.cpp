@@ -31,7 +31,12 @@ QString text(const std::string& local)
 void describe(CLI::App& app, Raw& raw)
 {
     auto* preset =
-        app.add_option("--preset", raw.preset, "A ready-made bus: demo, trouble, modbus, lx, sweep")
+        app.add_option("--preset", raw.preset,
+                       "A ready-made bus: demo, trouble, modbus, lx, sweep; line and "
+                       "line-trouble, a bag of six servos that are plugged in one after the other: "
+                       "SIGUSR1 or the line \"next\" on standard input puts the next one on the "
+                       "wire in place of the one before, \"unplug\" leaves the wire empty, "
+                       "\"plug N\" adds the Nth")
             ->capture_default_str();
     app.add_option("--servos", raw.servos,
                    "The servos, MODEL@ID or MODEL@ID:BAUD each: sts3215@1,sts3250@2,scs15@3. Their "

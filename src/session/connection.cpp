@@ -60,4 +60,26 @@ bool Connection::powerCycle()
     m_simulation->with([](sim::VirtualBus& bus) { bus.powerCycle(); });
     return true;
 }
+
+bool Connection::hasBag() const
+{
+    return m_simulation && m_simulation->with([](sim::VirtualBus& bus) { return bus.isBag(); });
+}
+
+std::size_t Connection::inBag() const
+{
+    return m_simulation ? m_simulation->with([](sim::VirtualBus& bus) { return bus.inBag(); }) : 0;
+}
+
+bool Connection::plugNext()
+{
+    return m_simulation &&
+           m_simulation->with([](sim::VirtualBus& bus) { return bus.plugNext().has_value(); });
+}
+
+void Connection::unplugAll()
+{
+    if (m_simulation)
+        m_simulation->with([](sim::VirtualBus& bus) { bus.unplugAll(); });
+}
 } // namespace session

@@ -51,6 +51,11 @@ public:
     bool simulated() const { return m_simulation != nullptr; }
     /// Switches all simulated servos off and on again; false on a real port.
     bool powerCycle();
+    /// The simulated servos are in a bag and plugged in one after the other.
+    bool hasBag() const;
+    std::size_t inBag() const; ///< simulated servos that have not been plugged in yet
+    bool plugNext(); ///< unplugs the one before; false: the bag is empty, or there is none
+    void unplugAll();
     /// What is behind a simulated port, for trouble made on purpose; null on a real one.
     sim::SharedBus* simulation() const { return m_simulation.get(); }
 

@@ -2,6 +2,7 @@
 #include "session/sim_program.h"
 
 #include "session/paths.h"
+#include "session/sim_bag.h"
 #include "sim/eprom_store.h"
 #include "sim/presets.h"
 #include "sim/pty_host.h"
@@ -67,7 +68,8 @@ base::Result<std::unique_ptr<sim::VirtualBus>> makeBus(const SimOptions& options
 } // namespace
 
 base::Result<void> runSimulator(const SimOptions& options,
-                                const std::function<void(const QString& path)>& announce)
+                                const std::function<void(const QString& path)>& announce,
+                                const std::function<void(const QString& line)>& tell)
 {
     auto bus = makeBus(options);
     if (!bus)
@@ -88,7 +90,12 @@ base::Result<void> runSimulator(const SimOptions& options,
 
     base::Result<void> saved;
     int ticks = 0;
-    const auto keepState = [&] {
+    SimBag bag(**bus, [&tell](const QString& line) {
+        if (tell)
+            tell(line);
+    });
+    const auto housekeeping = [&] {
+        bag.look();
         if (!store || ++ticks % ticksPerSave != 0)
             return;
         saved = store->saveChanges();
@@ -98,7 +105,7 @@ base::Result<void> runSimulator(const SimOptions& options,
     std::optional<base::Duration> until;
     if (options.runFor)
         until = base::SystemClock().now() + *options.runFor;
-    host.serve(until, keepState);
+    host.serve(until, housekeeping);
     if (store && saved)
         saved = store->saveChanges();
     return saved;

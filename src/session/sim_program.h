@@ -28,8 +28,10 @@ struct SimOptions {
 };
 
 /// Returns when stopped (SIGTERM, SIGINT) or `runFor` has passed. `announce` is told the terminal's
-/// path once clients may open it. Errors: BadArgument (servos, preset, faults), FileFormat,
-/// FileUnreadable, FileUnwritable (state file), PortFailed (no pseudo-terminal, link not possible).
+/// path once clients may open it, `tell` what is plugged in and out of a bag. Errors: BadArgument
+/// (servos, preset, faults), FileFormat, FileUnreadable, FileUnwritable (state file), PortFailed
+/// (no pseudo-terminal, link not possible).
 base::Result<void> runSimulator(const SimOptions& options,
-                                const std::function<void(const QString& path)>& announce);
+                                const std::function<void(const QString& path)>& announce,
+                                const std::function<void(const QString& line)>& tell = {});
 } // namespace session

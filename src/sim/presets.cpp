@@ -152,12 +152,42 @@ Scene sweep()
     };
 }
 
+// As they come out of their boxes: ID 1, the factory's rate.
+Scene line()
+{
+    const auto fresh = [](const char* model, double volts, double degrees) {
+        return ServoRecipe{QString::fromLatin1(model), 1, {}, volts, degrees, {}, nullptr};
+    };
+    return {fresh("STS3215", 7.4, 180), fresh("STS3215", 7.4, 135), fresh("STS3250", 12.0, 200),
+            fresh("STS3215", 7.4, 90),  fresh("SCS15", 7.4, 110),   fresh("STS3215", 7.4, 175)};
+}
+
+// One from another rate, one with an alarm, one that has been in use, one of another family, one
+// that speaks another language, and a healthy one.
+Scene lineTrouble()
+{
+    return {
+        {QStringLiteral("STS3215"), 1, 115'200, 7.4, 180, {}, nullptr},
+        {QStringLiteral("STS3215"), 1, {}, 7.4, 135, {}, overVoltage},
+        {QStringLiteral("STS3215"), 7, {}, 7.4, 90, {}, nullptr},
+        {QStringLiteral("SM40BLHV"), 1, {}, 12.0, 90, {}, nullptr},
+        {QStringLiteral("LX-16A"), 1, {}, {}, 120, {}, nullptr},
+        {QStringLiteral("STS3215"), 1, {}, 7.4, 175, {}, nullptr},
+    };
+}
+
 struct Preset {
     const char* name;
     Scene (*scene)();
+    bool bag = false; ///< nobody is plugged in yet
 };
-constexpr Preset presets[] = {
-    {"demo", demo}, {"trouble", trouble}, {"modbus", modbus}, {"lx", lx}, {"sweep", sweep}};
+constexpr Preset presets[] = {{"demo", demo},
+                              {"trouble", trouble},
+                              {"modbus", modbus},
+                              {"lx", lx},
+                              {"sweep", sweep},
+                              {"line", line, true},
+                              {"line-trouble", lineTrouble, true}};
 } // namespace
 
 QStringList presetNames()
@@ -182,6 +212,9 @@ makePreset(const QString& name, const catalog::Catalog& catalog, const WireConfi
     Scene scene = preset->scene();
     for (ServoRecipe& recipe : scene)
         recipe.baud = baud.has_value() ? baud : recipe.baud;
-    return makeBus(scene, catalog, wire, epromTime);
+    auto bus = makeBus(scene, catalog, wire, epromTime);
+    if (bus && preset->bag)
+        (*bus)->makeBag();
+    return bus;
 }
 } // namespace sim

@@ -115,6 +115,8 @@ void VirtualBus::powerCycle()
 {
     State& s = *m_state;
     for (Seat& seat : s.seats) {
+        if (!seat.plugged)
+            continue;
         seat.servo.powerOff();
         seat.servo.powerOn();
         seat.speaksUntil = 0;

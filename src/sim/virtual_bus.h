@@ -59,8 +59,21 @@ public:
     void setHostBaud(int baud); ///< what the host's receiver listens at
     int hostBaud() const;
 
-    void powerCycle(); ///< all servos off and on again
-    void cutLink();    ///< from now on nothing passes and SimLink reports LinkLost
+    void powerCycle(); ///< all servos on the wire off and on again
+
+    // --- plugs (virtual_bus_plugs.cpp): each servo is on the wire at first ---
+    bool plugged(std::size_t place) const; ///< places as in servos()
+    void plug(std::size_t place);          ///< with power; nothing if it is on the wire
+    void unplug(std::size_t place);        ///< in the middle of a word, if it must be
+    void unplugAll();
+    /// A bag of servos, to be plugged in one after the other: nobody is on the wire yet.
+    void makeBag();
+    bool isBag() const;
+    std::size_t inBag() const; ///< those that have not been on the wire
+    /// Whoever is on the wire comes off, the next of the bag goes on; nullopt: the bag is empty.
+    std::optional<std::size_t> plugNext();
+
+    void cutLink(); ///< from now on nothing passes and SimLink reports LinkLost
     void restoreLink();
     bool linkCut() const;
     /// Cuts the link after this many more host bytes (tests: at every byte of a write).

@@ -27,6 +27,8 @@ struct Seat {
         : servo(std::move(what))
     {}
     VirtualServo servo;
+    bool plugged = true;
+    bool seen = true;     ///< has been on the wire
     Nanos deafUntil = -1; ///< last instant at which it was seen deaf
     Nanos speaksUntil = 0;
 };
@@ -55,6 +57,7 @@ struct VirtualBus::State {
     Nanos steppedTo = 0;
     Nanos hostSpeaksUntil = 0;
     std::optional<std::size_t> bytesUntilCut;
+    bool bag = false;
     bool started = false;
     bool cut = false;
 

@@ -97,10 +97,10 @@ void WireLine::forgetServos()
     std::erase_if(m_bursts, [](const Burst& burst) { return burst.speaker != hostSpeaker; });
 }
 
-void WireLine::silenceHost(Nanos at)
+void WireLine::silence(int speaker, Nanos at)
 {
     for (Burst& burst : m_bursts) {
-        if (burst.speaker != hostSpeaker || burst.end() <= at)
+        if (burst.speaker != speaker || burst.end() <= at)
             continue;
         std::size_t sent = 0;
         while (sent < burst.bytes.size() && burst.byteStart(sent) < at)

@@ -50,9 +50,10 @@ public:
 
     void forgetBefore(Nanos at);
     void forgetServos();
+    /// One that has left the line at `at`: what it had not begun to send by then never comes.
+    void silence(int speaker, Nanos at);
     void forgetAll() { m_bursts.clear(); }
-    /// What the host has not yet begun to send at `at` never leaves.
-    void silenceHost(Nanos at);
+    void silenceHost(Nanos at) { silence(hostSpeaker, at); }
 
 private:
     std::vector<Burst> m_bursts;
