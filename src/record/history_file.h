@@ -31,18 +31,22 @@ public:
                                                            std::chrono::milliseconds patience);
     HistoryFile(const HistoryFile&) = delete;
     HistoryFile& operator=(const HistoryFile&) = delete;
-    ~HistoryFile();
+    virtual ~HistoryFile();
 
+    // Virtual, because a copy on a server is asked the same questions: record/history_server.h.
     /// One statement with its values in place of `?`.
-    base::Result<HistoryAnswer> run(const QString& sql, const QVariantList& values = {}) const;
+    virtual base::Result<HistoryAnswer> run(const QString& sql,
+                                            const QVariantList& values = {}) const;
     /// All of `work` or nothing of it. Has the file to itself from the beginning, since one that
     /// begins by reading could not wait for another writer.
-    base::Result<void> together(const std::function<base::Result<void>()>& work) const;
+    virtual base::Result<void> together(const std::function<base::Result<void>()>& work) const;
 
     const QString& path() const { return m_path; }
 
-private:
+protected:
     HistoryFile(QString path, QString connection);
+
+private:
     base::Result<void> prepare() const;
     base::Result<void> migrate() const;
     base::Result<int> version() const;
