@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commissioning line: one servo after the other is plugged in alone, recognised, given
+// template, ID and rate, checked, and unplugged again. Waits for servos at any rate and in every
+// language; writes nothing while two answer; every finished servo is on the disk before the next is
+// asked for. Nothing moves. The job's thread, for as long as the batch takes; it holds the whole
+// bus and leaves it at the rate it had. What happens to one servo is its row; errors that end the
+// line: BadArgument, LinkLost, Preempted, FileUnwritable, DiskFull, and those of the journal.
+#pragma once
+
+#include "jobs/job.h"
+#include "record/commission_batch.h"
+
+namespace jobs {
+struct CommissionSpec {
+    std::vector<int> ids{}; ///< to give, in this order; those the batch has given are passed over
+    int baud = 0;           ///< 0: each keeps its rate
+    std::optional<record::Snapshot> settings{}; ///< template; identity rows are not taken from it
+    QString templateName{};
+    bool dangerous = false; ///< consent to dangerous rows of the template
+    bool center = false;
+    bool automatic = false;   ///< no click; what would need one is set aside
+    int count = 0;            ///< ends after so many that were set up; 0: when the IDs are used up
+    std::vector<int> rates{}; ///< to look at; empty: all there are
+    std::vector<base::Protocol> protocols{}; ///< empty: all
+    QString labelFormat = record::usualLabelFormat();
+};
+
+enum class CommissionStep : std::uint8_t {
+    Waiting, ///< for the next servo
+    Blocked, ///< see the obstacle; goes on by itself when it is gone
+    Checking,
+    Confirm, ///< for the click
+    Snapshot,
+    Template,
+    Id,
+    Rate,
+    Center,
+    Health,
+    Unplug, ///< done: waits until it is gone
+};
+QString stepName(CommissionStep step); ///< "waiting", "blocked" …
+
+enum class CommissionObstacle : std::uint8_t {
+    None,
+    SeveralServos, ///< see `heard`
+    TwinIds,       ///< two under one ID
+    Unreadable,    ///< somebody answers, but cannot be recognised
+    Lost,          ///< went away in the middle: it goes on when it is plugged in again
+};
+QString obstacleName(CommissionObstacle obstacle); ///< "several-servos" …
+
+struct CommissionHeard {
+    QString model; ///< empty: not recognised
+    record::CommissionPlace place{};
+    bool operator==(const CommissionHeard&) const = default;
+};
+
+/// What the line is doing, for whoever watches.
+struct CommissionView {
+    CommissionStep step = CommissionStep::Waiting;
+    CommissionObstacle obstacle = CommissionObstacle::None;
+    std::vector<CommissionHeard> heard{}; ///< Blocked
+    record::SnapshotServo servo{};        ///< the one at hand
+    int baud = 0;                         ///< at which it answers
+    int newId = -1;                       ///< the ID it gets, or has; Waiting: the next one's
+    int newBaud = 0;
+    bool halfDone = false; ///< it was begun before and is finished now
+    int doubtfulId = -1;   ///< Confirm: it may be the one that was to have this ID
+    std::vector<record::CommissionTrouble> concerns{}; ///< Confirm: what speaks against it
+    bool operator==(const CommissionView&) const = default;
+};
+
+enum class CommissionAnswer : std::uint8_t {
+    None,      ///< not yet
+    Continue,  ///< whatever the concerns
+    SameServo, ///< it is the one that was to have `doubtfulId`
+    SetAside,
+};
+
+struct CommissionHooks {
+    std::function<void(const CommissionView&)> onChange{};
+    std::function<void(const record::CommissionRow&)> onRow{}; ///< on the disk already
+    /// Asked some twenty times a second while the step is Confirm. Empty: never answered.
+    std::function<CommissionAnswer()> answer{};
+    /// Once before the first write to a servo: saves its table, answers the file.
+    std::function<base::Result<QString>(const device::Context&, device::Servo&)> save{};
+};
+
+enum class CommissionEnd : std::uint8_t { Stopped, IdsUsedUp, CountReached };
+
+/// `batch` is what openCommissionBatch() gave for `csvPath`, and is kept there.
+base::Result<CommissionEnd> commission(const device::Context& context, const CommissionSpec& spec,
+                                       record::CommissionBatch& batch, const QString& csvPath,
+                                       const CommissionHooks& hooks = {});
+} // namespace jobs

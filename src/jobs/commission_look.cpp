@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/commission_look.h"
+
+#include "jobs/scan_manner.h"
+#include "jobs/scan_twins.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace jobs {
+namespace {
+using base::ErrorCode;
+using base::Protocol;
+
+constexpr base::Duration settleTime = std::chrono::milliseconds(2);
+constexpr base::Duration longPatience = std::chrono::milliseconds(50);
+/// IDs of the slow search in one round: some 150 ms.
+constexpr int sliceIds = 32;
+/// The vendor's rates; the first three are what servos leave the factory with.
+constexpr int usualRates[] = {1'000'000, 115'200, 500'000};
+constexpr int otherRates[] = {250'000, 256'000, 128'000, 76'800, 57'600,
+                              38'400,  19'200,  9'600,   4'800};
+
+void addRate(std::vector<int>& rates, int baud)
+{
+    if (baud > 0 && std::find(rates.begin(), rates.end(), baud) == rates.end())
+        rates.push_back(baud);
+}
+
+/// So near that a servo at one is heard at the other.
+bool neighbours(int a, int b)
+{
+    constexpr double apart = 0.05;
+    return a != b && std::abs(a - b) < apart * std::max(a, b);
+}
+} // namespace
+
+CommissionLook::CommissionLook(const device::Context& context, const CommissionSpec& spec)
+    : m_context(context)
+    , m_spec(spec)
+{
+    if (!context.bus.hasBaud()) {
+        m_likely.push_back(context.bus.baud());
+        return;
+    }
+    if (!spec.rates.empty()) {
+        for (const int baud : spec.rates)
+            addRate(m_likely, baud);
+        addRate(m_likely, spec.baud);
+        return;
+    }
+    for (const int baud : usualRates)
+        addRate(m_likely, baud);
+    addRate(m_likely, spec.baud);
+    addRate(m_likely, context.bus.baud());
+    for (const int baud : otherRates) {
+        if (std::find(m_likely.begin(), m_likely.end(), baud) == m_likely.end())
+            m_others.push_back(baud);
+    }
+}
+
+base::Result<bool> CommissionLook::tune(int baud) const
+{
+    if (!m_context.bus.hasBaud() || m_context.bus.baud() == baud)
+        return true;
+    const auto set = m_context.bus.setBaud(baud);
+    if (!set && set.error().code == ErrorCode::RateUnsupported)
+        return false;
+    if (!set)
+        return tl::unexpected(set.error());
+    const auto settled = m_context.bus.listen(settleTime);
+    return settled ? base::Result<bool>(true) : tl::unexpected(settled.error());
+}
+
+std::vector<Protocol> CommissionLook::languages(int baud) const
+{
+    auto possible = m_context.catalog.protocolsAt(baud);
+    if (!m_context.bus.hasBaud())
+        possible.assign(base::allProtocols.begin(), base::allProtocols.end());
+    if (!m_spec.protocols.empty()) {
+        std::erase_if(possible, [this](Protocol protocol) {
+            return std::find(m_spec.protocols.begin(), m_spec.protocols.end(), protocol) ==
+                   m_spec.protocols.end();
+        });
+    }
+    return possible;
+}
+
+base::Result<CommissionLook::Answer> CommissionLook::ask(Protocol protocol, int id,
+                                                         base::Duration patience) const
+{
+    bus::Transaction ping;
+    ping.request = protocol::Request::ping(id).in(protocol);
+    ping.priority = m_context.priority;
+    ping.retries = 0;
+    ping.patience = patience;
+    ping.hold = m_context.hold;
+    ping.stop = &m_context.stop;
+    const auto outcome = m_context.bus.transact(ping);
+    if (outcome)
+        return Answer{Voice::Clean, outcome->parts.empty() ? id : outcome->parts.front().id};
+    switch (outcome.error().code) {
+    case ErrorCode::NoAnswer:
+        return Answer{};
+    case ErrorCode::Refused:
+        return Answer{Voice::Clean, id};
+    case ErrorCode::Garbled:
+    case ErrorCode::WrongAnswer:
+        return Answer{Voice::Broken, -1};
+    default:
+        return tl::unexpected(outcome.error());
+    }
+}
+
+base::Result<std::optional<CommissionLook::Place>> CommissionLook::question(Protocol protocol,
+                                                                            int id, int baud)
+{
+    const auto heard = ask(protocol, id, mannerOf(protocol).patience);
+    if (!heard)
+        return tl::unexpected(heard.error());
+    if (heard->voice == Voice::Silent)
+        return std::nullopt;
+    return Place{protocol, heard->voice == Voice::Clean ? heard->id : -1, baud};
+}
+
+/// Whoever is alone answers the question to all; families that do not know it have the factory's
+/// ID.
+base::Result<std::optional<CommissionLook::Place>> CommissionLook::quickly(int baud)
+{
+    const auto tuned = tune(baud);
+    if (!tuned || !*tuned)
+        return tuned ? base::Result<std::optional<Place>>() : tl::unexpected(tuned.error());
+    for (const Protocol protocol : languages(baud)) {
+        std::vector<int> ids{protocol::broadcastId};
+        if (protocol == Protocol::Feetech)
+            ids.push_back(factoryId);
+        for (const int id : ids) {
+            auto heard = question(protocol, id, baud);
+            if (!heard || *heard)
+                return heard;
+        }
+    }
+    return std::nullopt;
+}
+
+/// A few IDs more of the search for those that answer to their own ID only.
+base::Result<std::optional<CommissionLook::Place>> CommissionLook::slowly()
+{
+    const int baud = m_likely[m_sweptRate];
+    const auto tuned = tune(baud);
+    if (!tuned)
+        return tl::unexpected(tuned.error());
+    const auto spoken = languages(baud);
+    const bool feetech = std::find(spoken.begin(), spoken.end(), Protocol::Feetech) != spoken.end();
+    for (int i = 0; *tuned && feetech && i < sliceIds && m_sweptId <= protocol::maxId; ++i) {
+        auto heard = question(Protocol::Feetech, m_sweptId++, baud);
+        if (!heard || *heard)
+            return heard;
+    }
+    if (m_sweptId > protocol::maxId || !*tuned || !feetech) {
+        m_sweptId = 0;
+        m_sweptRate = (m_sweptRate + 1) % m_likely.size();
+    }
+    return std::nullopt;
+}
+
+base::Result<std::optional<CommissionLook::Place>>
+CommissionLook::round(const std::vector<Place>& known)
+{
+    for (const Place& place : known) {
+        const auto tuned = tune(place.baud);
+        if (!tuned)
+            return tl::unexpected(tuned.error());
+        auto heard = question(place.protocol, place.id, place.baud);
+        if (!heard || *heard)
+            return heard;
+    }
+    for (const int baud : m_likely) {
+        auto heard = quickly(baud);
+        if (!heard || *heard)
+            return heard;
+    }
+    if (!m_others.empty()) {
+        auto heard = quickly(m_others[m_other]);
+        m_other = (m_other + 1) % m_others.size();
+        if (!heard || *heard)
+            return heard;
+    }
+    return slowly();
+}
+
+/// In the languages with a question to all, the IDs need not be gone through: who is alone answers
+/// it cleanly every time.
+base::Result<void> CommissionLook::addAlone(const Place& first, std::vector<Found>& found)
+{
+    constexpr int questions = 3;
+    for (int i = 0; i < questions; ++i) {
+        const auto heard = ask(first.protocol, protocol::broadcastId, longPatience);
+        if (!heard)
+            return tl::unexpected(heard.error());
+        const bool same = heard->voice == Voice::Clean && heard->id == first.id;
+        if (heard->voice != Voice::Silent && !same && !found.empty())
+            found.front().twinsSuspected = true;
+    }
+    return {};
+}
+
+base::Result<void> CommissionLook::addElsewhere(const Place& first, std::vector<Found>& found)
+{
+    std::vector<int> rates = m_likely;
+    rates.insert(rates.end(), m_others.begin(), m_others.end());
+    for (const int baud : rates) {
+        const bool asked =
+            first.protocol == Protocol::Feetech && (baud == first.baud || baud == m_spec.baud);
+        if (asked || neighbours(baud, first.baud))
+            continue;
+        const auto tuned = tune(baud);
+        if (!tuned)
+            return tl::unexpected(tuned.error());
+        for (const Protocol protocol : languages(baud)) {
+            if (!*tuned || (protocol == first.protocol && baud == first.baud))
+                continue;
+            // Modbus leaves the factory with one rate; others cost more than they find.
+            if (protocol == Protocol::Modbus && baud != usualRates[1])
+                continue;
+            const int id = protocol == Protocol::Feetech ? factoryId : protocol::broadcastId;
+            const auto heard = question(protocol, id, baud);
+            if (!heard)
+                return tl::unexpected(heard.error());
+            if (!*heard)
+                continue;
+            Found other;
+            other.servo.protocol = protocol;
+            other.servo.id = (*heard)->id;
+            other.servo.baud = baud;
+            found.push_back(std::move(other));
+        }
+    }
+    return {};
+}
+
+base::Result<std::vector<Found>> CommissionLook::everybody(const Place& first)
+{
+    ScanSpec spec;
+    spec.bauds = {first.baud};
+    spec.protocols = {first.protocol};
+    if (first.protocol == Protocol::Feetech) {
+        if (m_context.bus.hasBaud())
+            addRate(spec.bauds, m_spec.baud);
+        for (const int baud : otherRates) {
+            if (neighbours(baud, first.baud))
+                addRate(spec.bauds, baud);
+        }
+    } else if (first.id >= 0) {
+        spec.firstId = spec.lastId = first.id;
+    }
+    const auto tuned = tune(first.baud);
+    if (!tuned)
+        return tl::unexpected(tuned.error());
+    const auto report = scan(m_context, spec);
+    if (!report)
+        return tl::unexpected(report.error());
+    if (report->stopped)
+        return base::fail(ErrorCode::Stopped, QStringLiteral("commission"));
+    std::vector<Found> found = report->found;
+    if (first.protocol != Protocol::Feetech) {
+        if (const auto alone = addAlone(first, found); !alone)
+            return tl::unexpected(alone.error());
+    }
+    if (m_context.bus.hasBaud()) {
+        if (const auto others = addElsewhere(first, found); !others)
+            return tl::unexpected(others.error());
+    }
+    return found;
+}
+
+base::Result<bool> CommissionLook::twins(device::Servo& servo)
+{
+    constexpr int looks = 3;
+    for (int i = 0; i < looks; ++i) {
+        auto suspected = suspectTwins(m_context, servo);
+        if (!suspected || *suspected)
+            return suspected;
+    }
+    return false;
+}
+
+base::Result<bool> CommissionLook::present(const Place& place)
+{
+    constexpr int tries = 2;
+    const auto tuned = tune(place.baud);
+    if (!tuned || !*tuned)
+        return tuned;
+    for (int i = 0; i < tries; ++i) {
+        const auto heard = ask(place.protocol, place.id, longPatience);
+        if (!heard)
+            return tl::unexpected(heard.error());
+        if (heard->voice != Voice::Silent)
+            return true;
+    }
+    return false;
+}
+} // namespace jobs

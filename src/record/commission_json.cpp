@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The state of a batch as JSON, one servo a line.
+#include "record/commission_batch.h"
+#include "record/json_duplicates.h"
+#include "record/json_parts.h"
+#include "record/json_text.h"
+
+namespace record {
+namespace {
+const QLatin1String formatName("servodesk-commission");
+constexpr int formatVersion = 1;
+
+/// One object, its members in the order they are added.
+class Line {
+public:
+    Line& raw(const char* key, const QByteArray& value)
+    {
+        m_text += (m_text.size() > 1 ? ", \"" : "\"") + QByteArray(key) + "\": " + value;
+        return *this;
+    }
+    Line& text(const char* key, const QString& value) { return raw(key, jsonText(value)); }
+    Line& integer(const char* key, int value) { return raw(key, QByteArray::number(value)); }
+    Line& time(const char* key, const QDateTime& at)
+    {
+        return text(key, at.toUTC().toString(Qt::ISODate));
+    }
+    QByteArray done() const { return m_text + '}'; }
+
+private:
+    QByteArray m_text = "{";
+};
+
+QByteArray servoText(const SnapshotServo& servo)
+{
+    return Line()
+        .integer("id", servo.id)
+        .text("model", servo.model)
+        .text("model_id", servo.modelId)
+        .text("firmware", servo.firmware)
+        .text("map", servo.map)
+        .text("protocol", servo.protocol)
+        .done();
+}
+
+QByteArray troublesText(const std::vector<CommissionTrouble>& troubles)
+{
+    QByteArray text;
+    for (const CommissionTrouble& trouble : troubles)
+        text += (text.isEmpty() ? "" : ", ") +
+                Line().text("word", trouble.word).text("detail", trouble.detail).done();
+    return '[' + text + ']';
+}
+
+QByteArray rowText(const CommissionRow& row)
+{
+    return Line()
+        .time("time", row.at)
+        .raw("servo", servoText(row.servo))
+        .integer("was_baud", row.oldBaud)
+        .integer("id", row.newId)
+        .integer("baud", row.newBaud)
+        .text("template", row.templateName)
+        .integer("written", row.written)
+        .raw("centred", jsonFlag(row.centred))
+        .raw("volts", jsonNumber(row.volts))
+        .raw("celsius", jsonNumber(row.celsius))
+        .text("verdict", verdictName(row.verdict))
+        .raw("troubles", troublesText(row.troubles))
+        .text("label", row.label)
+        .text("snapshot", row.snapshot)
+        .done();
+}
+
+QByteArray pendingText(const CommissionPending& one)
+{
+    return Line()
+        .time("time", one.at)
+        .raw("servo", servoText(one.servo))
+        .integer("was_baud", one.oldBaud)
+        .integer("id", one.newId)
+        .integer("baud", one.newBaud)
+        .raw("id_sent", jsonFlag(one.idSent))
+        .done();
+}
+
+template <typename Items, typename Write>
+QByteArray list(const Items& items, const Write& write)
+{
+    QByteArray text;
+    for (const auto& item : items)
+        text += (text.isEmpty() ? "\n    " : ",\n    ") + write(item);
+    return text.isEmpty() ? QByteArray("[]") : '[' + text + "\n  ]";
+}
+
+SnapshotServo readServo(const JsonReader& json)
+{
+    SnapshotServo servo;
+    servo.id = json.small("id");
+    servo.model = json.text("model");
+    servo.modelId = json.text("model_id");
+    servo.firmware = json.text("firmware");
+    servo.map = json.text("map");
+    servo.protocol = json.text("protocol");
+    return servo;
+}
+
+CommissionRow readRow(const JsonReader& json)
+{
+    CommissionRow row;
+    row.at = json.time("time");
+    row.servo = readServo(json.object("servo"));
+    row.oldBaud = json.small("was_baud");
+    row.newId = json.small("id");
+    row.newBaud = json.small("baud");
+    row.templateName = json.text("template");
+    row.written = json.small("written");
+    row.centred = json.flag("centred");
+    row.volts = json.numberOrNull("volts");
+    row.celsius = json.numberOrNull("celsius");
+    const QString verdict = json.text("verdict");
+    if (!commissionVerdictFromName(verdict))
+        json.complain("verdict", QStringLiteral("unknown word \"%1\"").arg(verdict));
+    row.verdict = commissionVerdictFromName(verdict).value_or(CommissionVerdict::Failed);
+    for (const JsonReader& trouble : json.objects("troubles"))
+        row.troubles.push_back({trouble.filledText("word"), trouble.text("detail")});
+    row.label = json.text("label");
+    row.snapshot = json.text("snapshot");
+    return row;
+}
+
+CommissionPending readPending(const JsonReader& json)
+{
+    CommissionPending one;
+    one.at = json.time("time");
+    one.servo = readServo(json.object("servo"));
+    one.oldBaud = json.small("was_baud");
+    one.newId = json.small("id");
+    one.newBaud = json.small("baud");
+    one.idSent = json.flag("id_sent");
+    return one;
+}
+
+base::Result<CommissionBatch> fail(const QString& detail)
+{
+    return base::fail(base::ErrorCode::FileFormat, QStringLiteral("load-batch"), detail);
+}
+} // namespace
+
+QByteArray encodeCommissionBatch(const CommissionBatch& batch)
+{
+    QByteArray text = "{\n  \"format\": " + jsonText(formatName) +
+                      ",\n  \"version\": " + QByteArray::number(formatVersion) +
+                      ",\n  \"program\": " + jsonText(batch.program) +
+                      ",\n  \"servos\": " + list(batch.rows, rowText) +
+                      ",\n  \"unfinished\": " + list(batch.pending, pendingText);
+    if (batch.onWire)
+        text += ",\n  \"on_wire\": " + Line()
+                                           .text("protocol", batch.onWire->protocol)
+                                           .integer("id", batch.onWire->id)
+                                           .integer("baud", batch.onWire->baud)
+                                           .done();
+    return text + "\n}\n";
+}
+
+base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text)
+{
+    const auto document = parseJson(text);
+    if (!document)
+        return fail(document.error());
+    if (const QString twice = duplicateMember(text); !twice.isEmpty())
+        return fail(twice);
+    JsonComplaint complaint;
+    const JsonReader json(*document, complaint);
+    checkFormat(json, formatName, formatVersion,
+                QStringLiteral("not the state of a commissioning batch of ServoDesk"));
+    CommissionBatch batch;
+    batch.program = json.text("program");
+    for (const JsonReader& row : json.objects("servos"))
+        batch.rows.push_back(readRow(row));
+    for (const JsonReader& one : json.objects("unfinished"))
+        batch.pending.push_back(readPending(one));
+    if (json.has("on_wire")) {
+        const JsonReader place = json.object("on_wire");
+        batch.onWire =
+            CommissionPlace{place.text("protocol"), place.small("id"), place.small("baud")};
+    }
+    if (complaint.made())
+        return fail(complaint.text());
+    return batch;
+}
+} // namespace record
