@@ -39,20 +39,23 @@ bool travelsWithMode(const catalog::Profile& profile, Role command)
 
 base::Result<void> addQuietCommand(const Servo& servo, RegisterValues& items)
 {
+    const std::size_t given = items.size();
     for (const catalog::Mode& mode : servo.profile->modes) {
         if (!travelsWithMode(*servo.profile, mode.command))
             continue;
         const catalog::Register* reg = servo.profile->byRole(mode.command);
-        const auto given =
+        const auto same =
             std::find_if(items.begin(), items.end(),
                          [reg](const RegisterValue& item) { return item.reg == reg; });
-        if (given == items.end())
+        if (same == items.end())
             items.push_back({reg, 0});
-        else if (given->raw != 0) {
+        else if (same->raw != 0) {
             return tl::unexpected(base::Error{ErrorCode::NotSupported, QStringLiteral("write"),
                                               QStringLiteral("mode-first"), servo.id, reg->key});
         }
     }
+    if (items.size() == given)
+        return {};
     std::sort(items.begin(), items.end(), [](const RegisterValue& a, const RegisterValue& b) {
         return a.reg->writeOffset < b.reg->writeOffset;
     });
@@ -190,6 +193,28 @@ Role zeroedBySwitch(const Servo& servo, const ModeChange& change)
             return mode.command;
     }
     return commandToZero(change);
+}
+
+std::vector<WriteItem> settledBySwitch(const Servo& servo, const std::vector<WriteItem>& items)
+{
+    RegisterValues values;
+    for (const WriteItem& item : items) {
+        if (const catalog::Register* reg = servo.profile->find(item.key))
+            values.push_back({reg, item.raw});
+    }
+    const auto change = modeChange(servo, values);
+    if (!change)
+        return {};
+    std::vector<WriteItem> also;
+    const catalog::Register* limit = servo.profile->byRole(Role::GoalCurrent);
+    const auto start = valueAfter(servo, values, Role::ProtectionCurrent);
+    if (commandBefore(*change) == Role::GoalCurrent && change->to->command != Role::GoalCurrent &&
+        limit != nullptr && start && servo.raw(*limit) != *start)
+        also.push_back({limit->key, *start});
+    const catalog::Register* command = servo.profile->byRole(zeroedBySwitch(servo, *change));
+    if (command != nullptr && servo.raw(*command) != 0)
+        also.push_back({command->key, 0});
+    return also;
 }
 
 base::Result<void> settleMode(const Context& context, Servo& servo, const ModeChange& change)

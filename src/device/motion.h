@@ -39,6 +39,11 @@ struct ModePlan {
 };
 base::Result<ModePlan> planMode(const Context& context, Servo& servo, const QString& mode);
 
+/// What write() sets besides these items where they lead to another mode: the command that comes to
+/// rest, a current limit that means something else. In the order of writing; empty: the mode stays.
+/// From what has been read. A speed remembered for position modes may be put back as well.
+std::vector<WriteItem> settledBySwitch(const Servo& servo, const std::vector<WriteItem>& items);
+
 /// Torque off and the present mode's command at zero: the safe end of a half-done mode switch.
 base::Result<void> quieten(const Context& context, Servo& servo);
 

@@ -95,9 +95,12 @@ base::Result<RegisterValues> checkItems(const Servo& servo, const std::vector<Wr
     }
     if (const auto timed = checkTime(servo, checked); !timed)
         return tl::unexpected(timed.error());
-    std::sort(checked.begin(), checked.end(), [](const RegisterValue& a, const RegisterValue& b) {
-        return a.reg->writeOffset < b.reg->writeOffset;
-    });
+    if (!options.inOrder) {
+        std::sort(checked.begin(), checked.end(),
+                  [](const RegisterValue& a, const RegisterValue& b) {
+                      return a.reg->writeOffset < b.reg->writeOffset;
+                  });
+    }
     return checked;
 }
 

@@ -54,7 +54,7 @@ std::size_t WriteRun::endOfStretch(std::size_t first) const
 /// Torque and, for a temporary write, a lock that somebody left open.
 base::Result<void> WriteRun::prepare()
 {
-    if (needsTorqueOff()) {
+    if (m_options.torqueOff || needsTorqueOff()) {
         if (const auto off = torqueOff(m_context, m_servo); !off)
             return off;
     }
@@ -207,9 +207,39 @@ bool WriteRun::writeGroups(std::size_t first, std::size_t last)
             refuseRest(end, *m_ended);
             return false;
         }
+        if (const WriteResult* bad = m_options.stopAtFailure ? failed(first, end) : nullptr) {
+            refuseRest(end, {ErrorCode::Stopped, QStringLiteral("write"),
+                             QStringLiteral("after-failure"), m_servo.id, bad->key});
+            return false;
+        }
         first = end;
     }
     return true;
+}
+
+/// The first of these that did not take its value; null: all did.
+const WriteResult* WriteRun::failed(std::size_t first, std::size_t last) const
+{
+    for (std::size_t i = first; i < last; ++i) {
+        const WriteOutcome outcome = m_report.writes[i].outcome;
+        if (outcome != WriteOutcome::Kept && outcome != WriteOutcome::Temporary)
+            return &m_report.writes[i];
+    }
+    return nullptr;
+}
+
+/// Reads all of them back at once where one read can: with many rows that is most of the time.
+/// False when it cannot or did not come; each is then asked for by itself.
+bool WriteRun::readTogether(std::size_t first, std::size_t last)
+{
+    const catalog::Register& front = *m_items[first].reg;
+    const catalog::Register& back = *m_items[last - 1].reg;
+    if (last - first < 2 || front.block || front.writeOffset != front.offset ||
+        back.writeOffset != back.offset)
+        return false;
+    const int count = back.offset + back.size - front.offset;
+    return count <= m_servo.profile->maxRead &&
+           readBlock(m_context, m_servo, front.offset, count).has_value();
 }
 
 base::Result<void> WriteRun::sendGroup(std::size_t first, std::size_t last)
@@ -242,8 +272,9 @@ void WriteRun::writeGroup(std::size_t first, std::size_t last)
             m_context.bus.clock().sleepFor(epromWriteTime);
         if (!sent && endsTheRun(sent.error()))
             return endAt(first, last, sent.error());
+        const bool together = readTogether(first, last);
         for (std::size_t i = first; i < last && !m_ended; ++i)
-            judge(i, sent);
+            judge(i, sent, together);
         if (m_ended)
             return;
         // Reading proved that nothing happened, so sending again repeats nothing. A servo that
@@ -270,11 +301,13 @@ void WriteRun::endAt(std::size_t first, std::size_t last, const base::Error& why
     }
 }
 
-void WriteRun::judge(std::size_t index, const base::Result<void>& sent)
+/// `alreadyRead`: the servo's image has just been filled.
+void WriteRun::judge(std::size_t index, const base::Result<void>& sent, bool alreadyRead)
 {
     const RegisterValue& item = m_items[index];
     WriteResult& result = m_report.writes[index];
-    const auto back = readRegister(m_context, m_servo, *item.reg);
+    const auto back = alreadyRead ? base::Result<std::int64_t>(*m_servo.raw(*item.reg))
+                                  : readRegister(m_context, m_servo, *item.reg);
     if (!back) {
         if (endsTheRun(back.error()))
             return endAt(index, index + 1, back.error());

@@ -47,7 +47,9 @@ private:
     void writeGroup(std::size_t first, std::size_t last);
     base::Result<void> sendGroup(std::size_t first, std::size_t last);
     void endAt(std::size_t first, std::size_t last, const base::Error& why);
-    void judge(std::size_t index, const base::Result<void>& sent);
+    const WriteResult* failed(std::size_t first, std::size_t last) const;
+    bool readTogether(std::size_t first, std::size_t last);
+    void judge(std::size_t index, const base::Result<void>& sent, bool alreadyRead);
     void settle();
     void takeLock(LockState lock);
     void keep(std::size_t index);

@@ -147,12 +147,13 @@ base::Result<WriteReport> write(const Context& outer, Servo& servo,
     WriteReport report = run.go();
     noteEnergised(context, servo, *checked, torqueWasOff);
     noteNoCurrentAfter(context, servo, *checked);
-    if (run.finished()) {
-        const QString outcome =
-            report.allGood() ? QStringLiteral("done") : QStringLiteral("failed");
-        if (const auto ended = context.journal.end(*uuid, {outcome, {}, report.itemEnds()}); !ended)
-            return tl::unexpected(ended.error());
+    if (!run.finished()) {
+        report.openIntent = *uuid;
+        return report;
     }
+    const QString outcome = report.allGood() ? QStringLiteral("done") : QStringLiteral("failed");
+    if (const auto ended = context.journal.end(*uuid, {outcome, {}, report.itemEnds()}); !ended)
+        return tl::unexpected(ended.error());
     return report;
 }
 } // namespace device

@@ -35,6 +35,7 @@ struct WriteReport {
     int id = -1;
     std::vector<WriteResult> writes;
     LockState lock = LockState::None;
+    QString openIntent;   ///< uuid of the intent that stays open; empty: it has ended
     bool allGood() const; ///< every outcome is kept or temporary, and the lock is not open
     std::vector<base::ItemEnd> itemEnds() const; ///< as the journal keeps it
 };
@@ -47,6 +48,13 @@ struct WriteOptions {
     base::IntentKind kind = base::IntentKind::Write;
     /// The values are those this servo had before: they may lie outside the documented range.
     bool asBefore = false;
+    /// Torque goes off before anything is written, whatever the registers ask for; it stays off.
+    bool torqueOff = false;
+    /// The items go out as given, not by address; neighbours in the list share a frame all the
+    /// same, and the lock is opened once for each run of items of one area.
+    bool inOrder = false;
+    /// At the first register that does not take its value; the rest is refused ("after-failure").
+    bool stopAtFailure = false;
 };
 
 /// Errors (nothing was written): UnknownRegister, ReadOnly, OutOfRange, NeedsConsent, NotSupported,

@@ -125,7 +125,11 @@ Finding compare(const base::Intent& intent, const device::Servo& servo)
 
 bool newValuesKnown(const base::Intent& intent)
 {
-    return intent.kind != IntentKind::Calibrate && intent.kind != IntentKind::Restore;
+    // Of the two that restore, a snapshot's values are known; the servo's own (0x06) are not.
+    const bool anywhere =
+        std::any_of(intent.items.begin(), intent.items.end(),
+                    [](const base::JournalItem& item) { return item.oldRaw != item.newRaw; });
+    return intent.kind != IntentKind::Calibrate && (intent.kind != IntentKind::Restore || anywhere);
 }
 
 bool onlyBack(const base::Intent& intent)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One snapshot or template for several servos, and a bundle back onto its bus by ID: each servo is
 // read, planned and written for itself, and one that fails does not keep the others from theirs.
-// Identity rows are never written here. The job's thread. Errors: LinkLost, Stopped (what was done
-// before is in the journal); everything else is a servo's verdict.
+// Identity rows are never written here. The job's thread. What goes wrong is a servo's verdict; a
+// lost link, an emergency stop or the user's stop is that of all servos from there on.
 #pragma once
 
 #include "jobs/restore.h"
@@ -42,17 +42,14 @@ struct ApplyOptions {
 /// `onServo`: after each, for the list that grows.
 using AppliedFn = std::function<void(const Applied&)>;
 
-base::Result<std::vector<Applied>>
-applyToServos(const device::Context& context, const std::vector<int>& ids,
-              const record::Snapshot& snapshot, const ApplyOptions& options,
-              const ProgressFn& progress = {}, const AppliedFn& onServo = {});
+std::vector<Applied> applyToServos(const device::Context& context, const std::vector<int>& ids,
+                                   const record::Snapshot& snapshot, const ApplyOptions& options,
+                                   const ProgressFn& progress = {}, const AppliedFn& onServo = {});
 
 /// Each snapshot of the bundle onto the servo with its ID.
-base::Result<std::vector<Applied>> restoreBundle(const device::Context& context,
-                                                 const record::Bundle& bundle,
-                                                 const ApplyOptions& options,
-                                                 const ProgressFn& progress = {},
-                                                 const AppliedFn& onServo = {});
+std::vector<Applied> restoreBundle(const device::Context& context, const record::Bundle& bundle,
+                                   const ApplyOptions& options, const ProgressFn& progress = {},
+                                   const AppliedFn& onServo = {});
 
 /// Reads every servo given (as a scan found them) into one bundle. A servo that cannot be read ends
 /// it with its error: half a bundle would look like a whole one.

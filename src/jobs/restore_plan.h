@@ -28,7 +28,8 @@ enum class RestoreReason : std::uint32_t {
     OutsideRange = 1U << 12U,  ///< not a value this model takes
     OtherMeaning = 1U << 13U,  ///< other unit or other kind of number here: cannot be mapped
     Converted = 1U << 14U,     ///< same physical value, other raw number here
-    NotChosen = 1U << 15U,     ///< left out by RestoreChoice::only
+    PlainNumber = 1U << 15U, ///< without a unit, from another family: may be ticked, off by itself
+    NotChosen = 1U << 16U,   ///< left out by RestoreChoice::only
 };
 Q_DECLARE_FLAGS(RestoreReasons, RestoreReason)
 QString restoreReasonName(RestoreReason reason);        ///< "off-unless-asked", for JSON and text
@@ -70,15 +71,13 @@ struct RestoreChoice {
 };
 
 struct RestorePlan {
-    int id = -1; ///< of the servo it was made for
-    catalog::ProfilePtr profile{};
+    int id = -1;                    ///< of the servo it was made for
+    device::Servo servo{};          ///< as it was read
     std::vector<RestoreRow> rows{}; ///< those that differ and may be ticked first, then by address
     bool otherModel = false;
     bool otherFirmware = false;
     bool otherMap = false;
     bool isTemplate = false;
-    std::optional<std::int64_t> torqueNow{};
-    int baudNow = 0;
 
     const RestoreRow* find(const QString& key) const;
     /// False when it may not be ticked; nothing happens then.
@@ -112,7 +111,7 @@ enum class RestoreStepKind : std::uint8_t {
     TorqueOff, ///< and it stays off
     Unlock,
     Write,
-    ZeroCommand, ///< another mode: its command is set to 0
+    Settle, ///< another mode: a command that comes to rest, before anything can turn
     Lock,
     SetId,
     SetBaud,

@@ -4,11 +4,8 @@
 #include "device/reader.h"
 
 namespace jobs {
-base::Result<record::Snapshot> takeSnapshot(const device::Context& context, device::Servo& servo,
-                                            const QString& program)
+record::Snapshot snapshotOf(const device::Servo& servo, const QString& program)
 {
-    if (const auto read = device::readAll(context, servo); !read)
-        return tl::unexpected(read.error());
     const catalog::Profile& profile = *servo.profile;
     record::Snapshot snapshot;
     snapshot.program = program;
@@ -36,5 +33,13 @@ base::Result<record::Snapshot> takeSnapshot(const device::Context& context, devi
         snapshot.registers.push_back(std::move(row));
     }
     return snapshot;
+}
+
+base::Result<record::Snapshot> takeSnapshot(const device::Context& context, device::Servo& servo,
+                                            const QString& program)
+{
+    if (const auto read = device::readAll(context, servo); !read)
+        return tl::unexpected(read.error());
+    return snapshotOf(servo, program);
 }
 } // namespace jobs

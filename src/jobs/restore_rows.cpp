@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/restore_rows.h"
+
+#include "catalog/raw_range.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jobs {
+using catalog::Area;
+using catalog::Encoding;
+using catalog::Role;
+
+namespace {
+bool isLive(const catalog::Register& reg)
+{
+    const bool ofTheMoment = reg.area == Area::Sram || reg.area == Area::Feedback;
+    return reg.writable() && ofTheMoment && (reg.motion || reg.role == Role::Lock);
+}
+
+/// The file's number is `scale` times its raw one here as well.
+bool scaleAgrees(const record::SnapshotRegister& file, const catalog::Meaning& meaning)
+{
+    if (file.unit != meaning.unit)
+        return false;
+    if (!file.value)
+        return true;
+    constexpr double noise = 1e-6; // of one step; files keep twelve digits
+    const double here = catalog::toPhysical(*file.raw, meaning);
+    return std::abs(here - *file.value) <= noise * std::abs(meaning.scale);
+}
+
+std::optional<std::int64_t> rateCode(const catalog::Register& reg, int baud)
+{
+    for (const catalog::NamedValue& value : reg.values) {
+        if (value.key == QString::number(baud))
+            return value.value;
+    }
+    return std::nullopt;
+}
+
+bool isNamed(Encoding encoding)
+{
+    return encoding == Encoding::Enum || encoding == Encoding::Bits;
+}
+
+/// From another family or firmware: by what the value stands for.
+std::optional<std::int64_t> translated(RestoreRow& row, const catalog::Register& reg,
+                                       const catalog::Meaning& meaning,
+                                       const record::SnapshotRegister& file, const Kinship& kinship)
+{
+    if (reg.role == Role::BaudRate)
+        return kinship.sameMap ? *file.raw : rateCode(reg, kinship.fileBaud);
+    if (kinship.sameMap && scaleAgrees(file, meaning))
+        return file.raw;
+    if (reg.role == Role::Id)
+        return file.raw;
+    if (!kinship.sameMap && isNamed(meaning.encoding))
+        return std::nullopt; // the file has their numbers only, and each family numbers them itself
+    if (scaleAgrees(file, meaning)) {
+        if (meaning.unit.isEmpty())
+            row.reasons |= RestoreReason::PlainNumber;
+        return file.raw;
+    }
+    if (meaning.unit.isEmpty() || meaning.unit != file.unit || !file.value)
+        return std::nullopt;
+    row.reasons |= RestoreReason::Converted;
+    return catalog::toRaw(*file.value, meaning);
+}
+
+bool fits(std::int64_t raw, const catalog::Register& reg, const catalog::Meaning& meaning,
+          std::optional<std::int64_t> now)
+{
+    const auto range = catalog::representable(reg.size, meaning.encoding, meaning.signBit);
+    if (raw < range.min || raw > range.max)
+        return false;
+    return !reg.writable() || catalog::checkNewValue(raw, reg, meaning, now).has_value();
+}
+} // namespace
+
+RestoreReasons natureOf(const catalog::Register& reg)
+{
+    RestoreReasons reasons;
+    reasons.setFlag(RestoreReason::ReadOnly, !reg.writable());
+    reasons.setFlag(RestoreReason::Factory, reg.area == Area::Factory);
+    reasons.setFlag(RestoreReason::Identity, reg.identity);
+    reasons.setFlag(RestoreReason::Live, isLive(reg));
+    reasons.setFlag(RestoreReason::MovesShaft, reg.role == Role::PositionOffset);
+    if (!reg.writable())
+        return reasons;
+    reasons.setFlag(RestoreReason::OffUnlessAsked, reg.area == Area::Sram && !isLive(reg));
+    reasons.setFlag(RestoreReason::NeedsConsent, reg.dangerous && !reg.identity);
+    return reasons;
+}
+
+RestoreStage stageOf(const catalog::Register& reg)
+{
+    switch (reg.role) {
+    case Role::Id:
+        return RestoreStage::Id;
+    case Role::BaudRate:
+        return RestoreStage::Baud;
+    case Role::MinAngle:
+    case Role::MaxAngle:
+    case Role::MinVoltage:
+    case Role::MaxVoltage:
+    case Role::MaxTemperature:
+    case Role::MaxTorque:
+        return RestoreStage::Limits;
+    case Role::OperatingMode:
+    case Role::Phase:
+    case Role::AngleResolution:
+    case Role::PositionOffset:
+        return RestoreStage::Mode;
+    case Role::PositionP:
+    case Role::PositionI:
+    case Role::PositionD:
+    case Role::SpeedP:
+    case Role::SpeedI:
+    case Role::IntegralLimit:
+    case Role::StartupForce:
+        return RestoreStage::Gains;
+    case Role::ReturnDelay:
+    case Role::ResponseLevel:
+        return RestoreStage::Link;
+    default:
+        return reg.area == Area::Sram ? RestoreStage::Live : RestoreStage::Rest;
+    }
+}
+
+Kinship kinshipOf(const device::Servo& servo, const record::Snapshot& snapshot)
+{
+    const catalog::Profile& profile = *servo.profile;
+    Kinship kinship;
+    kinship.sameMap = snapshot.servo.map == profile.mapKey;
+    kinship.sameKind = kinship.sameMap && snapshot.servo.modelId == profile.identity.modelId() &&
+                       snapshot.servo.firmware == profile.identity.firmware();
+    kinship.fileBaud = snapshot.baud;
+    return kinship;
+}
+
+void mapValue(RestoreRow& row, const device::Servo& servo, const catalog::Register& reg,
+              const record::SnapshotRegister& file, const Kinship& kinship)
+{
+    const catalog::Meaning meaning = servo.meaning(reg);
+    const auto wanted = kinship.sameKind ? file.raw : translated(row, reg, meaning, file, kinship);
+    if (!wanted)
+        row.reasons |= RestoreReason::OtherMeaning;
+    else if (!fits(*wanted, reg, meaning, row.now))
+        row.reasons |= RestoreReason::OutsideRange;
+    row.wanted = wanted;
+}
+} // namespace jobs

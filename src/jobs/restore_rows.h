@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One row of a restore plan at a time: what a register is, and what the file's value is in this
+// servo's numbers. Internal to jobs; pure; any thread.
+#pragma once
+
+#include "jobs/restore_plan.h"
+
+namespace jobs {
+/// The reasons that lie in the register itself, whatever its values are.
+RestoreReasons natureOf(const catalog::Register& reg);
+
+/// When it is written.
+RestoreStage stageOf(const catalog::Register& reg);
+
+/// How near the file's servo is to this one.
+struct Kinship {
+    bool sameMap = false;
+    bool sameKind = false; ///< map, model and firmware: raw numbers mean the same for certain
+    int fileBaud = 0;
+};
+Kinship kinshipOf(const device::Servo& servo, const record::Snapshot& snapshot);
+
+/// Fills in `wanted` and says why it is empty or not the file's own number.
+void mapValue(RestoreRow& row, const device::Servo& servo, const catalog::Register& reg,
+              const record::SnapshotRegister& file, const Kinship& kinship);
+} // namespace jobs

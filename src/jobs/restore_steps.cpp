@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the ticks of a restore plan to the writes and to all that happens around them, in order.
+#include "device/motion.h"
+#include "device/persistence.h"
+#include "jobs/restore_plan.h"
+
+#include <algorithm>
+
+namespace jobs {
+using catalog::Area;
+using catalog::Role;
+
+namespace {
+/// Runs of one area, so that each area is unlocked once; factory values are limits of the rest.
+int areaRank(const catalog::Register& reg)
+{
+    switch (reg.area) {
+    case Area::Factory:
+        return 0;
+    case Area::Eprom:
+        return 1;
+    case Area::Sram:
+    case Area::Feedback:
+        break;
+    }
+    return 2;
+}
+
+std::tuple<bool, int, RestoreStage, int> orderOf(const RestoreWrite& write,
+                                                 const catalog::Profile& profile)
+{
+    const catalog::Register& reg = *profile.find(write.key);
+    const bool last = write.stage == RestoreStage::Id || write.stage == RestoreStage::Baud;
+    return {last, last ? 0 : areaRank(reg), write.stage, reg.writeOffset};
+}
+} // namespace
+
+QString restoreStepName(RestoreStepKind kind)
+{
+    switch (kind) {
+    case RestoreStepKind::TorqueOff:
+        return QStringLiteral("torque-off");
+    case RestoreStepKind::Unlock:
+        return QStringLiteral("unlock");
+    case RestoreStepKind::Write:
+        return QStringLiteral("write");
+    case RestoreStepKind::Settle:
+        return QStringLiteral("settle");
+    case RestoreStepKind::Lock:
+        return QStringLiteral("lock");
+    case RestoreStepKind::SetId:
+        return QStringLiteral("set-id");
+    case RestoreStepKind::SetBaud:
+        return QStringLiteral("set-baud");
+    }
+    return {};
+}
+
+std::vector<RestoreWrite> writesOf(const RestorePlan& plan)
+{
+    std::vector<RestoreWrite> writes;
+    for (const RestoreRow& row : plan.rows) {
+        if (row.ticked && row.wanted && row.now != row.wanted)
+            writes.push_back({row.key, row.address, row.now, *row.wanted, row.stage});
+    }
+    std::sort(writes.begin(), writes.end(), [&](const RestoreWrite& a, const RestoreWrite& b) {
+        return orderOf(a, *plan.servo.profile) < orderOf(b, *plan.servo.profile);
+    });
+    return writes;
+}
+
+namespace {
+/// The writes with everything around them.
+class StepList {
+public:
+    explicit StepList(const device::Servo& servo)
+        : m_servo(servo)
+    {
+        if (const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch))
+            m_steps.push_back({RestoreStepKind::TorqueOff, torque->key, servo.raw(*torque), 0});
+    }
+
+    void add(const RestoreWrite& write)
+    {
+        const catalog::Register& reg = *m_servo.profile->find(write.key);
+        const RestoreStepKind kind = kindOf(write);
+        const bool own = kind != RestoreStepKind::Write;
+        if (own)
+            settle();
+        if (m_open != nullptr && (own || m_open->area != reg.area))
+            lock();
+        if (m_open == nullptr && device::keepingOf(reg) == device::Keeping::Lock) {
+            m_steps.push_back({RestoreStepKind::Unlock, lockKey()});
+            m_open = &reg;
+        }
+        m_steps.push_back({kind, write.key, write.from, write.to});
+        if (!own)
+            m_items.push_back({write.key, write.to});
+    }
+
+    std::vector<RestoreStep> finish()
+    {
+        settle();
+        if (m_open != nullptr)
+            lock();
+        return std::move(m_steps);
+    }
+
+private:
+    static RestoreStepKind kindOf(const RestoreWrite& write)
+    {
+        if (write.stage == RestoreStage::Id)
+            return RestoreStepKind::SetId;
+        return write.stage == RestoreStage::Baud ? RestoreStepKind::SetBaud
+                                                 : RestoreStepKind::Write;
+    }
+
+    QString lockKey() const
+    {
+        const catalog::Register* reg = m_servo.profile->byRole(Role::Lock);
+        return reg != nullptr ? reg->key : QString();
+    }
+
+    void lock()
+    {
+        m_steps.push_back({RestoreStepKind::Lock, lockKey()});
+        m_open = nullptr;
+    }
+
+    /// Once the last register is written, before the lock is closed.
+    void settle()
+    {
+        for (const device::WriteItem& item : device::settledBySwitch(m_servo, m_items))
+            m_steps.push_back({RestoreStepKind::Settle, item.key, m_servo.raw(item.key), item.raw});
+        m_items.clear();
+    }
+
+    const device::Servo& m_servo;
+    const catalog::Register* m_open = nullptr; ///< for whose area the lock is open
+    std::vector<device::WriteItem> m_items;
+    std::vector<RestoreStep> m_steps;
+};
+} // namespace
+
+std::vector<RestoreStep> stepsOf(const RestorePlan& plan)
+{
+    const std::vector<RestoreWrite> writes = writesOf(plan);
+    if (writes.empty())
+        return {};
+    StepList steps(plan.servo);
+    for (const RestoreWrite& write : writes)
+        steps.add(write);
+    return steps.finish();
+}
+} // namespace jobs
