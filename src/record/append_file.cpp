@@ -10,6 +10,25 @@
 #include <cerrno>
 
 namespace record {
+bool syncFolders(const QString& file, const QString& topmostOld)
+{
+    QString folder = file;
+    do {
+        folder = QFileInfo(folder).absolutePath();
+        if (!FileHandle::syncFolder(folder))
+            return false;
+    } while (folder != topmostOld && !QDir(folder).isRoot());
+    return true;
+}
+
+QString existingFolder(const QString& file)
+{
+    QString folder = QFileInfo(file).absolutePath();
+    while (!QFileInfo::exists(folder) && !QDir(folder).isRoot())
+        folder = QFileInfo(folder).absolutePath();
+    return folder;
+}
+
 namespace {
 const QString operation = QStringLiteral("journal");
 
@@ -27,28 +46,6 @@ base::Error wrongKind(const QString& path)
 {
     return {base::ErrorCode::FileUnreadable, operation,
             path + QStringLiteral(": not a regular file")};
-}
-
-/// A new file survives a power cut only if its folder has been synced as well, and a new folder
-/// only if the one above it has.
-bool syncFolders(const QString& file, const QString& topmostOld)
-{
-    QString folder = file;
-    do {
-        folder = QFileInfo(folder).absolutePath();
-        if (!FileHandle::syncFolder(folder))
-            return false;
-    } while (folder != topmostOld && !QDir(folder).isRoot());
-    return true;
-}
-
-/// The deepest folder above `file` that exists.
-QString existingFolder(const QString& file)
-{
-    QString folder = QFileInfo(file).absolutePath();
-    while (!QFileInfo::exists(folder) && !QDir(folder).isRoot())
-        folder = QFileInfo(folder).absolutePath();
-    return folder;
 }
 
 base::Result<void> create(const QString& path)

@@ -13,6 +13,12 @@ namespace record {
 /// is on disk. On DiskFull and other failures the file is cut back to what it was.
 base::Result<void> appendLine(const QString& path, const QByteArray& line);
 
+/// A new file survives a power cut only if its folder has been synced as well, and a new folder
+/// only if the one above it has: all from the file up to `topmostOld`.
+bool syncFolders(const QString& file, const QString& topmostOld);
+/// The deepest folder above `file` that exists.
+QString existingFolder(const QString& file);
+
 /// Tells a file that has grown from one that was replaced.
 struct FileMark {
     quint64 device = 0;

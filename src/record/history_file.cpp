@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record/history_file.h"
 
+#include "record/append_file.h"
+#include "record/history_schema.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QSqlDatabase>
@@ -25,40 +28,9 @@ enum SqliteCode : int {
     baseCode = 0xff,
 };
 
-/// One schema version each; what has been published is never changed, only added to.
-/// `label` and `reference` belong to a servo in a run, because servos carry no serial number.
-/// The text of a run is kept in pieces, compressed each: a night has more than fits into memory.
-/// `uuid` names a run wherever it is copied to.
-const std::vector<QStringList>& migrations()
-{
-    static const std::vector<QStringList> all{{
-        QStringLiteral(
-            "CREATE TABLE runs (number INTEGER PRIMARY KEY AUTOINCREMENT, uuid TEXT NOT NULL "
-            "UNIQUE, "
-            "kind TEXT NOT NULL, at INTEGER NOT NULL, program TEXT NOT NULL, port TEXT NOT NULL, "
-            "simulated INTEGER NOT NULL, verdict TEXT NOT NULL, ended TEXT NOT NULL, "
-            "operator TEXT NOT NULL, note TEXT NOT NULL, length INTEGER NOT NULL)"),
-        QStringLiteral(
-            "CREATE TABLE run_servos (run INTEGER NOT NULL REFERENCES runs ON DELETE CASCADE, "
-            "place INTEGER NOT NULL, id INTEGER NOT NULL, model TEXT NOT NULL, map TEXT NOT NULL, "
-            "firmware TEXT NOT NULL, verdict TEXT NOT NULL, label TEXT NOT NULL, "
-            "reference INTEGER NOT NULL, PRIMARY KEY (run, place)) WITHOUT ROWID"),
-        QStringLiteral(
-            "CREATE TABLE run_texts (run INTEGER NOT NULL REFERENCES runs ON DELETE CASCADE, "
-            "part INTEGER NOT NULL, data BLOB NOT NULL, PRIMARY KEY (run, part))"),
-        QStringLiteral(
-            "CREATE TABLE run_files (run INTEGER NOT NULL REFERENCES runs ON DELETE CASCADE, "
-            "place INTEGER NOT NULL, path TEXT NOT NULL, PRIMARY KEY (run, place)) WITHOUT ROWID"),
-        QStringLiteral("CREATE INDEX runs_at ON runs (at)"),
-        QStringLiteral("CREATE INDEX run_servos_model ON run_servos (model, reference)"),
-        QStringLiteral("CREATE INDEX run_servos_id ON run_servos (id)"),
-    }};
-    return all;
-}
-
 int newest()
 {
-    return int(migrations().size());
+    return int(historyMigrations().size());
 }
 } // namespace
 
@@ -69,6 +41,8 @@ base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path
         return base::fail(base::ErrorCode::NotSupported, operation,
                           QStringLiteral("Qt's SQLite driver is missing (libqt6sql6-sqlite)"));
     const QString folder = QFileInfo(path).absolutePath();
+    const bool isNew = !QFileInfo::exists(path);
+    const QString topmostOld = existingFolder(path);
     if (!QDir().mkpath(folder))
         return base::fail(base::ErrorCode::FileUnwritable, operation,
                           folder + QStringLiteral(": the folder cannot be made"));
@@ -84,6 +58,9 @@ base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path
     }
     if (const auto ready = file->prepare(); !ready)
         return tl::unexpected(ready.error());
+    if (isNew && !syncFolders(path, topmostOld))
+        return base::fail(base::ErrorCode::FileUnwritable, operation,
+                          folder + QStringLiteral(": the folder cannot be written to the disk"));
     return file;
 }
 
@@ -181,6 +158,9 @@ base::Result<void> HistoryFile::prepare() const
     (void)run(QStringLiteral("PRAGMA journal_mode = WAL"));
     if (const auto keys = run(QStringLiteral("PRAGMA foreign_keys = ON")); !keys)
         return tl::unexpected(keys.error());
+    // What has been said to be kept is on the disk; for others it costs little.
+    if (const auto full = run(QStringLiteral("PRAGMA synchronous = FULL")); !full)
+        return tl::unexpected(full.error());
     return *found < newest() ? migrate() : base::Result<void>();
 }
 
@@ -192,7 +172,7 @@ base::Result<void> HistoryFile::migrate() const
         if (!found)
             return tl::unexpected(found.error());
         for (int step = *found; step < newest(); ++step) {
-            for (const QString& sql : migrations()[std::size_t(step)]) {
+            for (const QString& sql : historyMigrations()[std::size_t(step)]) {
                 if (const auto done = run(sql); !done)
                     return tl::unexpected(done.error());
             }

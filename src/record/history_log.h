@@ -10,6 +10,9 @@
 namespace record {
 class HistoryFile;
 
+/// Whom a snapshot is of, as the journal would name it.
+base::ServoIdentity identityOf(const Snapshot& snapshot);
+
 class HistoryLog {
 public:
     explicit HistoryLog(const HistoryFile& file)

@@ -82,8 +82,8 @@ struct HistoryAlarm {
     QString label{};
     QString key{};        ///< "overload", "voltage" …
     bool derived = false; ///< worked out from the limits, not reported by the servo
-    QDateTime came{};
-    QDateTime went{}; ///< invalid: not seen to go
+    QDateTime at{};       ///< when it came
+    QDateTime went{};     ///< invalid: not seen to go
     QString port{};
 };
 

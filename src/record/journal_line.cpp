@@ -120,7 +120,8 @@ BeginLine readBegin(const JsonReader& json)
 
 KeepLine readKeep(const JsonReader& json)
 {
-    return {readServo(json.object("servo")), json.filledText("name"), json.integers("values")};
+    return {readServo(json.object("servo")), json.filledText("name"), json.integers("values"),
+            json.time("at")};
 }
 } // namespace
 
@@ -148,7 +149,8 @@ base::Result<JournalLine> decodeJournalLine(const QByteArray& text)
     } else if (const QString type = json.text("type"); type == QLatin1String("begin")) {
         line = readBegin(json);
     } else if (type == QLatin1String("end")) {
-        line = EndLine{json.filledText("uuid"), {json.text("outcome"), json.text("detail")}};
+        line = EndLine{
+            json.filledText("uuid"), {json.text("outcome"), json.text("detail")}, json.time("at")};
     } else if (type == QLatin1String("keep")) {
         line = readKeep(json);
     } else {

@@ -18,12 +18,14 @@ struct BeginLine {
 struct EndLine {
     QString uuid;
     base::IntentEnd end;
+    QDateTime at{}; ///< when it was read; writing takes encodeJournalLine's
 };
 
 struct KeepLine {
     base::ServoIdentity servo;
     QString name;
     std::vector<std::int64_t> values;
+    QDateTime at{}; ///< as EndLine's
 };
 
 using JournalLine = std::variant<BeginLine, EndLine, KeepLine>;

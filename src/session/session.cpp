@@ -4,6 +4,7 @@
 #include "bus/bus_thread.h"
 #include "protocol/codec.h"
 #include "session/paths.h"
+#include "session/safety_snapshot.h"
 #include "sim/presets.h"
 #include "sim/sim_link.h"
 #include "transport/port_keeper.h"
@@ -49,7 +50,7 @@ int usualRate(std::optional<base::Protocol> protocol)
 
 Session::Session()
     : m_loaded(catalog::Catalog::load({modelFolder()}))
-    , m_journal(dataFolder() + QStringLiteral("/journal.jsonl"))
+    , m_journal(historyFile(), programName())
 {}
 
 base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& request)

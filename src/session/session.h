@@ -5,7 +5,7 @@
 
 #include "base/clock.h"
 #include "catalog/catalog.h"
-#include "record/journal_file.h"
+#include "record/history_journal.h"
 #include "session/connection.h"
 #include "transport/port_inventory.h"
 
@@ -17,7 +17,7 @@ public:
 
     const catalog::Catalog& catalog() const { return m_loaded.catalog; }
     const std::vector<catalog::LoadWarning>& warnings() const { return m_loaded.warnings; }
-    record::JournalFile& journal() { return m_journal; }
+    record::HistoryJournal& journal() { return m_journal; }
     base::Clock& clock() { return m_clock; } ///< of all ports
 
     /// The connection borrows catalog, journal and clock; it must go first. Errors: PortMissing,
@@ -26,7 +26,7 @@ public:
 
 private:
     catalog::Catalog::Loaded m_loaded;
-    record::JournalFile m_journal;
+    record::HistoryJournal m_journal;
     base::SystemClock m_clock;
 };
 

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The servos of the history and their labels.
+#include "record/history_intents.h"
+#include "record/history_log.h"
+#include "record/history_query.h"
+
+namespace record {
+namespace {
+/// With where and when it was last written to.
+const QString selectServos = QStringLiteral(
+    "SELECT %1, s.current, (SELECT MAX(at) FROM intents WHERE servo = s.number), "
+    "(SELECT port FROM intents WHERE servo = s.number ORDER BY at DESC, number DESC LIMIT 1), "
+    "(SELECT baud FROM intents WHERE servo = s.number ORDER BY at DESC, number DESC LIMIT 1) "
+    "FROM servos s ");
+
+base::Result<std::vector<HistoryServo>> read(const HistoryFile& file, const QString& rest,
+                                             const QVariantList& values)
+{
+    const auto found = file.run(selectServos.arg(servoColumns()) + rest, values);
+    if (!found)
+        return tl::unexpected(found.error());
+    std::vector<HistoryServo> servos;
+    for (const QVariantList& row : found->rows) {
+        HistoryServo servo = servoIn(row);
+        int column = servoColumnCount;
+        servo.current = row.value(column++).toBool();
+        servo.lastWrite = timeIn(row.value(column++));
+        servo.who.port = row.value(column++).toString();
+        servo.who.baud = row.value(column++).toInt();
+        servos.push_back(std::move(servo));
+    }
+    return servos;
+}
+
+base::Result<HistoryServo> readOne(const HistoryFile& file, std::int64_t number)
+{
+    auto found = read(file, QStringLiteral("WHERE s.number = ?"), {qint64(number)});
+    if (!found)
+        return tl::unexpected(found.error());
+    if (found->empty())
+        return notInHistory(QStringLiteral("servo"), number);
+    return found->front();
+}
+} // namespace
+
+base::Result<std::vector<HistoryServo>> HistoryLog::servos(const HistoryFilter& filter) const
+{
+    HistoryChoice choice;
+    if (filter.servo)
+        choice.add(QStringLiteral("s.number = ?"), {qint64(*filter.servo)});
+    if (filter.id)
+        choice.add(QStringLiteral("s.id = ?"), {*filter.id});
+    if (!filter.model.isEmpty())
+        choice.add(QStringLiteral("lower(s.model) = ?"), {filter.model.toLower()});
+    if (!filter.label.isEmpty())
+        choice.add(QStringLiteral("s.label = ?"), {filter.label});
+    return read(m_file,
+                choice.where() +
+                    QStringLiteral(" ORDER BY %1 DESC, s.number DESC").arg(servoColumnCount + 2),
+                choice.values);
+}
+
+base::Result<HistoryServo> HistoryLog::servo(std::int64_t number) const
+{
+    return readOne(m_file, number);
+}
+
+base::Result<std::optional<HistoryServo>> HistoryLog::of(const base::ServoIdentity& who) const
+{
+    auto found =
+        read(m_file,
+             QStringLiteral("WHERE s.current = 1 AND s.id = ? AND s.protocol = ? AND "
+                            "s.model_major = ? AND s.model_minor = ? AND s.firmware_major = ? AND "
+                            "s.firmware_minor = ? AND s.map = ?"),
+             {who.id, base::protocolName(who.protocol), who.modelMajor, who.modelMinor,
+              who.firmwareMajor, who.firmwareMinor, notNull(who.map)});
+    if (!found)
+        return tl::unexpected(found.error());
+    if (found->empty())
+        return std::nullopt;
+    return found->front();
+}
+
+base::Result<HistoryServo> HistoryLog::meet(const base::ServoIdentity& who) const
+{
+    std::int64_t number = 0;
+    const auto met = m_file.together([&]() -> base::Result<void> {
+        const auto found = meetServo(m_file, who);
+        if (!found)
+            return tl::unexpected(found.error());
+        number = *found;
+        return {};
+    });
+    if (!met)
+        return tl::unexpected(met.error());
+    return readOne(m_file, number);
+}
+
+base::Result<void> HistoryLog::setLabel(std::int64_t number, const QString& label) const
+{
+    return m_file.together([&]() -> base::Result<void> {
+        const auto named = m_file.run(
+            QStringLiteral(
+                "UPDATE servos SET label = ? WHERE number = ? AND NOT EXISTS (SELECT 1 FROM servos "
+                "AS o WHERE o.number <> servos.number AND o.label = ? AND o.id = servos.id AND "
+                "o.protocol = servos.protocol AND o.model_major = servos.model_major AND "
+                "o.model_minor = servos.model_minor AND o.firmware_major = servos.firmware_major "
+                "AND o.firmware_minor = servos.firmware_minor AND o.map = servos.map)"),
+            {notNull(label), qint64(number), notNull(label)});
+        if (!named)
+            return tl::unexpected(named.error());
+        if (named->changed > 0)
+            return {};
+        const auto there = readOne(m_file, number);
+        if (!there)
+            return tl::unexpected(there.error());
+        return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history"),
+                          QStringLiteral("label-in-use"));
+    });
+}
+
+base::Result<HistoryServo> HistoryLog::another(std::int64_t number, const QString& label) const
+{
+    std::int64_t other = 0;
+    const auto done = m_file.together([&]() -> base::Result<void> {
+        const auto former = readOne(m_file, number);
+        if (!former)
+            return tl::unexpected(former.error());
+        const auto found = preferServo(m_file, former->who, label);
+        if (!found)
+            return tl::unexpected(found.error());
+        other = *found;
+        return {};
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return readOne(m_file, other);
+}
+} // namespace record

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/journal_takeover.h"
+
+#include "record/file_handle.h"
+#include "record/history_intents.h"
+#include "record/history_query.h"
+#include "record/journal_line.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFileInfo>
+
+namespace record {
+namespace {
+const QString operation = QStringLiteral("journal");
+const QString takenMark = QStringLiteral(".taken-");
+
+tl::unexpected<base::Error> unreadable(const QString& path)
+{
+    return base::fail(base::ErrorCode::FileUnreadable, operation, path);
+}
+
+/// Of whichever name: its first line has a time and, mostly, a uuid.
+QString nameOf(const QByteArray& text)
+{
+    const QByteArray line = text.left(text.indexOf('\n'));
+    return QString::fromLatin1(QCryptographicHash::hash(line, QCryptographicHash::Sha256).toHex());
+}
+
+base::Result<void> takeLine(const HistoryFile& file, const QByteArray& text, Takeover& takeover)
+{
+    ++takeover.lines;
+    const auto line = decodeJournalLine(text);
+    if (!line) {
+        ++takeover.unreadable;
+        return {};
+    }
+    if (const auto* begin = std::get_if<BeginLine>(&*line))
+        return insertIntent(file, begin->intent, {});
+    if (const auto* keep = std::get_if<KeepLine>(&*line))
+        return keepFact(file, keep->servo, keep->name, keep->values, keep->at);
+    const auto& end = std::get<EndLine>(*line);
+    const auto ended = endIntent(file, end.uuid, end.end, end.at);
+    if (!ended)
+        return tl::unexpected(ended.error());
+    takeover.unreadable += *ended ? 0 : 1; // of an intent that is not there
+    return {};
+}
+
+/// Only whole lines: what is still being written, or was torn, is left for the next time.
+base::Result<void> takeText(const HistoryFile& file, const QByteArray& text, Takeover& takeover)
+{
+    const qsizetype size = text.lastIndexOf('\n') + 1;
+    if (size == 0)
+        return {};
+    const QString name = nameOf(text);
+    const auto known =
+        file.run(QStringLiteral("SELECT bytes, unreadable FROM taken WHERE file = ?"), {name});
+    if (!known)
+        return tl::unexpected(known.error());
+    qsizetype from = known->rows.empty() ? 0 : known->rows.front().value(0).toLongLong();
+    const int unreadableBefore = known->rows.empty() ? 0 : known->rows.front().value(1).toInt();
+    Takeover found;
+    while (from < size) {
+        const qsizetype end = text.indexOf('\n', from);
+        const QByteArray line = text.mid(from, end - from).trimmed();
+        from = end + 1;
+        if (line.isEmpty())
+            continue;
+        if (const auto taken = takeLine(file, line, found); !taken)
+            return taken;
+    }
+    const auto noted =
+        file.run(QStringLiteral("INSERT INTO taken (file, bytes, unreadable) VALUES (?, ?, ?) "
+                                "ON CONFLICT (file) DO UPDATE SET bytes = excluded.bytes, "
+                                "unreadable = excluded.unreadable"),
+                 {name, size, unreadableBefore + found.unreadable});
+    if (!noted)
+        return tl::unexpected(noted.error());
+    takeover.lines += found.lines;
+    takeover.unreadable += found.unreadable;
+    return {};
+}
+
+/// A name that nothing has. Where it cannot be renamed it stays, and its end is known.
+void setAside(const QString& path)
+{
+    for (int n = 1;; ++n) {
+        const QString aside = path + takenMark + QString::number(n);
+        if (!QFileInfo::exists(aside)) {
+            (void)QFile::rename(path, aside);
+            return;
+        }
+    }
+}
+
+/// `current`: it is the one that programs write to, and is renamed afterwards. Held by a lock that
+/// whoever appends needs as well, until it has its new name.
+base::Result<void> takeFile(const HistoryFile& file, const QString& path, bool current,
+                            Takeover& takeover)
+{
+    FileHandle source(path, FileHandle::Mode::Read);
+    if (!source.isOpen())
+        return QFileInfo::exists(path) ? base::Result<void>(unreadable(path))
+                                       : base::Result<void>(); // renamed meanwhile
+    if (!source.lock(FileHandle::Lock::Exclusive))
+        return unreadable(path);
+    const auto info = source.info();
+    if (!info || !info->regular)
+        return unreadable(path);
+    const auto now = FileHandle::infoOf(path);
+    if (!now || !(now->mark == info->mark))
+        return {}; // another program has just done it
+    const auto text = source.read(0, info->size);
+    if (!text)
+        return unreadable(path);
+    if (!text->isEmpty()) {
+        const auto taken = file.together([&] { return takeText(file, *text, takeover); });
+        if (!taken)
+            return taken;
+    }
+    if (current)
+        setAside(path);
+    return {};
+}
+
+/// The files set aside that have grown since; asked without a lock on the database.
+base::Result<bool> hasNews(const HistoryFile& file, const QFileInfo& aside)
+{
+    QFile source(aside.absoluteFilePath());
+    if (!source.open(QIODevice::ReadOnly))
+        return false; // it was taken, and may be moved away at will
+    constexpr qint64 longestLine = 1 << 20;
+    const QByteArray first = source.readLine(longestLine);
+    const auto known =
+        file.run(QStringLiteral("SELECT bytes FROM taken WHERE file = ?"), {nameOf(first)});
+    if (!known)
+        return tl::unexpected(known.error());
+    const qint64 taken = known->rows.empty() ? 0 : known->rows.front().value(0).toLongLong();
+    if (source.size() <= taken)
+        return false;
+    source.seek(taken);
+    return source.readAll().contains('\n');
+}
+} // namespace
+
+QString oldJournalBeside(const QString& historyPath)
+{
+    return QFileInfo(historyPath).absolutePath() + QStringLiteral("/journal.jsonl");
+}
+
+base::Result<Takeover> takeOverJournal(const HistoryFile& file)
+{
+    Takeover takeover;
+    const QString path = oldJournalBeside(file.path());
+    const QFileInfo current(path);
+    const QDir folder(current.absolutePath());
+    const auto aside = folder.entryInfoList({current.fileName() + takenMark + QLatin1Char('*')},
+                                            QDir::Files, QDir::Name);
+    for (const QFileInfo& one : aside) {
+        const auto news = hasNews(file, one);
+        if (!news)
+            return tl::unexpected(news.error());
+        if (!*news)
+            continue;
+        if (const auto taken = takeFile(file, one.absoluteFilePath(), false, takeover); !taken)
+            return tl::unexpected(taken.error());
+    }
+    if (current.exists()) {
+        if (const auto taken = takeFile(file, path, true, takeover); !taken)
+            return tl::unexpected(taken.error());
+    }
+    return takeover;
+}
+} // namespace record
