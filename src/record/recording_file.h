@@ -4,6 +4,7 @@
 // the file is no longer there under its name) or DiskFull, and is of no use after that.
 #pragma once
 
+#include "base/error.h"
 #include "record/file_handle.h"
 
 #include <string>
