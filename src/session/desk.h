@@ -22,9 +22,13 @@
 
 namespace jobs {
 struct StopVerdict;
-}
+struct Applied;
+} // namespace jobs
 
 namespace session {
+struct ApplyOrder;
+struct RestoreOrder;
+
 class Desk final : public QObject {
     Q_OBJECT
 
@@ -73,6 +77,11 @@ public:
     void readTable(ServoRef ref);
     void write(ServoRef ref, const WriteOrder& order);
     void perform(ServoRef ref, Task task);
+    /// As its plan says, in one transaction; told like a write, and Undo takes it back. The bench
+    /// of session/restore_order.h.
+    void restore(ServoRef ref, RestoreOrder order);
+    /// One after the other, at the port's rate.
+    void apply(ApplyOrder order);
     bool busy() const;    ///< a task runs or waits
     bool testing() const; ///< a lasting task runs; see Task::lasting
     void stopTask();      ///< the running task; those that wait are dropped
@@ -175,12 +184,19 @@ private:
     // writes (desk_writes.cpp)
     enum class WriteKind : std::uint8_t { New, Undo, Redo };
     void enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind);
+    void awaitWrites(ServoEntry& known, const WriteOrder& order);
     void writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind,
                     const std::optional<device::WriteReport>& report);
     void markWrites(const ServoEntry& about, const Work& ended, const WriteOrder& order,
                     const std::optional<device::WriteReport>& report);
     void remember(ServoRef ref, const WriteOrder& order, WriteKind kind,
                   const std::optional<device::WriteReport>& report);
+
+    // snapshots (desk_restore.cpp)
+    struct PendingApply;
+    base::Result<void> runApply(const std::shared_ptr<PendingApply>& apply, TaskContext& task);
+    void takeApplied(PendingApply& apply, const jobs::Applied& one);
+    void tableSaved(int id, const QString& path);
 
     // interrupted writes (desk_intents.cpp)
     void recoverIntents(jobs::RecoverAction action, const QString& uuid);

@@ -97,17 +97,22 @@ void Desk::write(ServoRef ref, const WriteOrder& order)
     enqueueWrite(ref, order, WriteKind::New);
 }
 
+void Desk::awaitWrites(ServoEntry& known, const WriteOrder& order)
+{
+    for (const device::WriteItem& item : order.items) {
+        RowWrite& row = known.writes[item.key];
+        ++row.pending;
+        row.wanted = item.raw;
+    }
+    Q_EMIT tableChanged(known.ref);
+}
+
 void Desk::enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind)
 {
     ServoEntry* known = entry(ref);
     if (known == nullptr || order.items.empty())
         return;
-    for (const device::WriteItem& item : order.items) {
-        RowWrite& row = known->writes[item.key];
-        ++row.pending;
-        row.wanted = item.raw;
-    }
-    Q_EMIT tableChanged(ref);
+    awaitWrites(*known, order);
     const auto report = std::make_shared<std::optional<device::WriteReport>>();
     const auto work = std::make_shared<Work>();
     work->ref = ref;
