@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/desk_work.h"
+#include "session/restore_order.h"
+#include "session/safety_snapshot.h"
+
+#include <set>
+
+namespace session {
+namespace {
+std::vector<device::WriteItem> itemsOf(const jobs::RestorePlan& plan)
+{
+    std::vector<device::WriteItem> items;
+    for (const jobs::RestoreWrite& write : jobs::writesOf(plan))
+        items.push_back({write.key, write.to});
+    return items;
+}
+
+/// What was rolled back is as it was: nothing to show, nothing to undo.
+device::WriteReport reportOf(const jobs::RestoreOutcome& outcome)
+{
+    device::WriteReport report;
+    report.id = outcome.newId;
+    report.lock = outcome.lock;
+    for (const jobs::RestoreRowResult& row : outcome.rows) {
+        if (!row.rolledBack)
+            report.writes.push_back(row.write);
+    }
+    return report;
+}
+
+bool changesRate(const jobs::RestorePlan& plan)
+{
+    const auto writes = jobs::writesOf(plan);
+    return std::any_of(writes.begin(), writes.end(), [](const jobs::RestoreWrite& write) {
+        return write.stage == jobs::RestoreStage::Baud;
+    });
+}
+} // namespace
+
+void Desk::restore(ServoRef ref, RestoreOrder order)
+{
+    ServoEntry* known = entry(ref);
+    const WriteOrder writes{itemsOf(order.plan), false, order.dangerous};
+    if (known != nullptr)
+        awaitWrites(*known, writes);
+    const auto outcome = std::make_shared<std::optional<jobs::RestoreOutcome>>();
+    const auto work = std::make_shared<Work>();
+    work->ref = ref;
+    work->task.name = QStringLiteral("restore");
+    work->task.savesTable = !writes.items.empty();
+    work->task.quiet = true;
+    work->movesRate = changesRate(order.plan);
+    work->finishes = true;
+    work->task.work = [plan = order.plan, dangerous = order.dangerous, how = order.onFailure,
+                       outcome](TaskContext& task) -> base::Result<void> {
+        auto restored =
+            jobs::restore(task.device, task.servo, plan, {dangerous, how, {}}, task.progress);
+        if (!restored)
+            return tl::unexpected(restored.error());
+        *outcome = std::move(*restored);
+        return {};
+    };
+    work->merged = [this, writes, outcome, guard = order.guard, done = order.done](Work& ended) {
+        std::optional<device::WriteReport> report;
+        if (*outcome)
+            report = reportOf(**outcome);
+        if (!writes.items.empty())
+            writeEnded(ended, writes, WriteKind::New, report);
+        if (done && guard)
+            done({ended.error, *outcome});
+    };
+    enqueue(work);
+}
+
+/// Filled on the job's thread, looked at on the main thread as it grows and when it has ended.
+struct Desk::PendingApply {
+    ApplyOrder order;
+    std::set<int> saved;                ///< IDs whose table this session has saved
+    std::map<int, QString> savedPaths;  ///< now
+    std::vector<jobs::Applied> applied; ///< main thread
+};
+
+/// On the job's thread.
+base::Result<void> Desk::runApply(const std::shared_ptr<PendingApply>& apply, TaskContext& task)
+{
+    jobs::ApplyOptions options = apply->order.options;
+    options.restore.beforeWrite = [apply](const device::Context& context,
+                                          device::Servo& servo) -> base::Result<void> {
+        if (apply->saved.count(servo.id) > 0)
+            return {};
+        return saveSafetySnapshot(context, servo).map([&](const QString& path) {
+            apply->savedPaths[servo.id] = path;
+        });
+    };
+    const auto onServo = [this, apply](const jobs::Applied& one) {
+        m_inbox.post([this, apply, one] { takeApplied(*apply, one); });
+    };
+    const ApplyOrder& order = apply->order;
+    if (order.bundle) // each servo is told by onServo
+        (void)jobs::restoreBundle(task.device, *order.bundle, options, task.progress, onServo);
+    else
+        (void)jobs::applyToServos(task.device, order.ids, order.snapshot, options, task.progress,
+                                  onServo);
+    return {};
+}
+
+void Desk::apply(ApplyOrder order)
+{
+    const auto apply = std::make_shared<PendingApply>();
+    for (const auto& [ref, one] : m_servos) {
+        if (!one.snapshotPath.isEmpty() && one.servo.baud == baud())
+            apply->saved.insert(one.servo.id);
+    }
+    apply->order = std::move(order);
+    const auto work = std::make_shared<Work>();
+    work->task.name = QStringLiteral("restore");
+    work->task.quiet = true;
+    work->finishes = true;
+    work->task.work = [this, apply](TaskContext& task) { return runApply(apply, task); };
+    work->merged = [this, apply](Work& ended) {
+        for (const auto& [id, path] : apply->savedPaths)
+            tableSaved(id, path);
+        if (ended.error)
+            tell({.kind = Event::Kind::Failed, .error = ended.error});
+        if (apply->order.done && apply->order.guard)
+            apply->order.done({ended.error, std::move(apply->applied)});
+    };
+    enqueue(work);
+}
+
+void Desk::tableSaved(int id, const QString& path)
+{
+    for (auto& [ref, one] : m_servos) {
+        if (one.servo.id != id || one.servo.baud != baud())
+            continue;
+        one.snapshotPath = path;
+        tell({.kind = Event::Kind::TableSaved, .servo = ref, .path = path});
+    }
+}
+
+/// One servo is done: what was read and written of it goes into the list.
+void Desk::takeApplied(PendingApply& apply, const jobs::Applied& one)
+{
+    apply.applied.push_back(one);
+    if (apply.order.onServo && apply.order.guard)
+        apply.order.onServo(one);
+    if (!one.servo || apply.order.options.dryRun)
+        return;
+    const ServoRef ref = find(one.servo->protocol, one.id);
+    ServoEntry* known = entry(ref);
+    if (known == nullptr || known->servo.baud != one.servo->baud)
+        return;
+    merge(*known, *one.servo, now());
+    if (one.outcome && !one.outcome->rows.empty()) {
+        const WriteOrder writes{itemsOf(one.plan), false, true};
+        Work ended;
+        ended.ref = ref;
+        awaitWrites(*known, writes);
+        writeEnded(ended, writes, WriteKind::New, reportOf(*one.outcome));
+    }
+}
+} // namespace session

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/snapshots.h"
+
+#include "jobs/restore_many.h"
+#include "jobs/snapshot.h"
+#include "record/factory_snapshot.h"
+#include "record/snapshot_template.h"
+#include "session/safety_snapshot.h"
+
+namespace session {
+namespace {
+base::Result<OpenedFile> openFile(const QString& path)
+{
+    auto snapshot = record::loadSnapshot(path);
+    if (snapshot)
+        return OpenedFile{path, std::make_shared<const record::Snapshot>(std::move(*snapshot)), {}};
+    if (snapshot.error().code == base::ErrorCode::FileFormat) {
+        if (auto bundle = record::loadBundle(path))
+            return OpenedFile{path, {}, std::make_shared<const record::Bundle>(std::move(*bundle))};
+        else if (path.endsWith(QLatin1StringView(".bundle.json")))
+            return tl::unexpected(bundle.error());
+    }
+    return tl::unexpected(snapshot.error());
+}
+} // namespace
+
+Snapshots::Snapshots(Desk& desk, Archive& archive, QObject* parent)
+    : QObject(parent)
+    , m_desk(desk)
+    , m_archive(archive)
+{}
+
+void Snapshots::setTaking(bool taking)
+{
+    m_taking = taking;
+    Q_EMIT takingChanged();
+}
+
+/// Files wait for their disk on the archive's thread.
+void Snapshots::onDisk(std::function<base::Result<void>()> write, std::function<void()> then)
+{
+    m_archive.work(std::move(write), this,
+                   [this, then = std::move(then)](const base::Result<void>& done) {
+                       if (done)
+                           then();
+                       else
+                           Q_EMIT failed(done.error());
+                   });
+}
+
+void Snapshots::take(ServoRef servo, const SnapshotWish& wish)
+{
+    if (m_taking || m_desk.servo(servo) == nullptr)
+        return;
+    const auto found = std::make_shared<record::Snapshot>();
+    Task task;
+    task.name = QStringLiteral("snapshot");
+    task.quiet = true;
+    task.work = [wish, found](TaskContext& context) -> base::Result<void> {
+        auto snapshot = jobs::takeSnapshot(context.device, context.servo, programName());
+        if (!snapshot)
+            return tl::unexpected(snapshot.error());
+        *found = std::move(*snapshot);
+        found->label = wish.label;
+        found->note = wish.note;
+        return {};
+    };
+    task.guard = this;
+    task.done = [this, wish, found](const TaskEnd& end) {
+        setTaking(false);
+        if (end.error) {
+            Q_EMIT failed(*end.error);
+            return;
+        }
+        const SharedSnapshot snapshot = found;
+        m_archive.keepSnapshot(snapshot, record::SnapshotReason::Asked, wish.path);
+        if (wish.path.isEmpty()) {
+            Q_EMIT taken(snapshot, {});
+            return;
+        }
+        onDisk([snapshot, path = wish.path] { return record::saveSnapshot(*snapshot, path); },
+               [this, snapshot, path = wish.path] { Q_EMIT taken(snapshot, path); });
+    };
+    setTaking(true);
+    m_desk.perform(servo, std::move(task));
+}
+
+void Snapshots::takeAll(const SnapshotWish& wish)
+{
+    if (m_taking)
+        return;
+    const auto servos = std::make_shared<std::vector<device::Servo>>();
+    for (const ServoRef ref : m_desk.servos()) {
+        const ServoEntry* entry = m_desk.servo(ref);
+        if (entry->servo.profile && (!m_desk.hasBaud() || entry->servo.baud == m_desk.baud()))
+            servos->push_back(entry->servo);
+    }
+    const auto found = std::make_shared<record::Bundle>();
+    Task task;
+    task.name = QStringLiteral("snapshot");
+    task.quiet = true;
+    task.work = [wish, servos, found](TaskContext& context) -> base::Result<void> {
+        auto bundle = jobs::takeBundle(context.device, *servos, programName(), context.progress);
+        if (!bundle)
+            return tl::unexpected(bundle.error());
+        *found = std::move(*bundle);
+        found->label = wish.label;
+        found->note = wish.note;
+        return {};
+    };
+    task.guard = this;
+    task.done = [this, wish, found](const TaskEnd& end) {
+        setTaking(false);
+        if (end.error) {
+            Q_EMIT failed(*end.error);
+            return;
+        }
+        const SharedBundle bundle = found;
+        for (const record::Snapshot& one : bundle->servos)
+            m_archive.keepSnapshot(std::make_shared<const record::Snapshot>(one),
+                                   record::SnapshotReason::Bundle, wish.path);
+        onDisk([bundle, path = wish.path] { return record::saveBundle(*bundle, path); },
+               [this, bundle, path = wish.path] { Q_EMIT bundled(bundle, path); });
+    };
+    setTaking(true);
+    m_desk.perform(0, std::move(task));
+}
+
+SharedSnapshot Snapshots::now(ServoRef servo) const
+{
+    const ServoEntry* entry = m_desk.servo(servo);
+    if (entry == nullptr || !entry->servo.profile)
+        return nullptr;
+    return std::make_shared<const record::Snapshot>(jobs::snapshotOf(entry->servo, programName()));
+}
+
+SharedSnapshot Snapshots::factory(const record::Snapshot& like) const
+{
+    const auto profile = record::profileOf(like, m_desk.catalog());
+    return profile ? std::make_shared<const record::Snapshot>(record::factorySnapshot(*profile))
+                   : nullptr;
+}
+
+base::Result<SharedSnapshot> Snapshots::asTemplate(const record::Snapshot& from,
+                                                   const QStringList& keys,
+                                                   const SnapshotWish& wish) const
+{
+    auto made = record::makeTemplate(from, keys);
+    if (!made)
+        return tl::unexpected(made.error());
+    made->label = wish.label;
+    made->note = wish.note;
+    return std::make_shared<const record::Snapshot>(std::move(*made));
+}
+
+void Snapshots::open(const QString& path)
+{
+    const auto found = std::make_shared<OpenedFile>();
+    onDisk(
+        [path, found]() -> base::Result<void> {
+            auto opened = openFile(path);
+            if (!opened)
+                return tl::unexpected(opened.error());
+            *found = std::move(*opened);
+            return {};
+        },
+        [this, found] { Q_EMIT opened(*found); });
+}
+
+void Snapshots::save(SharedSnapshot snapshot, const QString& path)
+{
+    onDisk(
+        [snapshot = std::move(snapshot), path] {
+            return path.endsWith(QLatin1StringView(".csv"), Qt::CaseInsensitive)
+                       ? record::saveSnapshotCsv(*snapshot, path)
+                       : record::saveSnapshot(*snapshot, path);
+        },
+        [this, path] { Q_EMIT saved(path); });
+}
+
+void Snapshots::save(std::vector<record::RestoreResult> results, const QString& path)
+{
+    onDisk(
+        [results = std::move(results), path] { return record::saveRestoreResults(results, path); },
+        [this, path] { Q_EMIT saved(path); });
+}
+} // namespace session
