@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One connection to the PostgreSQL server that has copies of the histories of many benches. It is
+// asked with the very statements of the local file (tables and columns are the same, `number` is
+// the server's own), so record::History and HistoryLog read from it; what changes it is taken by
+// record/history_copy.h only. The thread that connected; abort() from any. Calls wait for the
+// server: connecting some seconds, statements until they are answered or aborted.
+// Fails with operation "history-server" and a detail "KIND: the server's words": away, hung,
+// password, database, rights, tls, refused (LinkLost, Port…), driver (NotSupported), newer, older,
+// encoding (FileFormat), empty (FileMissing: nothing was ever sent there), busy (PortBusy), full
+// (DiskFull), string (BadArgument), server (PortFailed). text/server_words.cpp has the words.
+#pragma once
+
+#include "record/history_file.h"
+#include "record/server_address.h"
+#include "record/server_socket.h"
+
+namespace record {
+/// One that has sent something there.
+struct HistoryBench {
+    std::int64_t number = 0; ///< the server's
+    QString uuid{};
+    QString name{};   ///< for people, changeable
+    QDateTime sent{}; ///< when it last sent something; UTC by the server's clock
+    std::int64_t writes = 0;
+};
+
+class HistoryServer final : public HistoryFile {
+public:
+    enum class Purpose : std::uint8_t {
+        Send,   ///< makes or brings up to date the schema
+        Browse, ///< changes nothing; needs the right to read only
+    };
+
+    HistoryServer(ServerAddress address, Purpose purpose);
+    ~HistoryServer() override;
+
+    base::Result<void> connect();
+    /// What waits for the server fails at once (Stopped), and whatever is asked later. Any thread.
+    void abort();
+
+    base::Result<HistoryAnswer> run(const QString& sql,
+                                    const QVariantList& values = {}) const override;
+    base::Result<void> together(const std::function<base::Result<void>()>& work) const override;
+
+    /// By name.
+    base::Result<std::vector<HistoryBench>> benches() const;
+    /// From now on lists have only what this one has sent; nullopt: what all have.
+    base::Result<void> choose(std::optional<std::int64_t> bench) const;
+    /// Who sent these rows of "servos", "writes", "snapshots", "alarms", "recordings" or "runs":
+    /// number → name.
+    base::Result<QMap<qint64, QString>> benchesOf(const QString& table,
+                                                  const std::vector<std::int64_t>& numbers) const;
+
+private:
+    base::Result<void> enter() const;
+    base::Error error(const QSqlError& error, bool connecting) const;
+    QString statement(const QString& sql, const QVariantList& values) const;
+
+    const ServerAddress m_address;
+    const Purpose m_purpose;
+    const QString m_name; ///< of Qt's connection
+    ServerSocket m_socket;
+};
+
+/// The connection string in the user's hands → one ready to be asked. Waits like connect().
+base::Result<std::unique_ptr<HistoryServer>> connectHistoryServer(const QString& text,
+                                                                  HistoryServer::Purpose purpose);
+} // namespace record

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a PostgreSQL server or libpq says, as an Error of record/history_server.h. Internal to
+// record/history_server*. Pure, but PlainMessages: that is for the thread it lives on.
+#pragma once
+
+#include "base/error.h"
+
+#ifdef __linux__
+#include <clocale>
+#endif
+
+namespace record {
+extern const QString serverOperation; ///< "history-server"
+
+enum class ServerTrouble : std::uint8_t {
+    Away,     ///< nobody there, or the line broke
+    Hung,     ///< somebody is there and says nothing
+    Password, ///< wrong or missing
+    Database, ///< there is none of this name
+    Rights,   ///< the account may not
+    Refused,  ///< it let nobody in, for a reason in words we cannot read (its language is its own)
+    Tls,      ///< no encryption as asked for, or its certificate is not trusted
+    Driver,
+    Newer, ///< its schema
+    Older, ///< and this connection may not change it
+    Empty,
+    Encoding,
+    Busy,
+    Full,
+    String,
+    Server, ///< anything else
+};
+
+base::Error serverError(ServerTrouble trouble, const QString& words);
+/// `state`: SQLSTATE; empty where the connection itself failed.
+base::Error serverError(const QString& words, const QString& state, bool connecting);
+
+/// While it lives, libpq's own messages on this thread are the English ones, which can be told
+/// apart; without any effect where the system cannot.
+class PlainMessages {
+public:
+    PlainMessages();
+    ~PlainMessages();
+    PlainMessages(const PlainMessages&) = delete;
+    PlainMessages& operator=(const PlainMessages&) = delete;
+
+#ifdef __linux__
+private:
+    locale_t m_plain{};
+    locale_t m_before{};
+#endif
+};
+} // namespace record
