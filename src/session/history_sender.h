@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keeps the copies on the history server up to date while the program runs: after each poke(), and
+// every half minute, since other programs write too. Beside everything else and in nobody's way:
+// main thread, never waits; what it does happens on a thread of its own, and no servo is written by
+// way of it. A server that is away is asked again after 1 s, 2 s … 60 s; what it missed is sent
+// then, if need be at the next start. The destructor waits for at most a second.
+#pragma once
+
+#include "session/history_sending.h"
+#include "session/inbox.h"
+#include "session/loose_thread.h"
+#include "session/paths.h"
+
+#include <QObject>
+#include <QTimer>
+
+namespace session {
+struct SendState {
+    enum class Phase : std::uint8_t {
+        Off,     ///< no server is set
+        Waiting, ///< something may have to be sent, soon
+        Sending,
+        UpToDate, ///< the server has all there was when last looked
+        Trouble,  ///< `error`; tried again at `nextTry`
+    };
+    Phase phase = Phase::Off;
+    QString server{};                      ///< without password, for people
+    std::optional<std::int64_t> waiting{}; ///< rows to go; nullopt: not known
+    std::optional<base::Error> error{};
+    QDateTime nextTry{};
+    QDateTime upToDate{}; ///< when it last was; invalid: not since the start
+};
+
+class HistorySender final : public QObject {
+    Q_OBJECT
+
+public:
+    struct Times {
+        std::chrono::milliseconds look = std::chrono::seconds(30);
+        std::chrono::milliseconds settle = std::chrono::milliseconds(500); ///< after a poke
+        std::chrono::milliseconds firstRetry = std::chrono::seconds(1);
+        std::chrono::milliseconds lastRetry = std::chrono::seconds(60);
+        std::chrono::milliseconds silence = std::chrono::seconds(120); ///< then it counts as hung
+        std::chrono::milliseconds end = std::chrono::milliseconds(900);
+    };
+
+    explicit HistorySender(QString path = historyFile(), QObject* parent = nullptr);
+    HistorySender(QString path, Times times, QObject* parent = nullptr);
+    ~HistorySender() override;
+
+    /// Empty: sends nothing any more. `bench`: its name for people.
+    void setServer(const QString& address, const QString& bench);
+    void poke();   ///< something was written to the history
+    void tryNow(); ///< without waiting for the next try
+
+    const SendState& state() const { return m_state; }
+
+Q_SIGNALS:
+    void stateChanged();
+
+private:
+    struct Post; ///< where the thread leaves what it has to say
+    void begin();
+    void advanced(const SendProgress& progress);
+    void ended(const base::Result<SendProgress>& sent, std::optional<std::int64_t> waiting);
+    void watch();
+    void leave();
+    void set(SendState state);
+
+    const QString m_path;
+    const Times m_times;
+    SendState m_state;
+    std::shared_ptr<HistorySending> m_sending;
+    std::shared_ptr<Post> m_post; ///< of the server that is set now
+    std::unique_ptr<LooseThread> m_thread;
+    bool m_running = false;
+    bool m_again = false; ///< poked while it ran
+    bool m_hung = false;
+    std::chrono::milliseconds m_retry{};
+    QTimer m_next;
+    QTimer m_watch;
+    Inbox m_inbox;
+};
+} // namespace session

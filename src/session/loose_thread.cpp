@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/loose_thread.h"
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+namespace session {
+struct LooseThread::State {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::deque<std::function<void()>> jobs;
+    bool ending = false;
+    bool ended = false;
+};
+
+LooseThread::LooseThread()
+    : m_state(std::make_shared<State>())
+{
+    std::thread([state = m_state] { run(state); }).detach();
+}
+
+LooseThread::~LooseThread()
+{
+    end({});
+}
+
+void LooseThread::start(std::function<void()> job)
+{
+    const std::lock_guard lock(m_state->mutex);
+    m_state->jobs.push_back(std::move(job));
+    m_state->changed.notify_all();
+}
+
+bool LooseThread::end(std::chrono::milliseconds grace)
+{
+    std::deque<std::function<void()>> dropped;
+    std::unique_lock lock(m_state->mutex);
+    m_state->ending = true;
+    dropped.swap(m_state->jobs);
+    m_state->changed.notify_all();
+    return m_state->changed.wait_for(lock, grace, [this] { return m_state->ended; });
+}
+
+void LooseThread::run(const std::shared_ptr<State>& state)
+{
+    for (;;) {
+        std::function<void()> job;
+        {
+            std::unique_lock lock(state->mutex);
+            state->changed.wait(lock, [&] { return state->ending || !state->jobs.empty(); });
+            if (state->ending) {
+                state->ended = true;
+                state->changed.notify_all();
+                return;
+            }
+            job = std::move(state->jobs.front());
+            state->jobs.pop_front();
+        }
+        job();
+    }
+}
+} // namespace session
