@@ -4,7 +4,8 @@
 // whether it worked; errno then says why.
 #pragma once
 
-#include "record/append_file.h"
+#include <QByteArray>
+#include <QString>
 
 #include <optional>
 #ifdef Q_OS_WIN
@@ -14,6 +15,13 @@
 #endif
 
 namespace record {
+/// Tells a file from the one that replaced it.
+struct FileMark {
+    quint64 device = 0;
+    quint64 node = 0;
+    bool operator==(const FileMark&) const = default;
+};
+
 class FileHandle {
 public:
     enum class Mode : std::uint8_t { Read, Append };

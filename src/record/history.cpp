@@ -3,6 +3,7 @@
 #include "record/history.h"
 
 #include "record/history_file.h"
+#include "record/journal_takeover.h"
 #include "record/step_json.h"
 #include "record/sweep_json.h"
 
@@ -107,6 +108,8 @@ base::Result<std::unique_ptr<History>> History::open(const QString& path,
     auto file = HistoryFile::open(path, patience);
     if (!file)
         return tl::unexpected(file.error());
+    // Where the old journal cannot be read the journal says so; runs are kept all the same.
+    (void)takeOverJournal(**file);
     return std::unique_ptr<History>(new History(std::move(*file)));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record/history_file.h"
 
-#include "record/append_file.h"
+#include "record/folder_sync.h"
 #include "record/history_schema.h"
 
 #include <QDir>

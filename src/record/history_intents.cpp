@@ -194,7 +194,7 @@ base::Result<void> insertIntent(const HistoryFile& file, const base::Intent& int
 }
 
 base::Result<bool> endIntent(const HistoryFile& file, const QString& uuid,
-                             const base::IntentEnd& end, const QDateTime& at)
+                             const base::IntentEnd& end, const QDateTime& at, Overrule overrule)
 {
     const auto found =
         file.run(QStringLiteral("SELECT number, ended FROM intents WHERE uuid = ?"), {uuid});
@@ -204,7 +204,7 @@ base::Result<bool> endIntent(const HistoryFile& file, const QString& uuid,
         return false;
     const auto before = numberIn(found->rows.front().value(1));
     const std::int64_t number = found->rows.front().value(0).toLongLong();
-    if (before && *before > at.toMSecsSinceEpoch())
+    if (overrule == Overrule::UnlessOlder && before && *before > at.toMSecsSinceEpoch())
         return true;
     const auto ended = file.run(
         QStringLiteral("UPDATE intents SET outcome = ?, detail = ?, ended = ? WHERE number = ?"),
@@ -222,7 +222,7 @@ base::Result<bool> endIntent(const HistoryFile& file, const QString& uuid,
 
 base::Result<void> keepFact(const HistoryFile& file, const base::ServoIdentity& servo,
                             const QString& name, const std::vector<std::int64_t>& values,
-                            const QDateTime& at)
+                            const QDateTime& at, Overrule overrule)
 {
     const auto number = meetServo(file, servo);
     if (!number)
@@ -234,8 +234,9 @@ base::Result<void> keepFact(const HistoryFile& file, const base::ServoIdentity& 
     const auto kept = file.run(
         QStringLiteral("INSERT INTO facts (uuid, servo, name, at, content) VALUES (?, ?, ?, ?, ?) "
                        "ON CONFLICT (servo, name) DO UPDATE SET content = excluded.content, "
-                       "at = excluded.at WHERE excluded.at >= facts.at"),
-        {newUuid(), qint64(*number), notNull(name), at.toMSecsSinceEpoch(), content});
+                       "at = excluded.at WHERE ? = 1 OR excluded.at >= facts.at"),
+        {newUuid(), qint64(*number), notNull(name), at.toMSecsSinceEpoch(), content,
+         overrule == Overrule::Always ? 1 : 0});
     return kept ? base::Result<void>() : tl::unexpected(kept.error());
 }
 

@@ -17,13 +17,15 @@ base::Result<std::int64_t> preferServo(const HistoryFile& file, const base::Serv
 /// uuid and time are those of `intent`. Does nothing if one with this uuid is there.
 base::Result<void> insertIntent(const HistoryFile& file, const base::Intent& intent,
                                 const QString& program);
-/// The later of two ends counts. True: there is such an intent.
+/// Whether a line that is taken over may overrule what is there.
+enum class Overrule : std::uint8_t { Always, UnlessOlder };
+/// False: there is no such intent.
 base::Result<bool> endIntent(const HistoryFile& file, const QString& uuid,
-                             const base::IntentEnd& end, const QDateTime& at);
-/// The later of two values counts.
+                             const base::IntentEnd& end, const QDateTime& at,
+                             Overrule overrule = Overrule::Always);
 base::Result<void> keepFact(const HistoryFile& file, const base::ServoIdentity& servo,
                             const QString& name, const std::vector<std::int64_t>& values,
-                            const QDateTime& at);
+                            const QDateTime& at, Overrule overrule = Overrule::Always);
 
 base::Result<std::optional<std::vector<std::int64_t>>>
 factOf(const HistoryFile& file, const base::ServoIdentity& servo, const QString& name);

@@ -3,67 +3,11 @@
 
 #include "record/json_reader.h"
 
-#include <QJsonArray>
 #include <QJsonDocument>
 
 namespace record {
 namespace {
 constexpr int formatVersion = 1;
-
-QJsonObject toJson(const base::ServoIdentity& servo)
-{
-    return {
-        {QStringLiteral("id"), servo.id},
-        {QStringLiteral("model_major"), servo.modelMajor},
-        {QStringLiteral("model_minor"), servo.modelMinor},
-        {QStringLiteral("firmware_major"), servo.firmwareMajor},
-        {QStringLiteral("firmware_minor"), servo.firmwareMinor},
-        {QStringLiteral("map"), servo.map},
-        {QStringLiteral("port"), servo.port},
-        {QStringLiteral("baud"), servo.baud},
-        {QStringLiteral("protocol"), base::protocolName(servo.protocol)},
-    };
-}
-
-void write(const BeginLine& line, QJsonObject& object)
-{
-    const base::Intent& intent = line.intent;
-    QJsonArray items;
-    for (const base::JournalItem& item : intent.items) {
-        items.append(QJsonObject{
-            {QStringLiteral("key"), item.key},
-            {QStringLiteral("address"), item.address},
-            {QStringLiteral("old"), qint64(item.oldRaw)},
-            {QStringLiteral("new"), qint64(item.newRaw)},
-        });
-    }
-    object.insert(QStringLiteral("type"), QStringLiteral("begin"));
-    object.insert(QStringLiteral("uuid"), intent.uuid);
-    object.insert(QStringLiteral("kind"), base::intentKindName(intent.kind));
-    object.insert(QStringLiteral("temporary"), intent.temporary);
-    object.insert(QStringLiteral("lock_opened"), intent.lockOpened);
-    object.insert(QStringLiteral("servo"), toJson(intent.servo));
-    object.insert(QStringLiteral("items"), items);
-}
-
-void write(const EndLine& line, QJsonObject& object)
-{
-    object.insert(QStringLiteral("type"), QStringLiteral("end"));
-    object.insert(QStringLiteral("uuid"), line.uuid);
-    object.insert(QStringLiteral("outcome"), line.end.outcome);
-    object.insert(QStringLiteral("detail"), line.end.detail);
-}
-
-void write(const KeepLine& line, QJsonObject& object)
-{
-    QJsonArray values;
-    for (const std::int64_t value : line.values)
-        values.append(qint64(value));
-    object.insert(QStringLiteral("type"), QStringLiteral("keep"));
-    object.insert(QStringLiteral("servo"), toJson(line.servo));
-    object.insert(QStringLiteral("name"), line.name);
-    object.insert(QStringLiteral("values"), values);
-}
 
 /// Lines from before there was more than one language do not name it.
 base::Protocol readProtocol(const JsonReader& json)
@@ -124,16 +68,6 @@ KeepLine readKeep(const JsonReader& json)
             json.time("at")};
 }
 } // namespace
-
-QByteArray encodeJournalLine(const JournalLine& line, const QDateTime& at)
-{
-    QJsonObject object{
-        {QStringLiteral("v"), formatVersion},
-        {QStringLiteral("at"), at.toUTC().toString(Qt::ISODateWithMs)},
-    };
-    std::visit([&object](const auto& content) { write(content, object); }, line);
-    return QJsonDocument(object).toJson(QJsonDocument::Compact);
-}
 
 base::Result<JournalLine> decodeJournalLine(const QByteArray& text)
 {

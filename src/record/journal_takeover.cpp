@@ -38,9 +38,10 @@ base::Result<void> takeLine(const HistoryFile& file, const QByteArray& text, Tak
     if (const auto* begin = std::get_if<BeginLine>(&*line))
         return insertIntent(file, begin->intent, {});
     if (const auto* keep = std::get_if<KeepLine>(&*line))
-        return keepFact(file, keep->servo, keep->name, keep->values, keep->at);
+        return keepFact(file, keep->servo, keep->name, keep->values, keep->at,
+                        Overrule::UnlessOlder);
     const auto& end = std::get<EndLine>(*line);
-    const auto ended = endIntent(file, end.uuid, end.end, end.at);
+    const auto ended = endIntent(file, end.uuid, end.end, end.at, Overrule::UnlessOlder);
     if (!ended)
         return tl::unexpected(ended.error());
     takeover.unreadable += *ended ? 0 : 1; // of an intent that is not there

@@ -5,7 +5,7 @@
 // coming twice. Then the file is renamed (journal.jsonl.taken-N), never deleted. A program of an
 // earlier version that is still running may append to the renamed file or begin a new one: both
 // are looked at again. Lines nobody can read stay in the file and are counted. The thread of the
-// connection. Errors of record/history_file.h and record/append_file.h.
+// connection. Errors of record/history_file.h, and FileUnreadable.
 #pragma once
 
 #include "record/history_file.h"

@@ -18,17 +18,6 @@ WriteOutcome outcomeOf(const base::Error& error)
     return silent ? WriteOutcome::NoAnswer : WriteOutcome::Refused;
 }
 
-/// Is this intent about that servo, under its present ID or on the way to it? Servos carry no
-/// serial number, so more than kind and ID cannot be told.
-bool concerns(const base::Intent& intent, const base::ServoIdentity& who)
-{
-    if (!intent.servo.sameKind(who))
-        return false;
-    const bool becameThis = intent.kind == base::IntentKind::SetId && !intent.items.empty() &&
-                            intent.items.front().newRaw == who.id;
-    return intent.servo.id == who.id || becameThis;
-}
-
 bool moves(const ServoEntry* entry, const QString& key)
 {
     const catalog::Register* reg =
@@ -263,15 +252,11 @@ void Desk::loadHistory(ServoRef ref)
         return;
     const base::ServoIdentity who = known->servo.identity();
     m_openThread->start([this, ref, who] {
-        auto all = m_session.journal().entries();
-        if (!all)
+        constexpr int most = 1000;
+        auto own = m_session.journal().entriesOf(who, most);
+        if (!own)
             return;
-        std::vector<base::JournalEntry> own;
-        for (base::JournalEntry& one : *all) {
-            if (concerns(one.intent, who))
-                own.push_back(std::move(one));
-        }
-        m_inbox.post([this, ref, own = std::move(own)]() mutable {
+        m_inbox.post([this, ref, own = std::move(*own)]() mutable {
             ServoEntry* entry = this->entry(ref);
             if (entry == nullptr)
                 return;

@@ -95,6 +95,7 @@ private Q_SLOTS:
     void noDatabase_data();
     void noDatabase();
     void aDamagedDatabaseIsAnError();
+    void aDamagedRunIsAnError();
     void aLockedDatabaseCostsPatienceAndNotTheRun();
     void aFolderThatCannotBe();
     void closedConnectionsLeaveNothing();
@@ -312,10 +313,10 @@ void TestHistory::noDatabase()
     QCOMPARE(file.readAll(), bytes);
 }
 
-/// Every page but the first is overwritten: it opens, and then does not read.
+/// Every page but the first is overwritten, the schema's own among them.
 void TestHistory::aDamagedDatabaseIsAnError()
 {
-    const auto number = open()->add(sweep_example::run()).value();
+    open()->add(sweep_example::run()).value();
     QFile file(m_path);
     QVERIFY(file.open(QIODevice::ReadWrite));
     const qint64 first = 4096;
@@ -323,15 +324,26 @@ void TestHistory::aDamagedDatabaseIsAnError()
     file.seek(first);
     file.write(QByteArray(int(file.size() - first), '\x5a'));
     file.close();
-    const auto history = open();
-    QVERIFY(history);
-    QCOMPARE(history->runs().error().code, ErrorCode::FileFormat);
-    QCOMPARE(history->sweep(number).error().code, ErrorCode::FileFormat);
-    QCOMPARE(history->remove(number).error().code, ErrorCode::FileFormat);
-    QCOMPARE(history->reference(text("STS3215")).error().code, ErrorCode::FileFormat);
+    QCOMPARE(History::open(m_path).error().code, ErrorCode::FileFormat);
     const auto kept = record::keepRun(m_path, sweep_example::run());
     QCOMPARE(kept.trouble->code, ErrorCode::FileFormat);
     QVERIFY(record::loadSweepRun(kept.file).value() == sweep_example::run());
+}
+
+/// The pages of the runs' texts, which come last: the list is whole, the run cannot be read.
+void TestHistory::aDamagedRunIsAnError()
+{
+    const auto number = open()->add(sweep_example::run(10000)).value();
+    QFile file(m_path);
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    const qint64 last = 4 * 4096;
+    file.seek(file.size() - last);
+    file.write(QByteArray(int(last), '\x5a'));
+    file.close();
+    const auto history = open();
+    QVERIFY(history);
+    QCOMPARE(history->runs().value().size(), std::size_t(1));
+    QCOMPARE(history->sweep(number).error().code, ErrorCode::FileFormat);
 }
 
 void TestHistory::aLockedDatabaseCostsPatienceAndNotTheRun()

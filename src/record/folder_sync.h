@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A new file survives a power cut only if its folder has been synced as well, and a new folder only
+// if the one above it has. Any thread; blocks for the disk.
+#pragma once
+
+#include <QString>
+
+namespace record {
+/// All from the file up to `topmostOld`; false: the system refuses.
+bool syncFolders(const QString& file, const QString& topmostOld);
+/// The deepest folder above `file` that exists.
+QString existingFolder(const QString& file);
+} // namespace record
