@@ -7,6 +7,7 @@
 // line: BadArgument, LinkLost, Preempted, FileUnwritable, DiskFull, and those of the journal.
 #pragma once
 
+#include "device/servo.h"
 #include "jobs/job.h"
 #include "record/commission_batch.h"
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/commission.h"
+
+#include "jobs/commission_line.h"
+
+#include <array>
+
+namespace jobs {
+using base::ErrorCode;
+
+namespace {
+const QString operation = QStringLiteral("commission");
+
+base::Result<void> checkOrder(const device::Context& context, const CommissionSpec& spec,
+                              const record::CommissionBatch& batch)
+{
+    const auto refuse = [](const QString& why) -> base::Result<void> {
+        return base::fail(ErrorCode::BadArgument, operation, why);
+    };
+    for (const int id : spec.ids) {
+        if (id < 0 || id > protocol::maxId)
+            return refuse(QStringLiteral("ID %1").arg(id));
+    }
+    if (spec.ids.empty() && batch.pending.empty())
+        return refuse(QStringLiteral("no IDs"));
+    if (spec.baud > 0 && !context.bus.hasBaud())
+        return refuse(QStringLiteral("a bridge keeps its rate"));
+    return {};
+}
+} // namespace
+
+QString stepName(CommissionStep step)
+{
+    constexpr std::array names{"waiting", "blocked", "checking", "confirm", "snapshot", "template",
+                               "id",      "rate",    "center",   "health",  "unplug"};
+    return QString::fromLatin1(names.at(static_cast<std::size_t>(step)));
+}
+
+QString obstacleName(CommissionObstacle obstacle)
+{
+    constexpr std::array names{"", "several-servos", "twin-ids", "unreadable", "lost"};
+    return QString::fromLatin1(names.at(static_cast<std::size_t>(obstacle)));
+}
+
+base::Result<CommissionEnd> commission(const device::Context& outer, const CommissionSpec& spec,
+                                       record::CommissionBatch& batch, const QString& csvPath,
+                                       const CommissionHooks& hooks)
+{
+    if (const auto good = checkOrder(outer, spec, batch); !good)
+        return tl::unexpected(good.error());
+    const device::Owned owned = device::own(outer, {});
+    const device::Context& context = owned.context;
+    // What cannot be kept must be known before the first servo, not after it.
+    if (const auto kept = record::saveCommissionBatch(batch, csvPath); !kept)
+        return tl::unexpected(kept.error());
+    const int baudBefore = context.bus.baud();
+    auto end = CommissionLine(context, spec, batch, csvPath, hooks).run();
+    if (context.bus.hasBaud() && context.bus.baud() != baudBefore)
+        (void)context.bus.setBaud(baudBefore); // a lost link has no rate
+    if (!end && end.error().code == ErrorCode::Stopped)
+        return CommissionEnd::Stopped;
+    return end;
+}
+} // namespace jobs

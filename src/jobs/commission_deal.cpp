@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/commission_line.h"
+#include "jobs/commission_settle.h"
+
+#include <algorithm>
+
+namespace jobs {
+using base::ErrorCode;
+using record::CommissionPending;
+using record::CommissionTrouble;
+using record::CommissionVerdict;
+
+namespace {
+const QString operation = QStringLiteral("commission");
+
+bool endsLine(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::LinkLost:
+    case ErrorCode::Stopped:
+    case ErrorCode::Preempted:
+    case ErrorCode::Held:
+    case ErrorCode::FileUnwritable:
+    case ErrorCode::FileUnreadable:
+    case ErrorCode::FileFormat:
+    case ErrorCode::DiskFull:
+        return true;
+    default:
+        return false;
+    }
+}
+
+CommissionTrouble troubleOf(const base::Error& error)
+{
+    return {base::errorName(error.code),
+            error.registerKey.isEmpty() ? error.detail : error.registerKey};
+}
+} // namespace
+
+CommissionPending* CommissionLine::pendingOf(const CommissionWork& work)
+{
+    for (CommissionPending& one : m_batch.pending) {
+        if (one.newId == work.newId && one.servo.protocol == work.row.servo.protocol)
+            return &one;
+    }
+    return nullptr;
+}
+
+/// Is it one that was left in the middle? Then it goes on with what it was to get. At its old place
+/// it may as well be another one of the kind, if the new ID may have been written already.
+bool CommissionLine::recognise(CommissionWork& work, CommissionView& view)
+{
+    const record::SnapshotServo who = servoRecord(work.servo);
+    for (const CommissionPending& one : m_batch.pending) {
+        const bool sameKind = one.servo.protocol == who.protocol &&
+                              one.servo.modelId == who.modelId &&
+                              one.servo.firmware == who.firmware;
+        const bool atNew = one.idSent && who.id == one.newId;
+        const bool atOld = who.id == one.servo.id;
+        const bool rate = work.servo.baud == one.oldBaud || work.servo.baud == one.newBaud;
+        if (!sameKind || !rate || !(atNew || atOld))
+            continue;
+        if (!atNew && one.idSent) {
+            view.doubtfulId = one.newId;
+            continue;
+        }
+        work.newId = one.newId;
+        work.row.servo = one.servo;
+        work.row.oldBaud = one.oldBaud;
+        view.doubtfulId = -1;
+        return true;
+    }
+    return false;
+}
+
+base::Result<void> CommissionLine::deal(device::Servo servo)
+{
+    m_lost = false;
+    CommissionView view;
+    view.step = CommissionStep::Checking;
+    CommissionWork work;
+    work.servo = std::move(servo);
+    work.row.at = QDateTime::fromSecsSinceEpoch(QDateTime::currentSecsSinceEpoch(), Qt::UTC);
+    work.row.servo = servoRecord(work.servo);
+    work.row.oldBaud = work.servo.baud;
+    work.newId = nextId().value_or(-1);
+    work.newBaud = m_spec.baud > 0 ? m_spec.baud : work.servo.baud;
+    view.halfDone = recognise(work, view);
+    view.servo = servoRecord(work.servo);
+    view.baud = work.servo.baud;
+    const int id = work.servo.id;
+    if (!view.halfDone && id != factoryId && m_batch.idTaken(id)) {
+        view.newId = id;
+        view.newBaud = view.baud;
+        view.concerns = {{QStringLiteral("already-done")}};
+        return awaitGone(placeOf(work.servo), view);
+    }
+    auto concerns = checkServo(m_context, m_spec, work);
+    if (!concerns)
+        return failed(work, concerns.error());
+    if (!view.halfDone && id != factoryId)
+        concerns->push_back({QStringLiteral("other-id"), QString::number(id)});
+    if (work.newId < 0)
+        return setAside(work, {{QStringLiteral("no-id-left")}});
+    view.newId = work.newId;
+    view.newBaud = work.newBaud;
+    view.concerns = *concerns;
+    show(view);
+    if (!m_spec.automatic) {
+        const auto agreed = confirm(work, view, *concerns);
+        if (!agreed || !*agreed)
+            return agreed ? base::Result<void>() : tl::unexpected(agreed.error());
+    } else if (std::any_of(concerns->begin(), concerns->end(), needsDecision)) {
+        return setAside(work, *concerns);
+    }
+    work.row.troubles = *concerns;
+    view.newId = work.newId;
+    view.halfDone = view.halfDone || work.newId == view.doubtfulId;
+    if (const auto done = setUp(work, view); !done)
+        return failed(work, done.error());
+    return finish(work);
+}
+
+/// False: it is not to be set up now, and whatever is to be done about that has been done.
+base::Result<bool> CommissionLine::confirm(CommissionWork& work, CommissionView view,
+                                           std::vector<CommissionTrouble>& concerns)
+{
+    view.step = CommissionStep::Confirm;
+    show(view);
+    int silences = 0;
+    for (;;) {
+        const CommissionAnswer answer = m_hooks.answer ? m_hooks.answer() : CommissionAnswer::None;
+        if (answer == CommissionAnswer::SetAside) {
+            const auto aside = setAside(work, concerns);
+            return aside ? base::Result<bool>(false) : tl::unexpected(aside.error());
+        }
+        if (answer == CommissionAnswer::SameServo && view.doubtfulId >= 0)
+            work.newId = view.doubtfulId;
+        if (answer != CommissionAnswer::None)
+            return stillAlone(work);
+        const auto here = m_look.present(placeOf(work.servo));
+        if (!here)
+            return tl::unexpected(here.error());
+        silences = *here ? 0 : silences + 1;
+        if (silences >= silencesUntilGone)
+            return false;
+        if (const auto paused = pause(answerPause); !paused)
+            return tl::unexpected(paused.error());
+    }
+}
+
+/// Between the look and the click somebody may have plugged in another one.
+base::Result<bool> CommissionLine::stillAlone(CommissionWork& work)
+{
+    CommissionView checking = *m_view;
+    checking.step = CommissionStep::Checking;
+    show(checking);
+    device::Servo now;
+    auto ready = alone(placeOf(work.servo), now);
+    return ready && *ready && now.id == work.servo.id && now.baud == work.servo.baud &&
+                   now.identity().sameKind(work.servo.identity())
+               ? base::Result<bool>(true)
+           : ready ? base::Result<bool>(false)
+                   : ready;
+}
+
+base::Result<void> CommissionLine::setAside(const CommissionWork& work,
+                                            const std::vector<CommissionTrouble>& why)
+{
+    record::CommissionRow row = work.row;
+    row.servo = servoRecord(work.servo);
+    row.verdict = CommissionVerdict::Aside;
+    row.troubles = why;
+    if (why.empty())
+        row.troubles = {{QStringLiteral("by-hand")}};
+    row.volts = work.servo.physical(catalog::Role::PresentVoltage);
+    row.celsius = work.servo.physical(catalog::Role::PresentTemperature);
+    m_batch.rows.push_back(row);
+    m_batch.onWire = {base::protocolName(work.servo.protocol), work.servo.id, work.servo.baud};
+    if (const auto kept = keep(); !kept)
+        return kept;
+    if (m_hooks.onRow)
+        m_hooks.onRow(row);
+    CommissionView view;
+    view.servo = row.servo;
+    view.baud = row.oldBaud;
+    view.concerns = row.troubles;
+    return awaitGone(placeOf(work.servo), view);
+}
+
+/// From here on the servo is in the batch's file, so that it is known wherever it is left.
+base::Result<void> CommissionLine::begin(CommissionWork& work, CommissionView& view)
+{
+    if (view.halfDone) {
+        const CommissionPending* one = pendingOf(work);
+        const auto since = one != nullptr ? one->at : work.row.at;
+        if (const auto settled = settleIntents(m_context, work.servo, since); !settled)
+            return settled;
+        const auto concerns = checkServo(m_context, m_spec, work);
+        if (!concerns)
+            return tl::unexpected(concerns.error());
+    }
+    const auto twins = m_look.twins(work.servo);
+    if (!twins)
+        return tl::unexpected(twins.error());
+    if (*twins)
+        return base::fail(ErrorCode::IdInUse, operation, QStringLiteral("twins"), work.servo.id);
+    if (!hasWork(work))
+        return {};
+    view.step = CommissionStep::Snapshot;
+    show(view);
+    if (const auto saved = saveTable(m_context, m_hooks, work); !saved)
+        return saved;
+    CommissionPending* known = pendingOf(work);
+    CommissionPending now{work.row.at, work.row.servo, work.row.oldBaud,
+                          work.newId,  work.newBaud,   work.servo.id == work.newId};
+    if (known != nullptr && view.halfDone) {
+        now.at = known->at;
+        now.idSent = now.idSent || known->idSent;
+    }
+    if (known != nullptr)
+        *known = now; // of another one that never got the ID: it begins anew when it comes back
+    else
+        m_batch.pending.push_back(now);
+    return keep();
+}
+
+base::Result<void> CommissionLine::takeId(CommissionWork& work)
+{
+    if (work.servo.id == work.newId)
+        return {};
+    CommissionPending* one = pendingOf(work);
+    if (!one->idSent) {
+        one->idSent = true;
+        if (const auto kept = keep(); !kept)
+            return kept;
+    }
+    return giveId(m_context, work);
+}
+
+base::Result<void> CommissionLine::setUp(CommissionWork& work, CommissionView& view)
+{
+    const auto step = [&](CommissionStep now, auto&& work_) -> base::Result<void> {
+        if (m_context.stop.requested())
+            return base::fail(ErrorCode::Stopped, operation, {}, work.servo.id);
+        view.step = now;
+        view.baud = work.servo.baud;
+        show(view);
+        return work_();
+    };
+    return begin(work, view)
+        .and_then([&] {
+            return step(CommissionStep::Template,
+                        [&] { return applyTemplate(m_context, m_spec, work); });
+        })
+        .and_then([&] { return step(CommissionStep::Id, [&] { return takeId(work); }); })
+        .and_then(
+            [&] { return step(CommissionStep::Rate, [&] { return giveRate(m_context, work); }); })
+        .and_then([&] {
+            return step(CommissionStep::Center, [&] { return centerServo(m_context, work); });
+        })
+        .and_then([&] {
+            return step(CommissionStep::Health, [&] { return checkHealth(m_context, work); });
+        });
+}
+
+/// Ends the line, or waits for a servo that has gone away, or sets its failure down.
+base::Result<void> CommissionLine::failed(CommissionWork& work, const base::Error& error)
+{
+    if (endsLine(error.code))
+        return tl::unexpected(error);
+    const base::Protocol language = work.servo.protocol;
+    std::optional<Place> here;
+    for (const int baud : {work.servo.baud, work.newBaud, work.row.oldBaud}) {
+        for (const int id : {work.servo.id, work.newId, work.row.servo.id}) {
+            if (here || id < 0)
+                continue;
+            const auto present = m_look.present({language, id, baud});
+            if (!present)
+                return tl::unexpected(present.error());
+            if (*present)
+                here = Place{language, id, baud};
+        }
+    }
+    CommissionPending* one = pendingOf(work);
+    if (!here) {
+        m_lost = one != nullptr;
+        return {};
+    }
+    if (one != nullptr && here->id != work.newId && one->idSent) {
+        one->idSent = false; // it answers as before: nobody has the new ID
+        if (const auto kept = keep(); !kept)
+            return kept;
+    }
+    work.servo.id = here->id;
+    work.servo.baud = here->baud;
+    work.row.troubles.push_back(troubleOf(error));
+    work.row.verdict = CommissionVerdict::Failed;
+    return finish(work);
+}
+
+base::Result<void> CommissionLine::finish(CommissionWork& work)
+{
+    record::CommissionRow& row = work.row;
+    if (work.servo.id == work.newId) {
+        row.newId = work.newId;
+        row.newBaud = work.servo.baud;
+    }
+    const bool alarmed = std::any_of(row.troubles.begin(), row.troubles.end(), [](const auto& one) {
+        return one.word == QLatin1String("alarm");
+    });
+    if (row.verdict == CommissionVerdict::Good && !row.troubles.empty())
+        row.verdict = alarmed ? CommissionVerdict::Failed : CommissionVerdict::Remark;
+    row.label = row.newId < 0 ? QString() : record::commissionLabel(m_spec.labelFormat, row);
+    if (const CommissionPending* one = pendingOf(work))
+        m_batch.pending.erase(m_batch.pending.begin() + (one - m_batch.pending.data()));
+    m_batch.rows.push_back(row);
+    m_batch.onWire = {base::protocolName(work.servo.protocol), work.servo.id, work.servo.baud};
+    if (const auto kept = keep(); !kept)
+        return kept;
+    if (m_hooks.onRow)
+        m_hooks.onRow(row);
+    CommissionView view;
+    view.servo = row.servo;
+    view.baud = work.servo.baud;
+    view.newId = row.newId;
+    view.newBaud = row.newBaud;
+    view.concerns = row.troubles;
+    return awaitGone(placeOf(work.servo), view);
+}
+} // namespace jobs

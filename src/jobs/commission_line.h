@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line itself: waits for servos, deals with each, keeps the batch. Lives for one call of
+// commission(); internal to jobs; its thread. commission_line.cpp knows who is there,
+// commission_deal.cpp what is done to a servo.
+#pragma once
+
+#include "jobs/commission_look.h"
+#include "jobs/commission_steps.h"
+
+namespace jobs {
+constexpr base::Duration answerPause = std::chrono::milliseconds(50);
+/// A plug that is being pulled makes contact more than once.
+constexpr int silencesUntilGone = 3;
+
+class CommissionLine {
+public:
+    CommissionLine(const device::Context& context, const CommissionSpec& spec,
+                   record::CommissionBatch& batch, QString csvPath, const CommissionHooks& hooks)
+        : m_context(context)
+        , m_spec(spec)
+        , m_batch(batch)
+        , m_csvPath(std::move(csvPath))
+        , m_hooks(hooks)
+        , m_look(context, spec)
+    {}
+
+    base::Result<CommissionEnd> run();
+
+private:
+    using Place = CommissionLook::Place;
+
+    static Place placeOf(const record::CommissionPlace& kept);
+    static Place placeOf(const device::Servo& servo);
+    std::optional<int> nextId() const;
+    void show(const CommissionView& view);
+    base::Result<void> pause(base::Duration span);
+    base::Result<void> keep();
+
+    // --- who is there ---
+    base::Result<device::Servo> awaitServo();
+    base::Result<bool> alone(const Place& first, device::Servo& servo);
+    std::vector<Place> expected() const;
+    CommissionView waitingView() const;
+    base::Result<void> awaitGone(const Place& place, CommissionView view);
+
+    // --- one servo ---
+    base::Result<void> deal(device::Servo servo);
+    base::Result<void> setAside(const CommissionWork& work,
+                                const std::vector<record::CommissionTrouble>& why);
+    base::Result<bool> confirm(CommissionWork& work, CommissionView view,
+                               std::vector<record::CommissionTrouble>& concerns);
+    base::Result<void> setUp(CommissionWork& work, CommissionView& view);
+    base::Result<void> begin(CommissionWork& work, CommissionView& view);
+    base::Result<void> takeId(CommissionWork& work);
+    base::Result<void> failed(CommissionWork& work, const base::Error& error);
+    base::Result<void> finish(CommissionWork& work);
+    base::Result<bool> stillAlone(CommissionWork& work);
+    bool recognise(CommissionWork& work, CommissionView& view);
+    record::CommissionPending* pendingOf(const CommissionWork& work);
+
+    const device::Context& m_context;
+    const CommissionSpec& m_spec;
+    record::CommissionBatch& m_batch;
+    const QString m_csvPath;
+    const CommissionHooks& m_hooks;
+    CommissionLook m_look;
+    std::optional<CommissionView> m_view;
+    bool m_lost = false; ///< the last one went away in the middle
+};
+} // namespace jobs

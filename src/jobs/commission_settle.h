@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the journal still owes a servo that was left in the middle of a commissioning line is
+// brought to one side: undone where nothing of it was written, finished otherwise. Internal to
+// jobs; its thread. `servo` stays where it is. Errors: those of jobs::recover.
+#pragma once
+
+#include "jobs/recover.h"
+
+namespace jobs {
+/// Concerns intents of this port and this kind of servo begun at `since` or later.
+base::Result<void> settleIntents(const device::Context& context, device::Servo& servo,
+                                 const QDateTime& since);
+} // namespace jobs

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/commission_steps.h"
+
+#include "device/alarms.h"
+#include "device/motion.h"
+#include "device/persistence.h"
+#include "device/reader.h"
+#include "jobs/change.h"
+#include "jobs/restore.h"
+
+#include <algorithm>
+
+namespace jobs {
+namespace {
+using base::ErrorCode;
+using catalog::Role;
+using record::CommissionTrouble;
+
+void addAlarms(const device::Servo& servo, std::vector<CommissionTrouble>& troubles)
+{
+    const catalog::Register* status = servo.profile->byRole(Role::Status);
+    for (int bit = 0; bit < 8; ++bit) {
+        if ((servo.status >> bit & 1) == 0)
+            continue;
+        QString name = QStringLiteral("bit%1").arg(bit);
+        if (status != nullptr) {
+            const auto known =
+                std::find_if(status->values.begin(), status->values.end(),
+                             [bit](const catalog::NamedValue& one) { return one.value == bit; });
+            name = known == status->values.end() ? name : known->key;
+        }
+        troubles.push_back({QStringLiteral("alarm"), name});
+    }
+    for (const device::Notice& alarm : device::derivedAlarms(servo))
+        troubles.push_back(
+            {QStringLiteral("alarm"), alarm.code == device::NoticeCode::DerivedTemperature
+                                          ? QStringLiteral("temperature")
+                                          : QStringLiteral("voltage")});
+}
+
+bool knowsRate(const device::Servo& servo, int baud)
+{
+    const catalog::Register* reg = servo.profile->byRole(Role::BaudRate);
+    return reg != nullptr &&
+           std::any_of(reg->values.begin(), reg->values.end(),
+                       [baud](const auto& value) { return value.key == QString::number(baud); });
+}
+
+void addImpossible(const CommissionSpec& spec, CommissionWork& work,
+                   std::vector<CommissionTrouble>& troubles)
+{
+    const device::Servo& servo = work.servo;
+    if (work.newBaud != servo.baud && !knowsRate(servo, work.newBaud)) {
+        troubles.push_back({QStringLiteral("no-such-rate"), QString::number(work.newBaud)});
+        work.newBaud = servo.baud;
+    }
+    const catalog::Register* reg = servo.profile->byRole(Role::Id);
+    if (reg == nullptr || work.newId < reg->min.value_or(0) ||
+        work.newId > reg->max.value_or(protocol::maxId))
+        troubles.push_back({QStringLiteral("no-such-id"), QString::number(work.newId)});
+    const bool centres = servo.profile->centering != catalog::Centering::None &&
+                         servo.profile->byRole(Role::PositionOffset) != nullptr;
+    work.center = spec.center && centres;
+    if (spec.center && !centres)
+        troubles.push_back({QStringLiteral("no-centring"), servo.profile->series});
+}
+
+void addTemplate(const CommissionSpec& spec, CommissionWork& work,
+                 std::vector<CommissionTrouble>& troubles)
+{
+    if (!spec.settings)
+        return;
+    RestoreChoice choice;
+    choice.dangerous = spec.dangerous;
+    work.plan = planRestore(work.servo, *spec.settings, choice);
+    if (work.plan->otherModel)
+        troubles.push_back({QStringLiteral("other-model"), spec.settings->servo.model});
+    QStringList left;
+    for (const RestoreRow* row : work.plan->unmapped())
+        left.append(row->key);
+    for (const RestoreRow& row : work.plan->rows) {
+        const bool differs = row.wanted && row.now != row.wanted;
+        if (differs && row.reasons.testFlag(RestoreReason::NeedsConsent) && !row.ticked)
+            left.append(row.key);
+    }
+    left.removeDuplicates();
+    if (!left.isEmpty() && spec.settings->isTemplate)
+        troubles.push_back({QStringLiteral("rows-left"), left.join(QLatin1Char(' '))});
+}
+
+/// The error of the first write that did not take, or of a lock that stayed open.
+base::Result<void> proved(const device::WriteReport& report)
+{
+    if (report.allGood())
+        return {};
+    for (const device::WriteResult& write : report.writes) {
+        if (write.error)
+            return tl::unexpected(*write.error);
+    }
+    return base::fail(ErrorCode::LockOpen, QStringLiteral("commission"), {}, report.id);
+}
+
+base::Result<void> readHealth(const device::Context& context, device::Servo& servo)
+{
+    std::vector<Role> wanted;
+    for (const Role role :
+         {Role::PresentVoltage, Role::PresentTemperature, Role::Status, Role::MaxTemperature,
+          Role::MinVoltage, Role::MaxVoltage, Role::TorqueSwitch, Role::Lock, Role::BaudRate}) {
+        if (servo.profile->byRole(role) != nullptr)
+            wanted.push_back(role);
+    }
+    return device::readRoles(context, servo, wanted);
+}
+
+/// What the rate register says, if there is one.
+std::optional<int> ratedAt(const device::Servo& servo)
+{
+    const catalog::Register* reg = servo.profile->byRole(Role::BaudRate);
+    const auto raw = reg != nullptr ? servo.raw(*reg) : std::nullopt;
+    if (!raw)
+        return std::nullopt;
+    for (const catalog::NamedValue& value : reg->values) {
+        if (value.value == *raw)
+            return value.key.toInt();
+    }
+    return std::nullopt;
+}
+} // namespace
+
+record::SnapshotServo servoRecord(const device::Servo& servo)
+{
+    return {servo.id,
+            servo.profile->modelName,
+            servo.profile->identity.modelId(),
+            servo.profile->identity.firmware(),
+            servo.profile->mapKey,
+            base::protocolName(servo.protocol)};
+}
+
+base::Result<std::vector<CommissionTrouble>>
+checkServo(const device::Context& context, const CommissionSpec& spec, CommissionWork& work)
+{
+    if (const auto read = device::readAll(context, work.servo); !read)
+        return tl::unexpected(read.error());
+    std::vector<CommissionTrouble> troubles;
+    addAlarms(work.servo, troubles);
+    if (!work.servo.profile->writable)
+        troubles.push_back({QStringLiteral("not-writable"), work.servo.profile->modelName});
+    addImpossible(spec, work, troubles);
+    addTemplate(spec, work, troubles);
+    return troubles;
+}
+
+bool needsDecision(const CommissionTrouble& trouble)
+{
+    return trouble.word != QLatin1String("rows-left");
+}
+
+bool hasWork(const CommissionWork& work)
+{
+    return work.center || work.servo.id != work.newId || work.servo.baud != work.newBaud ||
+           (work.plan && !writesOf(*work.plan).empty());
+}
+
+base::Result<void> saveTable(const device::Context& context, const CommissionHooks& hooks,
+                             CommissionWork& work)
+{
+    if (work.saved || !hooks.save)
+        return {};
+    const auto saved = hooks.save(context, work.servo);
+    if (!saved)
+        return tl::unexpected(saved.error());
+    work.row.snapshot = *saved;
+    work.saved = true;
+    return {};
+}
+
+base::Result<void> applyTemplate(const device::Context& context, const CommissionSpec& spec,
+                                 CommissionWork& work)
+{
+    if (!work.plan)
+        return {};
+    RestoreOptions options;
+    options.dangerous = spec.dangerous;
+    const auto outcome = restore(context, work.servo, *work.plan, options);
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    work.row.templateName = spec.templateName;
+    for (const RestoreRowResult& row : outcome->rows) {
+        const bool good = row.write.outcome == device::WriteOutcome::Kept ||
+                          row.write.outcome == device::WriteOutcome::Temporary;
+        if (good)
+            ++work.row.written;
+        else
+            work.row.troubles.push_back(
+                {QStringLiteral("row-") + device::outcomeName(row.write.outcome), row.write.key});
+    }
+    if (outcome->verdict == RestoreVerdict::AlreadySo || outcome->verdict == RestoreVerdict::Done)
+        return {};
+    for (const RestoreRowResult& row : outcome->rows) {
+        if (row.write.error)
+            return tl::unexpected(*row.write.error);
+    }
+    return base::fail(ErrorCode::Refused, QStringLiteral("template"), {}, work.servo.id);
+}
+
+base::Result<void> giveId(const device::Context& context, CommissionWork& work)
+{
+    if (work.servo.id == work.newId)
+        return {};
+    const auto changed = changeId(context, work.servo, work.newId);
+    return changed ? proved(*changed) : tl::unexpected(changed.error());
+}
+
+base::Result<void> giveRate(const device::Context& context, CommissionWork& work)
+{
+    if (work.servo.baud == work.newBaud)
+        return {};
+    const auto changed = changeBaud(context, work.servo, work.newBaud);
+    if (!changed)
+        return tl::unexpected(changed.error());
+    if (const auto good = proved(*changed); !good)
+        return good;
+    if (work.servo.baud != work.newBaud)
+        work.row.troubles.push_back(
+            {QStringLiteral("rate-after-restart"), QString::number(work.newBaud)});
+    return {};
+}
+
+base::Result<void> centerServo(const device::Context& context, CommissionWork& work)
+{
+    if (!work.center)
+        return {};
+    const auto centred = jobs::center(context, work.servo);
+    if (!centred)
+        return tl::unexpected(centred.error());
+    if (centred->lock == device::LockState::Open || centred->lock == device::LockState::Unknown)
+        return base::fail(ErrorCode::LockOpen, QStringLiteral("center"), {}, work.servo.id);
+    work.row.centred = true;
+    return {};
+}
+
+base::Result<void> checkHealth(const device::Context& context, CommissionWork& work)
+{
+    std::vector<CommissionTrouble>& troubles = work.row.troubles;
+    const auto again = device::identify(context, work.servo.id, work.servo.protocol);
+    if (!again)
+        return tl::unexpected(again.error());
+    if (!again->identity().sameKind(work.servo.identity()))
+        return base::fail(ErrorCode::IdentityDiffers, QStringLiteral("commission"),
+                          again->profile->modelName, work.servo.id);
+    device::Servo& servo = work.servo;
+    if (const auto read = readHealth(context, servo); !read)
+        return read;
+    addAlarms(servo, troubles);
+    if (const auto rated = ratedAt(servo); rated && *rated != work.newBaud)
+        troubles.push_back({QStringLiteral("rate-differs"), QString::number(*rated)});
+    if (servo.raw(Role::TorqueSwitch).value_or(0) != 0) {
+        if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
+            return off;
+        troubles.push_back({QStringLiteral("torque-was-on")});
+    }
+    if (const auto lock = servo.raw(Role::Lock); lock && device::isOpen(*lock))
+        return base::fail(ErrorCode::LockOpen, QStringLiteral("commission"), {}, servo.id);
+    work.row.volts = servo.physical(Role::PresentVoltage);
+    work.row.celsius = servo.physical(Role::PresentTemperature);
+    return {};
+}
+} // namespace jobs

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of a commissioning line in both languages at once: what it waits for, what speaks
+// against a servo, how one ended. The command line and the window say the same. Constant; any
+// thread.
+#pragma once
+
+#include "catalog/register.h"
+#include "record/commission_batch.h"
+
+namespace report {
+using catalog::Text;
+
+/// "voltage alarm", "belongs to another model: STS3215"; an error's name comes back as it is.
+Text commissionTroubleWords(const record::CommissionTrouble& trouble);
+Text commissionTroublesWords(const std::vector<record::CommissionTrouble>& troubles); ///< joined
+Text commissionVerdictWords(record::CommissionVerdict verdict);                       ///< "Good"
+QString commissionVerdictSign(record::CommissionVerdict verdict);                     ///< "✔"
+} // namespace report
