@@ -72,6 +72,8 @@ public:
     /// `patience`: how long it waits for another program that is writing.
     static base::Result<std::unique_ptr<History>>
     open(const QString& path, std::chrono::milliseconds patience = std::chrono::seconds(5));
+    /// Over one that is open, such as a server's copies.
+    explicit History(std::unique_ptr<HistoryFile> file);
     ~History();
 
     /// Answers its number. `write` hands over the whole run as text; number and uuid of `head` are
@@ -101,7 +103,6 @@ public:
     const HistoryFile& file() const { return *m_file; }
 
 private:
-    explicit History(std::unique_ptr<HistoryFile> file);
     base::Result<void> change(const QString& sql, const QVariantList& values, std::int64_t number);
     base::Result<void> addParts(const TestRun& head, std::int64_t number,
                                 const std::function<void(const TextSink&)>& write);

@@ -84,7 +84,7 @@ void HistoryServer::abort()
 base::Error HistoryServer::error(const QSqlError& error, bool connecting) const
 {
     if (m_socket.closed())
-        return {base::ErrorCode::Stopped, serverOperation, {}};
+        return serverError(ServerTrouble::Hung, {});
     return serverError(m_address.withoutPassword(error.databaseText()), error.nativeErrorCode(),
                        connecting);
 }

@@ -35,7 +35,7 @@ public:
     ~HistoryServer() override;
 
     base::Result<void> connect();
-    /// What waits for the server fails at once (Stopped), and whatever is asked later. Any thread.
+    /// What waits for the server fails at once (hung), and whatever is asked later. Any thread.
     void abort();
 
     base::Result<HistoryAnswer> run(const QString& sql,

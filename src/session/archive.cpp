@@ -26,17 +26,50 @@ base::Result<std::vector<ReferenceResult>> compared(const History& history,
     }
     return results;
 }
+
+/// Opened for each question: a file that was moved or mended meanwhile is no trouble then.
+class FileSource final : public ArchiveSource {
+public:
+    FileSource(QString path, std::shared_ptr<JobThread> thread)
+        : m_path(std::move(path))
+        , m_thread(std::move(thread))
+    {}
+
+    void start(Question question) override
+    {
+        m_thread->start([path = m_path, question = std::move(question)] {
+            const auto history = History::open(path);
+            question(history ? base::Result<History*>(history->get())
+                             : base::Result<History*>(tl::unexpected(history.error())));
+        });
+    }
+
+private:
+    const QString m_path;
+    const std::shared_ptr<JobThread> m_thread; ///< the archive's: what is kept goes in between
+};
 } // namespace
 
 Archive::Archive(QString path, QObject* parent)
     : QObject(parent)
     , m_path(std::move(path))
-    , m_thread(std::make_unique<JobThread>())
+    , m_post(std::make_shared<LoosePost>(m_inbox))
+    , m_thread(std::make_shared<JobThread>())
+    , m_source(std::make_unique<FileSource>(m_path, m_thread))
+{}
+
+Archive::Archive(std::unique_ptr<ArchiveSource> source, QObject* parent)
+    : QObject(parent)
+    , m_post(std::make_shared<LoosePost>(m_inbox))
+    , m_thread(std::make_shared<JobThread>())
+    , m_source(std::move(source))
 {}
 
 /// The thread drops what waits; a run is not dropped.
 Archive::~Archive()
 {
+    m_post->close();
+    m_source.reset();
     m_thread.reset();
     while (!m_pending.empty())
         keepNext();

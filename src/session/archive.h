@@ -9,8 +9,10 @@
 #include "record/history_export.h"
 #include "record/history_point.h"
 #include "record/sweep_compare.h"
+#include "session/archive_source.h"
 #include "session/inbox.h"
 #include "session/job_thread.h"
+#include "session/loose_thread.h"
 #include "session/paths.h"
 
 #include <QPointer>
@@ -33,6 +35,8 @@ class Archive final : public QObject {
 
 public:
     explicit Archive(QString path = historyFile(), QObject* parent = nullptr);
+    /// Asked only: what would keep or change anything fails.
+    explicit Archive(std::unique_ptr<ArchiveSource> source, QObject* parent = nullptr);
     ~Archive() override;
 
     /// kept() or keepFailed() follow. Order is kept.
@@ -119,20 +123,21 @@ private:
     Inbox m_inbox;
     std::mutex m_mutex;
     std::deque<Keeping> m_pending; ///< what is to be kept and is not yet
-    std::unique_ptr<JobThread> m_thread;
+    std::shared_ptr<LoosePost> m_post;
+    std::shared_ptr<JobThread> m_thread; ///< shared with the source, where that is the file
+    std::unique_ptr<ArchiveSource> m_source;
 };
 
-/// Opened for each question: a file that was moved or mended meanwhile is no trouble then.
 template <typename T>
 void Archive::ask(std::function<base::Result<T>(record::History&)> question, QObject* context,
                   Answer<T> answer)
 {
     const QPointer<QObject> guard(context);
-    m_thread->start([this, question = std::move(question), guard, answer = std::move(answer)] {
-        const auto history = record::History::open(m_path);
+    m_source->start([post = m_post, question = std::move(question), guard,
+                     answer = std::move(answer)](const base::Result<record::History*>& history) {
         auto result =
             history ? question(**history) : base::Result<T>(tl::unexpected(history.error()));
-        m_inbox.post([guard, answer, result = std::move(result)] {
+        post->post([guard, answer, result = std::move(result)] {
             if (guard)
                 answer(result);
         });

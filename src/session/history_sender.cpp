@@ -8,19 +8,6 @@ namespace {
 constexpr auto watchEvery = std::chrono::milliseconds(500);
 } // namespace
 
-/// The thread may be left behind and come back when nobody is there any more.
-struct HistorySender::Post {
-    std::mutex mutex;
-    Inbox* inbox = nullptr; ///< null: nobody listens any more
-
-    void post(std::function<void()> work)
-    {
-        const std::lock_guard lock(mutex);
-        if (inbox != nullptr)
-            inbox->post(std::move(work));
-    }
-};
-
 HistorySender::HistorySender(QString path, QObject* parent)
     : HistorySender(std::move(path), Times{}, parent)
 {}
@@ -45,12 +32,10 @@ void HistorySender::leave()
 {
     if (m_sending)
         m_sending->abort();
-    if (m_post) {
-        const std::lock_guard lock(m_post->mutex);
-        m_post->inbox = nullptr;
-    }
+    if (m_post)
+        m_post->close();
     if (m_thread)
-        m_thread->end(m_times.end);
+        m_thread->end(m_times.end, [sending = m_sending] { sending->disconnect(); });
     m_thread.reset();
     m_sending.reset();
     m_post.reset();
@@ -58,7 +43,6 @@ void HistorySender::leave()
     m_watch.stop();
     m_running = false;
     m_again = false;
-    m_hung = false;
     m_retry = {};
 }
 
@@ -77,8 +61,7 @@ void HistorySender::setServer(const QString& address, const QString& bench)
         return;
     }
     m_sending = std::make_shared<HistorySending>(m_path, address, bench);
-    m_post = std::make_shared<Post>();
-    m_post->inbox = &m_inbox;
+    m_post = std::make_shared<LoosePost>(m_inbox);
     m_thread = std::make_unique<LooseThread>();
     if (const auto parsed = record::ServerAddress::parse(address))
         state.server = parsed->shown();
@@ -112,7 +95,6 @@ void HistorySender::begin()
     m_next.stop();
     m_running = true;
     m_again = false;
-    m_hung = false;
     m_watch.start(std::min(watchEvery, m_times.silence));
     m_thread->start([this, sending = m_sending, post = m_post] {
         // What was said before another server was set is of no interest; m_post tells.
@@ -160,9 +142,6 @@ void HistorySender::ended(const base::Result<SendProgress>& sent,
     m_retry = std::clamp(m_retry * 2, m_times.firstRetry, m_times.lastRetry);
     state.phase = SendState::Phase::Trouble;
     state.error = sent.error();
-    if (m_hung)
-        state.error = base::Error{base::ErrorCode::LinkLost, QStringLiteral("history-server"),
-                                  QStringLiteral("hung: ")};
     state.nextTry = QDateTime::currentDateTimeUtc().addMSecs(m_retry.count());
     m_next.start(m_retry);
     set(state);
@@ -170,9 +149,7 @@ void HistorySender::ended(const base::Result<SendProgress>& sent,
 
 void HistorySender::watch()
 {
-    if (m_running && !m_hung && m_sending->silence() > m_times.silence) {
-        m_hung = true;
+    if (m_running && m_sending->silence() > m_times.silence)
         m_sending->hangUp();
-    }
 }
 } // namespace session

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "session/history_sending.h"
-#include "session/inbox.h"
 #include "session/loose_thread.h"
 #include "session/paths.h"
 
@@ -59,7 +58,6 @@ Q_SIGNALS:
     void stateChanged();
 
 private:
-    struct Post; ///< where the thread leaves what it has to say
     void begin();
     void advanced(const SendProgress& progress);
     void ended(const base::Result<SendProgress>& sent, std::optional<std::int64_t> waiting);
@@ -71,11 +69,10 @@ private:
     const Times m_times;
     SendState m_state;
     std::shared_ptr<HistorySending> m_sending;
-    std::shared_ptr<Post> m_post; ///< of the server that is set now
+    std::shared_ptr<LoosePost> m_post; ///< of the server that is set now
     std::unique_ptr<LooseThread> m_thread;
     bool m_running = false;
     bool m_again = false; ///< poked while it ran
-    bool m_hung = false;
     std::chrono::milliseconds m_retry{};
     QTimer m_next;
     QTimer m_watch;

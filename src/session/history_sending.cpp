@@ -2,13 +2,12 @@
 #include "session/history_sending.h"
 
 #include "record/history.h"
+#include "session/loose_thread.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QFileInfo>
 #include <QSysInfo>
-
-#include <thread>
 
 namespace session {
 namespace {
@@ -27,14 +26,6 @@ QString originOf(const QString& bench, const QString& path)
                            QFileInfo(path).canonicalFilePath().toUtf8();
     return QString::fromLatin1(
         QCryptographicHash::hash(all, QCryptographicHash::Sha256).toHex().left(32));
-}
-
-/// Left behind, and only now back from a server while the program ends around it: nothing of Qt
-/// may be touched any more.
-void stayIfProgramEnds()
-{
-    while (QCoreApplication::instance() == nullptr)
-        std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
 QString programName()
@@ -181,7 +172,7 @@ HistorySending::send(const std::function<void(const SendProgress&)>& progress)
         sent = sendOver(changes, progress);
     }
     m_askedAt = 0;
-    stayIfProgramEnds();
+    LooseThread::stayIfProgramEnds();
     if (!sent)
         disconnect();
     const auto waiting = m_reached ? changes.waiting(*m_reached)

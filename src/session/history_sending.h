@@ -29,7 +29,10 @@ public:
     /// yet. The thread of send().
     std::optional<std::int64_t> waiting() const { return m_waiting; }
 
-    /// send() ends soon, with Stopped, unless it is just connecting: that takes its seconds.
+    /// The thread of send(), as the last thing it does here.
+    void disconnect();
+
+    /// send() ends soon, with an error, unless it is just connecting: that takes its seconds.
     void abort();
     bool aborted() const { return m_aborted; }
     /// How long the server has kept send() waiting for one answer.
@@ -43,7 +46,6 @@ private:
                                         const std::function<void(const SendProgress&)>& progress);
     base::Result<SendProgress> sendAll(const record::HistoryChanges& changes,
                                        const std::function<void(const SendProgress&)>& progress);
-    void disconnect();
     void alive();
 
     const QString m_path;

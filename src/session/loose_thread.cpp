@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/loose_thread.h"
 
+#include <QCoreApplication>
+
 #include <condition_variable>
 #include <deque>
-#include <mutex>
 #include <thread>
 
 namespace session {
@@ -11,6 +12,7 @@ struct LooseThread::State {
     std::mutex mutex;
     std::condition_variable changed;
     std::deque<std::function<void()>> jobs;
+    std::function<void()> last;
     bool ending = false;
     bool ended = false;
 };
@@ -33,10 +35,12 @@ void LooseThread::start(std::function<void()> job)
     m_state->changed.notify_all();
 }
 
-bool LooseThread::end(std::chrono::milliseconds grace)
+bool LooseThread::end(std::chrono::milliseconds grace, std::function<void()> last)
 {
     std::deque<std::function<void()>> dropped;
     std::unique_lock lock(m_state->mutex);
+    if (!m_state->ending)
+        m_state->last = std::move(last);
     m_state->ending = true;
     dropped.swap(m_state->jobs);
     m_state->changed.notify_all();
@@ -50,15 +54,38 @@ void LooseThread::run(const std::shared_ptr<State>& state)
         {
             std::unique_lock lock(state->mutex);
             state->changed.wait(lock, [&] { return state->ending || !state->jobs.empty(); });
-            if (state->ending) {
-                state->ended = true;
-                state->changed.notify_all();
-                return;
-            }
+            if (state->ending)
+                break;
             job = std::move(state->jobs.front());
             state->jobs.pop_front();
         }
         job();
+        stayIfProgramEnds();
     }
+    if (state->last)
+        state->last();
+    state->last = {};
+    const std::lock_guard lock(state->mutex);
+    state->ended = true;
+    state->changed.notify_all();
+}
+
+void LooseThread::stayIfProgramEnds()
+{
+    while (QCoreApplication::instance() == nullptr)
+        std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
+void LoosePost::post(std::function<void()> work)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_inbox != nullptr)
+        m_inbox->post(std::move(work));
+}
+
+void LoosePost::close()
+{
+    const std::lock_guard lock(m_mutex);
+    m_inbox = nullptr;
 }
 } // namespace session

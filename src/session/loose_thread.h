@@ -5,8 +5,9 @@
 // it touches anything else. start() from the owner only; never waits.
 #pragma once
 
+#include "session/inbox.h"
+
 #include <chrono>
-#include <functional>
 #include <memory>
 
 namespace session {
@@ -18,13 +19,33 @@ public:
     ~LooseThread(); ///< leaves it at once
 
     void start(std::function<void()> job);
-    /// Drops what waits. True: the running job has ended too, within `grace`.
-    bool end(std::chrono::milliseconds grace);
+    /// Drops what waits; `last` is done after the running job. True: all has ended within `grace`.
+    bool end(std::chrono::milliseconds grace, std::function<void()> last = {});
+
+    /// For jobs that come back from where they hung: they may have been left behind, and the
+    /// program may have ended so far that nothing of Qt can be touched any more. Then this stays.
+    static void stayIfProgramEnds();
 
 private:
     struct State;
     static void run(const std::shared_ptr<State>& state);
 
     std::shared_ptr<State> m_state; ///< shared with the thread, which may outlive this
+};
+
+/// The way back from such a thread to the main thread. post() from any thread; what comes after
+/// close() is dropped.
+class LoosePost {
+public:
+    explicit LoosePost(Inbox& inbox)
+        : m_inbox(&inbox)
+    {}
+
+    void post(std::function<void()> work);
+    void close();
+
+private:
+    std::mutex m_mutex;
+    Inbox* m_inbox;
 };
 } // namespace session

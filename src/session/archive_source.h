@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where session::Archive asks: the file of this computer, or the copies on a server. Owned by the
+// archive; main thread, never waits. Questions are answered one after the other on a thread of the
+// source's, with an open history or the reason why there is none.
+#pragma once
+
+#include "record/history.h"
+
+#include <functional>
+
+namespace session {
+class ArchiveSource {
+public:
+    using Question = std::function<void(const base::Result<record::History*>&)>;
+
+    virtual ~ArchiveSource() = default;
+    /// The question may outlive the archive: it owns what it uses.
+    virtual void start(Question question) = 0;
+};
+} // namespace session

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/server_source.h"
+
+#include <atomic>
+#include <mutex>
+
+namespace session {
+namespace {
+using Clock = std::chrono::steady_clock;
+constexpr auto watchEvery = std::chrono::milliseconds(500);
+constexpr auto atTheEnd = std::chrono::milliseconds(900);
+} // namespace
+
+/// The connection, with what both threads need to know of it.
+class ServerSource::Line {
+public:
+    explicit Line(QString address)
+        : m_address(std::move(address))
+    {}
+
+    // --- the loose thread ---
+    void answer(const Question& question, std::optional<std::int64_t> bench)
+    {
+        m_askedAt = Clock::now().time_since_epoch().count();
+        question(open(bench));
+        m_askedAt = 0;
+    }
+
+    void close()
+    {
+        {
+            const std::lock_guard lock(m_mutex);
+            m_server = nullptr;
+        }
+        m_history.reset();
+    }
+
+    // --- any ---
+    void hangUp()
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_server != nullptr)
+            m_server->abort();
+    }
+
+    Clock::duration silence() const
+    {
+        const auto since = m_askedAt.load();
+        return since == 0 ? Clock::duration{}
+                          : Clock::now().time_since_epoch() - Clock::duration(since);
+    }
+
+private:
+    base::Result<record::History*> open(std::optional<std::int64_t> bench)
+    {
+        // A kept connection may have been cut since; this is where it shows.
+        if (m_history && !m_server->choose(bench))
+            close();
+        if (!m_history) {
+            const auto connected = connect();
+            const auto chosen = connected ? m_server->choose(bench) : connected;
+            if (!chosen) {
+                close();
+                return tl::unexpected(chosen.error());
+            }
+        }
+        return m_history.get();
+    }
+
+    base::Result<void> connect()
+    {
+        const auto address = record::ServerAddress::parse(m_address);
+        if (!address)
+            return tl::unexpected(address.error());
+        auto server = std::make_unique<record::HistoryServer>(
+            *address, record::HistoryServer::Purpose::Browse);
+        {
+            const std::lock_guard lock(m_mutex);
+            m_server = server.get();
+        }
+        m_history = std::make_unique<record::History>(std::move(server));
+        return m_server->connect();
+    }
+
+    const QString m_address;
+    std::mutex m_mutex;
+    record::HistoryServer* m_server = nullptr; ///< the history's; changed under the mutex
+    std::unique_ptr<record::History> m_history;
+    std::atomic<Clock::rep> m_askedAt{0}; ///< 0: nothing is being asked
+};
+
+ServerSource::ServerSource(const QString& address, std::chrono::milliseconds patience)
+    : m_line(std::make_shared<Line>(address))
+{
+    QObject::connect(&m_watch, &QTimer::timeout, &m_watch, [this, patience] {
+        if (m_line->silence() > patience)
+            m_line->hangUp();
+    });
+    m_watch.start(std::min(watchEvery, patience));
+}
+
+/// The connection goes on the thread that made it.
+ServerSource::~ServerSource()
+{
+    m_line->hangUp();
+    m_thread.end(atTheEnd, [line = m_line] { line->close(); });
+}
+
+void ServerSource::start(Question question)
+{
+    m_thread.start([line = m_line, bench = m_bench, question = std::move(question)] {
+        line->answer(question, bench);
+    });
+}
+} // namespace session

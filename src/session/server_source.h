@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The copies on a history server, for session::Archive: reads only, of all benches or one. The
+// connection is made by the first question and kept; after one that failed it is made anew. A
+// server that is silent for longer than `patience` counts as hung; the destructor waits for a
+// second at most. Main thread; see session/archive_source.h.
+#pragma once
+
+#include "record/history_server.h"
+#include "session/archive_source.h"
+#include "session/loose_thread.h"
+
+#include <QTimer>
+
+namespace session {
+class ServerSource final : public ArchiveSource {
+public:
+    explicit ServerSource(const QString& address,
+                          std::chrono::milliseconds patience = std::chrono::seconds(30));
+    ~ServerSource() override;
+
+    void start(Question question) override;
+    /// For the questions from now on.
+    void choose(std::optional<std::int64_t> bench) { m_bench = bench; }
+
+private:
+    class Line;
+    std::shared_ptr<Line> m_line; ///< shared with the thread, which may be left behind
+    LooseThread m_thread;
+    std::optional<std::int64_t> m_bench;
+    QTimer m_watch;
+};
+} // namespace session
