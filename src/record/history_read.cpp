@@ -69,7 +69,7 @@ Choice choiceOf(const RunFilter& filter)
     if (!filter.kind.isEmpty())
         choice.add("kind = ?", filter.kind);
     if (!filter.model.isEmpty())
-        choice.add("number IN (SELECT run FROM run_servos WHERE model = ? COLLATE NOCASE)",
+        choice.add("number IN (SELECT run FROM run_servos WHERE lower(model) = lower(?))",
                    filter.model);
     if (!filter.firmware.isEmpty())
         choice.add("number IN (SELECT run FROM run_servos WHERE firmware = ?)", filter.firmware);
@@ -80,11 +80,12 @@ Choice choiceOf(const RunFilter& filter)
     if (filter.until.isValid())
         choice.add("at < ?", filter.until.toMSecsSinceEpoch());
     if (!filter.text.isEmpty()) {
-        choice.add(R"((note LIKE ? ESCAPE '\' OR operator LIKE ? ESCAPE '\' )"
-                   R"(OR port LIKE ? ESCAPE '\' OR number IN (SELECT run FROM run_servos WHERE )"
-                   R"(model LIKE ? ESCAPE '\' OR firmware LIKE ? ESCAPE '\' )"
-                   R"(OR label LIKE ? ESCAPE '\')))",
-                   pattern(filter.text));
+        choice.add(
+            R"((lower(note) LIKE lower(?) ESCAPE '\' OR lower(operator) LIKE lower(?) ESCAPE '\' )"
+            R"(OR lower(port) LIKE lower(?) ESCAPE '\' OR number IN (SELECT run FROM run_servos WHERE )"
+            R"(lower(model) LIKE lower(?) ESCAPE '\' OR lower(firmware) LIKE lower(?) ESCAPE '\' )"
+            R"(OR lower(label) LIKE lower(?) ESCAPE '\')))",
+            pattern(filter.text));
         for (int i = 0; i < 5; ++i)
             choice.values.append(pattern(filter.text));
     }

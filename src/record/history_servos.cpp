@@ -54,10 +54,11 @@ base::Result<std::vector<HistoryServo>> HistoryLog::servos(const HistoryFilter& 
         choice.add(QStringLiteral("lower(s.model) = ?"), {filter.model.toLower()});
     if (!filter.label.isEmpty())
         choice.add(QStringLiteral("s.label = ?"), {filter.label});
-    return read(m_file,
-                choice.where() +
-                    QStringLiteral(" ORDER BY %1 DESC, s.number DESC").arg(servoColumnCount + 2),
-                choice.values);
+    return read(
+        m_file,
+        choice.where() +
+            QStringLiteral(" ORDER BY %1 DESC NULLS LAST, s.number DESC").arg(servoColumnCount + 2),
+        choice.values);
 }
 
 base::Result<HistoryServo> HistoryLog::servo(std::int64_t number) const
