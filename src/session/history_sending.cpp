@@ -3,6 +3,7 @@
 
 #include "record/history.h"
 #include "session/loose_thread.h"
+#include "session/safety_snapshot.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -26,12 +27,6 @@ QString originOf(const QString& bench, const QString& path)
                            QFileInfo(path).canonicalFilePath().toUtf8();
     return QString::fromLatin1(
         QCryptographicHash::hash(all, QCryptographicHash::Sha256).toHex().left(32));
-}
-
-QString programName()
-{
-    return QCoreApplication::applicationName() + QLatin1Char(' ') +
-           QCoreApplication::applicationVersion();
 }
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "text/detail_words.h"
 
 #include "text/refusal_words.h"
+#include "text/server_words.h"
 #include "text/translate.h"
 
 #include <array>
@@ -140,6 +141,13 @@ QString detailWords(const QString& detail)
 
 QString specialCase(const base::Error& error)
 {
+    if (const RefusalWords* words = serverWords(error)) {
+        const QString what = translate("text", words->what);
+        const QString saying = serverSaying(error);
+        return saying.isEmpty()
+                   ? what
+                   : translate("text", "%1 (%2)", "sentence, technical detail").arg(what, saying);
+    }
     if (const RefusalWords* words = refusalWords(error))
         return translate("text", words->what);
     switch (error.code) {
