@@ -19,9 +19,11 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
-    const auto snapshot = jobs::takeSnapshot(*context, *servo, session::programName());
+    auto snapshot = jobs::takeSnapshot(*context, *servo, session::programName());
     if (!snapshot)
         return tl::unexpected(snapshot.error());
+    snapshot->label = values.option("--label").value_or(QString());
+    snapshot->note = values.option("--note").value_or(QString());
     if (const auto saved = record::saveSnapshot(*snapshot, file); !saved)
         return tl::unexpected(saved.error());
     const auto count = static_cast<int>(snapshot->registers.size());
@@ -57,6 +59,10 @@ Json jsonSnapshot(const record::Snapshot& snapshot)
         .add("firmware", snapshot.servo.firmware)
         .add("map", snapshot.servo.map)
         .add("protocol", snapshot.servo.protocol)
+        .add("label", snapshot.label)
+        .add("note", snapshot.note)
+        .add("program", snapshot.program)
+        .add("template", snapshot.isTemplate)
         .add("at", snapshot.at.toString(Qt::ISODate))
         .add("port", snapshot.port)
         .add("baud", snapshot.baud)
@@ -76,11 +82,16 @@ QString snapshotText(const record::Snapshot& snapshot)
                    text::areaWord(row.area), text::accessWord(row.access)});
     }
     const record::SnapshotServo& servo = snapshot.servo;
+    QString about;
+    if (!snapshot.label.isEmpty())
+        about += translate("cli", "Label: %1").arg(snapshot.label) + QLatin1Char('\n');
+    if (!snapshot.note.isEmpty())
+        about += translate("cli", "Note: %1").arg(snapshot.note) + QLatin1Char('\n');
     return translate("cli", "Servo %1: %2 (%3), firmware %4, on %5 at %6")
                .arg(servo.id)
                .arg(servo.model, servo.modelId, servo.firmware, snapshot.port,
                     snapshot.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"))) +
-           QLatin1Char('\n') + table.text();
+           QLatin1Char('\n') + about + table.text();
 }
 
 base::Result<Exit> runShow(Run& run, const Values& values)
@@ -88,6 +99,10 @@ base::Result<Exit> runShow(Run& run, const Values& values)
     const auto snapshot = record::loadSnapshot(values.word("FILE"));
     if (!snapshot)
         return tl::unexpected(snapshot.error());
+    if (values.has("--csv") && !run.console().json()) {
+        run.console().write(record::encodeSnapshotCsv(*snapshot));
+        return Exit::Done;
+    }
     run.finish(jsonSnapshot(*snapshot), snapshotText(*snapshot));
     return Exit::Done;
 }
@@ -99,7 +114,8 @@ Command snapshotSaveCommand()
             QT_TRANSLATE_NOOP("cli", "save all registers of a servo to a file"),
             {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
              {"FILE", QT_TRANSLATE_NOOP("cli", "usually NAME.servo.json; replaced if it exists")}},
-            {},
+            {{"--label", QT_TRANSLATE_NOOP("cli", "the name of this servo"), "TEXT"},
+             {"--note", QT_TRANSLATE_NOOP("cli", "a remark"), "TEXT"}},
             runSave};
 }
 
@@ -108,7 +124,7 @@ Command snapshotShowCommand()
     return {"snapshot show",
             QT_TRANSLATE_NOOP("cli", "show a saved file; needs no port"),
             {{"FILE", QT_TRANSLATE_NOOP("cli", "a file made by snapshot save")}},
-            {},
+            {{"--csv", QT_TRANSLATE_NOOP("cli", "as CSV, for spreadsheets")}},
             runShow};
 }
 } // namespace cli

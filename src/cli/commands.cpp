@@ -18,6 +18,9 @@ const std::vector<Command>& commands()
                                           sweepCompareCommand(), stepResponseCommand(),
                                           rawCommand(),          recoverCommand(),
                                           snapshotSaveCommand(), snapshotShowCommand(),
+                                          snapshotDiffCommand(), snapshotRestoreCommand(),
+                                          bundleSaveCommand(),   bundleRestoreCommand(),
+                                          templateMakeCommand(), templateApplyCommand(),
                                           tourCommand()};
     return all;
 }

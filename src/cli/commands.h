@@ -33,5 +33,11 @@ Command rawCommand();
 Command recoverCommand();
 Command snapshotSaveCommand();
 Command snapshotShowCommand();
+Command snapshotDiffCommand();
+Command snapshotRestoreCommand();
+Command bundleSaveCommand();
+Command bundleRestoreCommand();
+Command templateMakeCommand();
+Command templateApplyCommand();
 Command tourCommand();
 } // namespace cli

@@ -2,8 +2,10 @@
 #include "jobs/restore.h"
 
 #include "device/motion.h"
+#include "device/persistence.h"
 #include "device/reader.h"
 #include "jobs/change.h"
+#include "jobs/recover.h"
 
 #include <algorithm>
 
@@ -62,6 +64,37 @@ base::Result<void> checkPlan(const device::Servo& servo, const RestorePlan& plan
     return tl::unexpected(error);
 }
 
+/// A restore of these very values that was broken off: its intent is open. Restoring again asks for
+/// its end, which recovery knows best: it also writes again what may stand in RAM only.
+std::vector<QString> brokenOff(const device::Context& context, const device::Servo& servo,
+                               const RestorePlan& plan)
+{
+    std::vector<QString> uuids;
+    const auto open = context.journal.open();
+    if (!open)
+        return uuids;
+    const base::ServoIdentity who = servo.identity();
+    for (const base::Intent& intent : *open) {
+        const bool ours = intent.kind == base::IntentKind::Restore && intent.servo.id == who.id &&
+                          intent.servo.port == who.port && intent.servo.sameKind(who);
+        const auto wanted = [&](const base::JournalItem& item) {
+            const RestoreRow* row = plan.find(item.key);
+            return row != nullptr && row->wanted == item.newRaw &&
+                   (row->ticked || row->reasons.testFlag(RestoreReason::Same));
+        };
+        if (ours && !intent.items.empty() &&
+            std::all_of(intent.items.begin(), intent.items.end(), wanted))
+            uuids.push_back(intent.uuid);
+    }
+    return uuids;
+}
+
+bool lockStandsOpen(const device::Servo& servo)
+{
+    const auto lock = servo.raw(catalog::Role::Lock);
+    return lock && device::isOpen(*lock);
+}
+
 class Restorer {
 public:
     Restorer(const device::Context& context, device::Servo& servo, const RestoreOptions& options,
@@ -72,8 +105,12 @@ public:
         , m_outcome(outcome)
     {}
 
+    /// What was broken off earlier, to its end.
+    void finishEarlier(const std::vector<QString>& uuids);
     /// The registers, in one transaction. Errors: nothing was written.
     base::Result<void> writeRegisters(const std::vector<RestoreWrite>& writes);
+    /// Registers, then ID and rate. False: everything was so already. Errors: nothing was written.
+    base::Result<bool> writeAll(const std::vector<RestoreWrite>& writes);
     /// ID and rate, each as a job of its own.
     void writeIdentity(const std::vector<RestoreWrite>& writes);
     void rollBack();
@@ -105,6 +142,20 @@ bool Restorer::good() const
                        [](const RestoreRowResult& row) { return took(row.write); }) &&
            m_outcome.lock != device::LockState::Open &&
            m_outcome.lock != device::LockState::Unknown;
+}
+
+/// If it fails, the ordinary way is left, and the intent stays open.
+void Restorer::finishEarlier(const std::vector<QString>& uuids)
+{
+    for (const QString& uuid : uuids) {
+        const auto done = recover(m_context, RecoverAction::Finish, false, uuid);
+        if (!done)
+            return;
+        for (const Recovered& one : *done) {
+            if (one.done && one.report)
+                take(*one.report);
+        }
+    }
 }
 
 base::Result<void> Restorer::writeRegisters(const std::vector<RestoreWrite>& writes)
@@ -165,6 +216,25 @@ void Restorer::writeIdentity(const std::vector<RestoreWrite>& writes)
     }
 }
 
+base::Result<bool> Restorer::writeAll(const std::vector<RestoreWrite>& writes)
+{
+    if (const auto fresh = readNow(m_context, m_servo, writes); !fresh)
+        return tl::unexpected(fresh.error());
+    const bool differs = std::any_of(writes.begin(), writes.end(), [&](const RestoreWrite& write) {
+        return m_servo.raw(write.key) != write.to;
+    });
+    if (!differs) {
+        // Somebody left it open, or a restore was broken off before its last step.
+        if (lockStandsOpen(m_servo))
+            m_outcome.lock = device::closeLock(m_context, m_servo);
+        return false;
+    }
+    if (const auto written = writeRegisters(writes); !written)
+        return tl::unexpected(written.error());
+    writeIdentity(writes);
+    return true;
+}
+
 /// What may not be as before any more. A register that refused has proved that it is.
 std::vector<device::WriteItem> Restorer::itemsBefore() const
 {
@@ -213,21 +283,6 @@ void Restorer::rollBack()
 }
 } // namespace
 
-QString verdictName(RestoreVerdict verdict)
-{
-    switch (verdict) {
-    case RestoreVerdict::AlreadySo:
-        return QStringLiteral("already-so");
-    case RestoreVerdict::Done:
-        return QStringLiteral("done");
-    case RestoreVerdict::Failed:
-        return QStringLiteral("failed");
-    case RestoreVerdict::RolledBack:
-        return QStringLiteral("rolled-back");
-    }
-    return {};
-}
-
 base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo& servo,
                                      const RestorePlan& plan, const RestoreOptions& options,
                                      const ProgressFn& progress)
@@ -238,7 +293,8 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
     outcome.oldId = outcome.newId = servo.id;
     outcome.oldBaud = outcome.newBaud = servo.baud;
     const std::vector<RestoreWrite> writes = writesOf(plan);
-    if (writes.empty()) {
+    const auto earlier = brokenOff(outer, servo, plan);
+    if (writes.empty() && earlier.empty() && !lockStandsOpen(servo)) {
         outer.note(NoticeCode::AlreadySo, servo.id);
         return outcome;
     }
@@ -246,25 +302,21 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
         if (const auto saved = options.beforeWrite(outer, servo); !saved)
             return tl::unexpected(saved.error());
     }
-    // A servo that gets another ID or rate needs the line to itself.
-    const bool own = std::any_of(writes.begin(), writes.end(), isOwnJob);
+    // A servo that gets another ID or rate, or is looked for, needs the line to itself.
+    const bool own = !earlier.empty() || std::any_of(writes.begin(), writes.end(), isOwnJob);
     const device::Owned owned =
         device::own(outer, own ? std::vector<int>() : std::vector<int>{servo.id});
     const device::Context& context = owned.context;
-    if (const auto fresh = readNow(context, servo, writes); !fresh)
-        return tl::unexpected(fresh.error());
-    const bool changed = std::any_of(writes.begin(), writes.end(), [&](const RestoreWrite& write) {
-        return servo.raw(write.key) != write.to;
-    });
-    if (!changed)
-        return outcome;
     if (progress)
         progress({});
     const std::size_t before = context.notices.size();
     Restorer restorer(context, servo, options, outcome);
-    if (const auto written = restorer.writeRegisters(writes); !written)
+    restorer.finishEarlier(earlier);
+    const auto written = restorer.writeAll(writes);
+    if (!written)
         return tl::unexpected(written.error());
-    restorer.writeIdentity(writes);
+    if (!*written && earlier.empty())
+        return outcome;
     outcome.verdict = restorer.good() ? RestoreVerdict::Done : RestoreVerdict::Failed;
     if (outcome.verdict == RestoreVerdict::Failed && options.onFailure == OnFailure::RollBack)
         restorer.rollBack();
@@ -276,43 +328,5 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
     if (progress)
         progress({1.0});
     return outcome;
-}
-
-record::RestoreResult resultOf(const RestoreOutcome& outcome, const device::Servo& servo,
-                               const QString& source, const QString& program)
-{
-    const catalog::Profile& profile = *servo.profile;
-    record::RestoreResult result;
-    result.program = program;
-    result.at = QDateTime::currentDateTimeUtc();
-    result.source = source;
-    result.port = servo.port;
-    result.baud = servo.baud;
-    result.servo = {servo.id,
-                    profile.modelName,
-                    profile.identity.modelId(),
-                    profile.identity.firmware(),
-                    profile.mapKey,
-                    base::protocolName(profile.protocol)};
-    result.verdict = verdictName(outcome.verdict);
-    result.lock = device::lockName(outcome.lock);
-    for (const RestoreRowResult& row : outcome.rows) {
-        record::RestoreResultRow line;
-        line.key = row.write.key;
-        line.address = row.write.address;
-        line.before = row.write.oldRaw;
-        line.wanted = row.write.newRaw;
-        line.readBack = row.write.readBack;
-        if (const catalog::Register* reg = profile.find(line.key)) {
-            const catalog::Meaning meaning = servo.meaning(*reg);
-            line.wantedValue = catalog::toPhysical(line.wanted, meaning);
-            line.unit = meaning.unit;
-        }
-        line.outcome = device::outcomeName(row.write.outcome);
-        line.error = row.write.error ? base::errorName(row.write.error->code) : QString();
-        line.rolledBack = row.rolledBack;
-        result.rows.push_back(std::move(line));
-    }
-    return result;
 }
 } // namespace jobs

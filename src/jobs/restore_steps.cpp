@@ -142,11 +142,23 @@ private:
 };
 } // namespace
 
+namespace {
+/// A lock that was left open is closed even if nothing else is to be done.
+std::vector<RestoreStep> lockAlone(const device::Servo& servo)
+{
+    const catalog::Register* lock = servo.profile->byRole(Role::Lock);
+    const auto flag = lock != nullptr ? servo.raw(*lock) : std::nullopt;
+    if (!flag || !device::isOpen(*flag))
+        return {};
+    return {{RestoreStepKind::Lock, lock->key}};
+}
+} // namespace
+
 std::vector<RestoreStep> stepsOf(const RestorePlan& plan)
 {
     const std::vector<RestoreWrite> writes = writesOf(plan);
     if (writes.empty())
-        return {};
+        return lockAlone(plan.servo);
     StepList steps(plan.servo);
     for (const RestoreWrite& write : writes)
         steps.add(write);

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/progress.h"
+#include "cli/report_words.h"
+#include "cli/restore_words.h"
+#include "cli/run.h"
+#include "cli/several.h"
+#include "cli/translate.h"
+#include "jobs/scan.h"
+#include "session/safety_snapshot.h"
+
+namespace cli {
+namespace {
+/// Everybody on the line, at the rate the port has. A servo that is there and cannot be read would
+/// be missing from the bundle without a word, so it ends the command.
+base::Result<std::vector<device::Servo>> everybody(Run& run, const device::Context& context)
+{
+    jobs::ScanSpec spec;
+    if (run.globals().protocol)
+        spec.protocols = {*run.globals().protocol};
+    ProgressLine line(run.console(), translate("cli", "Searching"));
+    const auto report = jobs::scan(
+        context, spec, [&line](const jobs::Progress& progress) { line.update(progress); });
+    if (!report)
+        return tl::unexpected(report.error());
+    if (report->stopped)
+        return base::fail(base::ErrorCode::Stopped, QStringLiteral("bundle"));
+    std::vector<device::Servo> servos;
+    for (const jobs::Found& found : report->found) {
+        if (!found.servo.profile || found.twinsSuspected)
+            return base::fail(base::ErrorCode::Garbled, QStringLiteral("bundle"), {},
+                              found.servo.id);
+        servos.push_back(found.servo);
+    }
+    return servos;
+}
+
+base::Result<std::vector<device::Servo>> named(Run& run, const QStringList& words)
+{
+    const auto ids = parseIds(words);
+    if (!ids)
+        return tl::unexpected(ids.error());
+    std::vector<device::Servo> servos;
+    for (const int id : *ids) {
+        auto servo = run.servo(id);
+        if (!servo)
+            return tl::unexpected(servo.error());
+        servos.push_back(std::move(*servo));
+    }
+    return servos;
+}
+
+base::Result<Exit> runSave(Run& run, const Values& values)
+{
+    const auto context = run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    const QStringList words = values.words("ID");
+    auto servos = words.isEmpty() ? everybody(run, *context) : named(run, words);
+    if (!servos)
+        return tl::unexpected(servos.error());
+    if (servos->empty())
+        return base::fail(base::ErrorCode::NoAnswer, QStringLiteral("bundle"));
+    auto bundle = jobs::takeBundle(*context, *servos, session::programName());
+    if (!bundle)
+        return tl::unexpected(bundle.error());
+    bundle->label = values.option("--label").value_or(QString());
+    bundle->note = values.option("--note").value_or(QString());
+    const QString file = values.word("FILE");
+    if (const auto saved = record::saveBundle(*bundle, file); !saved)
+        return tl::unexpected(saved.error());
+    Json::Array ids;
+    for (const record::Snapshot& snapshot : bundle->servos) {
+        ids.push_back(Json::object()
+                          .add("id", snapshot.servo.id)
+                          .add("model", snapshot.servo.model)
+                          .add("registers", static_cast<int>(snapshot.registers.size())));
+    }
+    run.finish(Json::object().add("file", file).add("servos", std::move(ids)),
+               translate("cli", "Servos saved to %1: %2").arg(file).arg(bundle->servos.size()) +
+                   QLatin1Char('\n'));
+    return Exit::Done;
+}
+
+base::Result<Exit> runRestore(Run& run, const Values& values)
+{
+    const QString file = values.word("FILE");
+    const auto bundle = record::loadBundle(file);
+    if (!bundle)
+        return tl::unexpected(bundle.error());
+    const auto context = run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    Several several(run, values);
+    jobs::ApplyOptions options = several.options();
+    options.otherModel = values.has("--other-model");
+    const auto all = jobs::restoreBundle(*context, *bundle, options, several.progress());
+    return several.finish(all, file);
+}
+} // namespace
+
+Command bundleSaveCommand()
+{
+    return {"bundle save",
+            QT_TRANSLATE_NOOP("cli", "save all servos of the bus to one file"),
+            {{"FILE", QT_TRANSLATE_NOOP("cli", "usually NAME.bundle.json; replaced if it exists")},
+             {"ID", QT_TRANSLATE_NOOP("cli", "only these: 1, 1-6 or 1,3,5"), 0, many}},
+            {{"--label", QT_TRANSLATE_NOOP("cli", "a name for it"), "TEXT"},
+             {"--note", QT_TRANSLATE_NOOP("cli", "a remark"), "TEXT"}},
+            runSave};
+}
+
+Command bundleRestoreCommand()
+{
+    return {"bundle restore",
+            QT_TRANSLATE_NOOP("cli", "write a saved bus back, each servo by its ID"),
+            {{"FILE", QT_TRANSLATE_NOOP("cli", "a file made by bundle save")}},
+            restoreOptions({{"--other-model", QT_TRANSLATE_NOOP("cli", "also where another model "
+                                                                       "has the ID now")}}),
+            runRestore};
+}
+} // namespace cli

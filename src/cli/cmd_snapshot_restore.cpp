@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/report_words.h"
+#include "cli/restore_words.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "device/reader.h"
+#include "session/safety_snapshot.h"
+
+namespace cli {
+namespace {
+/// The table as it is, before the first write; where it lies is said at once.
+jobs::BeforeWrite saveFirst(Run& run, QString& place)
+{
+    return [&run, &place](const device::Context& context,
+                          device::Servo& servo) -> base::Result<void> {
+        const auto saved = session::saveSafetySnapshot(context, servo);
+        if (!saved)
+            return tl::unexpected(saved.error());
+        place = *saved;
+        run.console().remark(translate("cli", "The present settings are saved in %1").arg(place));
+        return {};
+    };
+}
+
+Json head(const device::Servo& servo, const QString& file, bool dryRun)
+{
+    return Json::object()
+        .add("id", servo.id)
+        .add("model", servo.profile->modelName)
+        .add("file", file)
+        .add("dry_run", dryRun);
+}
+
+base::Result<Exit> carryOut(Run& run, const Values& values, device::Servo& servo,
+                            const jobs::RestorePlan& plan, Json document)
+{
+    const auto context = run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    QString place;
+    jobs::RestoreOptions options = restoreOptionsOf(values);
+    options.beforeWrite = saveFirst(run, place);
+    const auto outcome = jobs::restore(*context, servo, plan, options);
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    addOutcome(document, *outcome);
+    if (!place.isEmpty())
+        document.add("snapshot", place);
+    QString text = outcomeText(*outcome, servo);
+    if (const auto file = values.option("--result")) {
+        const auto result =
+            jobs::resultOf(*outcome, servo, values.word("FILE"), session::programName());
+        if (const auto saved = record::saveRestoreResults({result}, *file); !saved)
+            return tl::unexpected(saved.error());
+        document.add("result", *file);
+        text += translate("cli", "The result is in %1").arg(*file) + QLatin1Char('\n');
+    }
+    run.finish(std::move(document), text);
+    return exitCode(*outcome);
+}
+
+base::Result<Exit> runRestore(Run& run, const Values& values)
+{
+    const QString file = values.word("FILE");
+    const auto snapshot = record::loadSnapshot(file);
+    if (!snapshot)
+        return tl::unexpected(snapshot.error());
+    if (const auto known = checkOnly(values, *snapshot); !known)
+        return tl::unexpected(known.error());
+    auto servo = run.servo(values);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const auto context = run.context();
+    if (const auto read = device::readAll(*context, *servo); !read)
+        return tl::unexpected(read.error());
+    const jobs::RestorePlan plan = jobs::planRestore(*servo, *snapshot, choiceOf(values));
+    const bool dryRun = values.has("--dry-run");
+    Json document = head(*servo, file, dryRun);
+    addPlan(document, plan);
+    if (dryRun) {
+        run.finish(std::move(document), planText(plan) + stepsText(plan));
+        return Exit::Done;
+    }
+    if (!run.console().json())
+        run.console().print(planText(plan));
+    return carryOut(run, values, *servo, plan, std::move(document));
+}
+} // namespace
+
+Command snapshotRestoreCommand()
+{
+    return {"snapshot restore",
+            QT_TRANSLATE_NOOP("cli", "write a saved file back to a servo: only what differs, "
+                                     "torque off first, each row read back"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
+             {"FILE", QT_TRANSLATE_NOOP("cli", "a snapshot or template, also of another servo")}},
+            restoreOptions({{"--identity", QT_TRANSLATE_NOOP("cli", "also ID and baud rate, at the "
+                                                                    "very end")}}),
+            runRestore};
+}
+} // namespace cli

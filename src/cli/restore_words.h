@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Snapshots, restore plans and their results as tables and as JSON, and the options that several
+// commands of restoring share. Pure; main thread (translated words).
+#pragma once
+
+#include "cli/command.h"
+#include "cli/json.h"
+#include "cli/table.h"
+#include "jobs/restore_many.h"
+
+namespace cli {
+/// "300 · 26.4°"; "–" where there is no number.
+QString shownNumber(std::optional<std::int64_t> raw, std::optional<double> value,
+                    const QString& unit);
+
+/// --only, --live, --dangerous, --roll-back, --dry-run, --result; the command adds its own.
+std::vector<Option> restoreOptions(std::vector<Option> more = {});
+jobs::RestoreChoice choiceOf(const Values& values);
+jobs::RestoreOptions restoreOptionsOf(const Values& values);
+
+/// Keys of --only that neither the file nor this servo has. UnknownRegister, with what is near.
+base::Result<void> checkOnly(const Values& values, const record::Snapshot& snapshot);
+
+/// Adds "writes", "steps", "left_out" and what is known of model and firmware.
+void addPlan(Json& json, const jobs::RestorePlan& plan);
+/// The writes as a table, what is left out and why.
+QString planText(const jobs::RestorePlan& plan);
+/// What happens around the writes, line by line.
+QString stepsText(const jobs::RestorePlan& plan);
+
+/// Adds "verdict", "results", "lock" and where it answers.
+void addOutcome(Json& json, const jobs::RestoreOutcome& outcome);
+QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& servo);
+Exit exitCode(const jobs::RestoreOutcome& outcome);
+
+/// Several servos: one line each, then the rows that did not go well.
+Json jsonApplied(const jobs::Applied& applied, const QString& saved);
+QString appliedText(const std::vector<jobs::Applied>& all);
+Exit exitCode(const std::vector<jobs::Applied>& all);
+
+/// For --result; servos that never answered have a line without rows.
+std::vector<record::RestoreResult> resultsOf(const std::vector<jobs::Applied>& all,
+                                             const QString& source);
+} // namespace cli

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/several.h"
+
+#include "cli/restore_words.h"
+#include "cli/translate.h"
+#include "session/safety_snapshot.h"
+
+namespace cli {
+Several::Several(Run& run, const Values& values)
+    : m_run(run)
+    , m_values(values)
+{
+    m_line.emplace(run.console(), translate("cli", "Restoring"));
+}
+
+jobs::ApplyOptions Several::options()
+{
+    jobs::ApplyOptions options;
+    options.choice = choiceOf(m_values);
+    options.restore = restoreOptionsOf(m_values);
+    options.restore.beforeWrite = [this](const device::Context& context,
+                                         device::Servo& servo) -> base::Result<void> {
+        const auto saved = session::saveSafetySnapshot(context, servo);
+        if (!saved)
+            return tl::unexpected(saved.error());
+        m_saved[servo.id] = *saved;
+        return {};
+    };
+    options.dryRun = m_values.has("--dry-run");
+    if (m_run.globals().protocol)
+        options.protocols = {*m_run.globals().protocol};
+    return options;
+}
+
+jobs::ProgressFn Several::progress()
+{
+    return [this](const jobs::Progress& progress) { m_line->update(progress); };
+}
+
+base::Result<Exit> Several::finish(const std::vector<jobs::Applied>& all, const QString& file)
+{
+    m_line.reset();
+    Json::Array servos;
+    QString text = appliedText(all);
+    for (const jobs::Applied& one : all) {
+        const auto saved = m_saved.find(one.id);
+        const QString place = saved == m_saved.end() ? QString() : saved->second;
+        servos.push_back(jsonApplied(one, place));
+        if (!place.isEmpty())
+            text += translate("cli", "The settings of servo %1 before are in %2")
+                        .arg(QString::number(one.id), place) +
+                    QLatin1Char('\n');
+    }
+    Json document = Json::object();
+    document.add("file", file)
+        .add("dry_run", m_values.has("--dry-run"))
+        .add("servos", std::move(servos));
+    if (const auto result = m_values.option("--result")) {
+        const auto saved = record::saveRestoreResults(resultsOf(all, file), *result);
+        if (!saved)
+            return tl::unexpected(saved.error());
+        document.add("result", *result);
+        text += translate("cli", "The result is in %1").arg(*result) + QLatin1Char('\n');
+    }
+    m_run.finish(std::move(document), text);
+    return exitCode(all);
+}
+} // namespace cli

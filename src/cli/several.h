@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What commands that restore to several servos share: saving each table first, the list that grows,
+// the end. Lives on the command's stack; main thread.
+#pragma once
+
+#include "cli/progress.h"
+#include "cli/run.h"
+#include "jobs/restore_many.h"
+
+#include <map>
+
+namespace cli {
+class Several {
+public:
+    Several(Run& run, const Values& values);
+
+    /// As the options on the command line say. Valid while this lives.
+    jobs::ApplyOptions options();
+    jobs::ProgressFn progress();
+    /// Shows everything; saves the result where --result names a file.
+    base::Result<Exit> finish(const std::vector<jobs::Applied>& all, const QString& file);
+
+private:
+    Run& m_run;
+    const Values& m_values;
+    std::optional<ProgressLine> m_line;
+    std::map<int, QString> m_saved; ///< where the table before lies, by ID
+};
+} // namespace cli
