@@ -14,6 +14,18 @@ enum class HistoryKind : std::uint8_t { Servos, Writes, Snapshots, Alarms, Recor
 QString historyKindName(HistoryKind kind); ///< "servos", "writes" …
 std::optional<HistoryKind> historyKindFromName(const QString& name);
 
+/// The runs of the servos a filter means: by model, firmware and ID, as a run knows no more.
+base::Result<RunFilter> runFilterOf(const History& history, const HistoryFilter& filter);
+
+/// What a file says of each row, and the names of it: times as QDateTime, what is not known null.
+QStringList historyColumns(HistoryKind kind);
+QVariantList valuesOf(const HistoryServo& servo);
+QVariantList valuesOf(const HistoryWrite& write);
+QVariantList valuesOf(const HistorySnapshot& snapshot);
+QVariantList valuesOf(const HistoryAlarm& alarm);
+QVariantList valuesOf(const HistoryRecording& recording);
+QVariantList valuesOf(const TestRun& run);
+
 /// All that fits the filter (its `most` and `after` do not count). Answers the number of rows.
 base::Result<std::int64_t> exportHistoryCsv(const History& history, HistoryKind kind,
                                             const HistoryFilter& filter, const QString& path);

@@ -55,18 +55,39 @@ base::Result<void> saveTextFile(const QString& operation,
                                 const std::function<void(const TextSink&)>& write,
                                 const QString& path)
 {
+    return saveIfMade(
+        operation,
+        [&](const TextSink& sink) -> base::Result<void> {
+            write(sink);
+            return {};
+        },
+        path);
+}
+
+base::Result<void> saveIfMade(const QString& operation,
+                              const std::function<base::Result<void>(const TextSink&)>& write,
+                              const QString& path)
+{
+    base::Result<void> made;
+    const auto all = [&](const TextSink& sink) { made = write(sink); };
     if (path.isEmpty())
         return tl::unexpected(noName(operation));
     const QFileInfo target(path);
     // Renaming onto a pipe or device would replace it by a file.
     if (target.exists() && !target.isFile() && !target.isDir()) {
         QFile file(path);
-        if (!writePieces(file, write))
+        if (!writePieces(file, all))
             return tl::unexpected(fileError(operation, file));
-        return {};
+        return made;
     }
     QSaveFile file(path);
-    if (!writePieces(file, write) || !file.commit())
+    if (!writePieces(file, all))
+        return tl::unexpected(fileError(operation, file));
+    if (!made) {
+        file.cancelWriting();
+        return made;
+    }
+    if (!file.commit())
         return tl::unexpected(fileError(operation, file));
     return {};
 }

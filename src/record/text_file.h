@@ -24,4 +24,8 @@ using TextSink = std::function<bool(const QByteArray& piece)>;
 base::Result<void> saveTextFile(const QString& operation,
                                 const std::function<void(const TextSink&)>& write,
                                 const QString& path);
+/// The same for a text that may fail to come about: then the file stays as it was.
+base::Result<void> saveIfMade(const QString& operation,
+                              const std::function<base::Result<void>(const TextSink&)>& write,
+                              const QString& path);
 } // namespace record

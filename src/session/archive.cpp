@@ -89,19 +89,23 @@ record::KeptRun Archive::keepNext()
     return kept;
 }
 
-void Archive::keepLater(Keeping keeping)
+void Archive::keepLater(Keeping keeping, Kind kind)
 {
     {
         const std::lock_guard lock(m_mutex);
         m_pending.push_back(std::move(keeping));
     }
-    m_thread->start([this] {
-        m_inbox.post([this, kept = keepNext()] {
+    m_thread->start([this, kind] {
+        m_inbox.post([this, kind, kept = keepNext()] {
             if (kept.trouble) {
-                Q_EMIT keepFailed(*kept.trouble, kept.file);
+                if (kind == Kind::Run)
+                    Q_EMIT keepFailed(*kept.trouble, kept.file);
+                else
+                    Q_EMIT failed(*kept.trouble);
                 return;
             }
-            Q_EMIT this->kept(kept.number);
+            if (kind == Kind::Run)
+                Q_EMIT this->kept(kept.number);
             Q_EMIT changed();
         });
     });

@@ -76,7 +76,7 @@ public:
     void snapshots(const record::HistoryFilter& filter, QObject* context,
                    Answer<std::vector<record::HistorySnapshot>> answer);
     void loadSnapshot(std::int64_t number, QObject* context, Answer<SharedSnapshot> answer);
-    /// The catalog is borrowed until the answer.
+    /// The catalog's data is shared; the object may go.
     void tableAt(const catalog::Catalog& catalog, std::int64_t servo, const QDateTime& at,
                  QObject* context, Answer<record::TablePoint> answer);
     void alarms(const record::HistoryFilter& filter, QObject* context,
@@ -115,7 +115,9 @@ Q_SIGNALS:
 private:
     /// What is to be kept, whatever happens: answers where it went.
     using Keeping = std::function<record::KeptRun(const QString& path)>;
-    void keepLater(Keeping keeping);
+    /// A run has a number that kept() tells; without room for the rest, failed() follows.
+    enum class Kind : std::uint8_t { Run, Other };
+    void keepLater(Keeping keeping, Kind kind = Kind::Run);
     void change(std::function<base::Result<void>(record::History&)> deed);
     record::KeptRun keepNext();
 

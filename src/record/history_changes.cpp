@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/history_changes.h"
+
+#include "record/history_file.h"
+#include "record/history_schema.h"
+
+#include <algorithm>
+
+namespace record {
+namespace {
+struct Child {
+    const char* table;
+    const char* parent; ///< its column that names the row
+    const char* order;
+    QStringList columns;
+    bool ofServo = false;
+};
+
+struct Copied {
+    QString table;
+    QStringList columns; ///< without number, uuid, revision and servo
+    bool ofServo = false;
+    std::vector<Child> children{};
+};
+
+QStringList words(const char* list)
+{
+    return QString::fromLatin1(list).split(QLatin1Char(' '));
+}
+
+/// Blobs come last, so that they are met only where they are wanted.
+const std::vector<Copied>& tables()
+{
+    static const std::vector<Copied> all{
+        {QStringLiteral("servos"), words("protocol model_major model_minor firmware_major "
+                                         "firmware_minor map id label model current")},
+        {QStringLiteral("intents"),
+         words("at kind temporary lock_opened port baud program ended outcome detail"),
+         true,
+         {{"writes", "intent", "place",
+           words("place at key address old new read_back outcome trouble"), true}}},
+        {QStringLiteral("snapshots"),
+         words("at reason program port baud file label note registers data"), true},
+        {QStringLiteral("alarms"), words("key derived at went port"), true},
+        {QStringLiteral("recordings"),
+         words("at length file readings port simulated"),
+         false,
+         {{"recording_servos", "recording", "place", words("place"), true}}},
+        {QStringLiteral("facts"), words("name at content"), true},
+        {QStringLiteral("runs"),
+         words("kind at program port simulated verdict ended operator note length"),
+         false,
+         {{"run_servos", "run", "place",
+           words("place id model map firmware verdict label reference")},
+          {"run_texts", "run", "part", words("part data")},
+          {"run_files", "run", "place", words("place path")}}},
+    };
+    return all;
+}
+
+const Copied& tableOf(const QString& name)
+{
+    return *std::find_if(tables().begin(), tables().end(),
+                         [&](const Copied& copied) { return copied.table == name; });
+}
+
+QString selectOf(const QStringList& columns, bool ofServo, const QString& table)
+{
+    QStringList list;
+    for (const QString& column : columns)
+        list.append(QStringLiteral("t.\"%1\"").arg(column));
+    if (ofServo)
+        list.append(QStringLiteral("(SELECT uuid FROM servos WHERE number = t.servo)"));
+    return QStringLiteral("SELECT ") + list.join(QStringLiteral(", ")) +
+           QStringLiteral(" FROM %1 t ").arg(table);
+}
+
+QVariantMap named(const QVariantList& row, const QStringList& columns, bool ofServo, qint64& bytes)
+{
+    QVariantMap values;
+    for (qsizetype i = 0; i < columns.size(); ++i) {
+        values.insert(columns[i], row.value(i));
+        if (row.value(i).typeId() == QMetaType::QByteArray)
+            bytes += row.value(i).toByteArray().size();
+    }
+    if (ofServo)
+        values.insert(QStringLiteral("servo_uuid"), row.value(columns.size()));
+    return values;
+}
+
+/// A row that has changed or gone, not read yet.
+struct News {
+    std::int64_t revision = 0;
+    QString table;
+    QString uuid;
+    std::int64_t number = 0; ///< 0: it is gone
+};
+
+/// The first `most` after `revision`, of all tables.
+base::Result<std::vector<News>> newsAfter(const HistoryFile& file, std::int64_t revision, int most)
+{
+    std::vector<News> news;
+    const auto add = [&](const QString& sql) -> base::Result<void> {
+        const auto found = file.run(sql, {qint64(revision), most});
+        if (!found)
+            return tl::unexpected(found.error());
+        for (const QVariantList& row : found->rows)
+            news.push_back({row.value(0).toLongLong(), row.value(1).toString(),
+                            row.value(2).toString(), row.value(3).toLongLong()});
+        return {};
+    };
+    for (const QString& table : copiedTables()) {
+        const auto added =
+            add(QStringLiteral("SELECT revision, '%1', uuid, number FROM %1 WHERE revision > ? "
+                               "ORDER BY revision LIMIT ?")
+                    .arg(table));
+        if (!added)
+            return tl::unexpected(added.error());
+    }
+    if (const auto added = add(QStringLiteral("SELECT revision, kind, uuid, 0 FROM removed WHERE "
+                                              "revision > ? ORDER BY revision LIMIT ?"));
+        !added)
+        return tl::unexpected(added.error());
+    std::sort(news.begin(), news.end(),
+              [](const News& a, const News& b) { return a.revision < b.revision; });
+    if (news.size() > std::size_t(std::max(most, 0)))
+        news.erase(news.begin() + std::max(most, 0), news.end());
+    return news;
+}
+
+/// Nothing: it has been deleted since, which is a later change.
+base::Result<std::optional<ChangedRow>> readRow(const HistoryFile& file, const News& news,
+                                                qint64& bytes)
+{
+    const Copied& copied = tableOf(news.table);
+    const auto found = file.run(selectOf(copied.columns, copied.ofServo, copied.table) +
+                                    QStringLiteral("WHERE t.number = ?"),
+                                {qint64(news.number)});
+    if (!found)
+        return tl::unexpected(found.error());
+    if (found->rows.empty())
+        return std::nullopt;
+    ChangedRow row{news.revision, news.table, news.uuid, false, {}, {}};
+    row.values = named(found->rows.front(), copied.columns, copied.ofServo, bytes);
+    for (const Child& child : copied.children) {
+        const QString table = QString::fromLatin1(child.table);
+        const auto rows =
+            file.run(selectOf(child.columns, child.ofServo, table) +
+                         QStringLiteral("WHERE t.%1 = ? ORDER BY t.%2")
+                             .arg(QLatin1String(child.parent), QLatin1String(child.order)),
+                     {qint64(news.number)});
+        if (!rows)
+            return tl::unexpected(rows.error());
+        QVector<QVariantMap>& list = row.children[table];
+        for (const QVariantList& one : rows->rows)
+            list.append(named(one, child.columns, child.ofServo, bytes));
+    }
+    return row;
+}
+} // namespace
+
+base::Result<QString> HistoryChanges::bench() const
+{
+    const auto found = m_file.run(QStringLiteral("SELECT value FROM about WHERE name = 'bench'"));
+    if (!found)
+        return tl::unexpected(found.error());
+    if (found->rows.empty())
+        return base::fail(base::ErrorCode::FileFormat, QStringLiteral("history"), m_file.path());
+    return found->rows.front().value(0).toString();
+}
+
+base::Result<std::int64_t> HistoryChanges::revision() const
+{
+    const auto found = m_file.run(QStringLiteral("SELECT MAX(revision) FROM clock"));
+    if (!found)
+        return tl::unexpected(found.error());
+    return found->rows.front().value(0).toLongLong();
+}
+
+base::Result<std::vector<ChangedRow>> HistoryChanges::after(std::int64_t revision, int most,
+                                                            qint64 bytes) const
+{
+    const auto news = newsAfter(m_file, revision, most);
+    if (!news)
+        return tl::unexpected(news.error());
+    std::vector<ChangedRow> rows;
+    qint64 size = 0;
+    for (const News& one : *news) {
+        if (!rows.empty() && size >= bytes)
+            break;
+        if (one.number == 0) {
+            rows.push_back({one.revision, one.table, one.uuid, true, {}, {}});
+            continue;
+        }
+        auto row = readRow(m_file, one, size);
+        if (!row)
+            return tl::unexpected(row.error());
+        if (*row)
+            rows.push_back(std::move(**row));
+    }
+    return rows;
+}
+
+base::Result<std::int64_t> HistoryChanges::waiting(std::int64_t revision) const
+{
+    QStringList parts;
+    for (const QString& table : copiedTables())
+        parts.append(QStringLiteral("(SELECT COUNT(*) FROM %1 WHERE revision > %2)")
+                         .arg(table)
+                         .arg(qint64(revision)));
+    parts.append(
+        QStringLiteral("(SELECT COUNT(*) FROM removed WHERE revision > %1)").arg(qint64(revision)));
+    const auto counted = m_file.run(QStringLiteral("SELECT ") + parts.join(QStringLiteral(" + ")));
+    if (!counted)
+        return tl::unexpected(counted.error());
+    return counted->rows.front().value(0).toLongLong();
+}
+} // namespace record

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/history_point.h"
+
+#include "catalog/value.h"
+#include "record/history_query.h"
+
+#include <algorithm>
+
+namespace record {
+namespace {
+/// One register of one write after the snapshot.
+struct Step {
+    QString key;
+    std::int64_t oldRaw = 0;
+    std::int64_t newRaw = 0;
+    std::optional<std::int64_t> readBack;
+    QString outcome; ///< of the register, else of the whole; empty: nobody knows
+    base::IntentKind kind = base::IntentKind::Write;
+    bool temporary = false;
+};
+
+base::Result<std::vector<Step>> stepsBetween(const HistoryFile& file, std::int64_t servo,
+                                             const QDateTime& from, const QDateTime& until)
+{
+    const auto rows =
+        file.run(QStringLiteral("SELECT w.\"key\", w.old, w.new, w.read_back, w.outcome, "
+                                "i.outcome, i.kind, i.temporary FROM writes w JOIN intents i ON "
+                                "i.number = w.intent WHERE w.servo = ? AND w.at >= ? AND w.at <= ? "
+                                "ORDER BY w.at, w.number"),
+                 {qint64(servo), from.toMSecsSinceEpoch(), until.toMSecsSinceEpoch()});
+    if (!rows)
+        return tl::unexpected(rows.error());
+    std::vector<Step> steps;
+    for (const QVariantList& row : rows->rows) {
+        Step step;
+        step.key = row.value(0).toString();
+        step.oldRaw = row.value(1).toLongLong();
+        step.newRaw = row.value(2).toLongLong();
+        if (!row.value(3).isNull())
+            step.readBack = row.value(3).toLongLong();
+        const QString own = row.value(4).toString();
+        step.outcome = own.isEmpty() ? row.value(5).toString() : own;
+        step.kind =
+            base::intentKindFromName(row.value(6).toString()).value_or(base::IntentKind::Write);
+        step.temporary = row.value(7).toBool();
+        steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
+/// Follows the writes over the snapshot.
+class Replay {
+public:
+    explicit Replay(TablePoint& point)
+        : m_point(point)
+    {}
+
+    void take(const Step& step)
+    {
+        if (step.outcome == QLatin1String("refused"))
+            return;
+        // Gone with the next power-off, by design; what a test or blinking had set is put back.
+        if (step.temporary || step.outcome == QLatin1String("temporary"))
+            return;
+        if (step.kind == base::IntentKind::Restore) {
+            forgetSettings();
+        } else if (step.kind == base::IntentKind::Calibrate) {
+            forget(step.key);
+        } else if (step.outcome == QLatin1String("kept") || step.outcome == QLatin1String("done")) {
+            set(step.key, step.readBack.value_or(step.newRaw));
+        } else if (step.outcome == QLatin1String("undone")) {
+            set(step.key, step.oldRaw);
+        } else {
+            forget(step.key);
+        }
+    }
+
+private:
+    SnapshotRegister* find(const QString& key)
+    {
+        const auto row =
+            std::find_if(m_point.table.registers.begin(), m_point.table.registers.end(),
+                         [&](const SnapshotRegister& one) { return one.key == key; });
+        return row == m_point.table.registers.end() ? nullptr : &*row;
+    }
+    void set(const QString& key, std::int64_t raw)
+    {
+        SnapshotRegister* row = find(key);
+        if (row == nullptr)
+            return;
+        row->raw = raw;
+        row->value.reset();
+        m_point.unknown.removeAll(key);
+        if (!m_point.replayed.contains(key))
+            m_point.replayed.append(key);
+    }
+    void forget(const QString& key)
+    {
+        SnapshotRegister* row = find(key);
+        if (row == nullptr)
+            return;
+        row->raw.reset();
+        row->value.reset();
+        m_point.replayed.removeAll(key);
+        if (!m_point.unknown.contains(key))
+            m_point.unknown.append(key);
+    }
+    /// Whatever had been stored is there now, and nobody has read it.
+    void forgetSettings()
+    {
+        for (const SnapshotRegister& row : std::vector(m_point.table.registers)) {
+            if (row.area == catalog::Area::Eprom && row.access != catalog::Access::ReadOnly)
+                forget(row.key);
+        }
+    }
+
+    TablePoint& m_point;
+};
+
+/// Physical values anew: what a write has changed may decide the meaning of others.
+void giveValues(Snapshot& table, const catalog::Catalog& catalog, const base::ServoIdentity& who)
+{
+    catalog::Identity identity;
+    identity.firmwareMajor = who.firmwareMajor;
+    identity.firmwareMinor = who.firmwareMinor;
+    identity.modelMajor = who.modelMajor;
+    identity.modelMinor = who.modelMinor;
+    identity.protocol = who.protocol;
+    const catalog::ProfilePtr profile = catalog.resolve(identity);
+    if (!profile || profile->mapKey != table.servo.map)
+        return;
+    const catalog::Lookup lookup = [&](const QString& key) -> std::optional<std::int64_t> {
+        for (const SnapshotRegister& row : table.registers) {
+            if (row.key == key)
+                return row.raw;
+        }
+        return std::nullopt;
+    };
+    for (SnapshotRegister& row : table.registers) {
+        const catalog::Register* reg = profile->find(row.key);
+        if (reg == nullptr || !row.raw)
+            continue;
+        const catalog::Meaning meaning = catalog::meaningOf(*reg, *profile, lookup);
+        row.value = catalog::toPhysical(*row.raw, meaning);
+        row.unit = meaning.unit;
+    }
+}
+} // namespace
+
+base::Result<TablePoint> tableAt(const HistoryFile& file, const catalog::Catalog& catalog,
+                                 std::int64_t servo, const QDateTime& at)
+{
+    const HistoryLog log(file);
+    const auto who = log.servo(servo);
+    if (!who)
+        return tl::unexpected(who.error());
+    HistoryFilter before;
+    before.servo = servo;
+    before.until = at.addMSecs(1);
+    before.most = 1;
+    const auto last = log.snapshots(before);
+    if (!last)
+        return tl::unexpected(last.error());
+    if (last->empty())
+        return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history"),
+                          QStringLiteral("no-snapshot"));
+    const auto table = log.snapshot(last->front().number);
+    if (!table)
+        return tl::unexpected(table.error());
+    const auto steps = stepsBetween(file, servo, last->front().at, at);
+    if (!steps)
+        return tl::unexpected(steps.error());
+    TablePoint point{*table, last->front(), {}, {}};
+    point.table.at = at.toUTC();
+    Replay replay(point);
+    for (const Step& step : *steps)
+        replay.take(step);
+    giveValues(point.table, catalog, who->who);
+    return point;
+}
+} // namespace record
