@@ -8,6 +8,7 @@
 #include "record/history.h"
 #include "record/history_export.h"
 #include "record/history_point.h"
+#include "record/history_server.h"
 #include "record/sweep_compare.h"
 #include "session/archive_source.h"
 #include "session/inbox.h"
@@ -90,6 +91,13 @@ public:
     /// Of the servos whose model has a reference that is not this very run.
     void compareWithReference(SharedRun run, QObject* context,
                               Answer<std::vector<ReferenceResult>> answer);
+
+    // A server's: who sends there; whose history is asked for from now on (nullopt: everybody's);
+    // and by whom rows of "writes", "snapshots" … were sent, number → name. A file answers none.
+    void benches(QObject* context, Answer<std::vector<record::HistoryBench>> answer);
+    void chooseBench(std::optional<std::int64_t> bench) { m_source->choose(bench); }
+    void benchesOf(const QString& table, const std::vector<std::int64_t>& numbers, QObject* context,
+                   Answer<QMap<qint64, QString>> answer);
 
     // changed() or failed() follow
     void setLabel(std::int64_t number, int servo, const QString& label);

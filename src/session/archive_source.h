@@ -16,5 +16,7 @@ public:
     virtual ~ArchiveSource() = default;
     /// The question may outlive the archive: it owns what it uses.
     virtual void start(Question question) = 0;
+    /// Whose history the next questions are about; nullopt: everybody's. A file has one.
+    virtual void choose(std::optional<std::int64_t> bench) { (void)bench; }
 };
 } // namespace session

@@ -19,8 +19,7 @@ public:
     ~ServerSource() override;
 
     void start(Question question) override;
-    /// For the questions from now on.
-    void choose(std::optional<std::int64_t> bench) { m_bench = bench; }
+    void choose(std::optional<std::int64_t> bench) override { m_bench = bench; }
 
 private:
     class Line;
