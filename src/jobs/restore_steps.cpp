@@ -76,8 +76,7 @@ public:
     explicit StepList(const device::Servo& servo)
         : m_servo(servo)
     {
-        if (const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch))
-            m_steps.push_back({RestoreStepKind::TorqueOff, torque->key, servo.raw(*torque), 0});
+        torqueOff(servo.raw(Role::TorqueSwitch));
     }
 
     void add(const RestoreWrite& write)
@@ -115,6 +114,12 @@ private:
                                                  : RestoreStepKind::Write;
     }
 
+    void torqueOff(std::optional<std::int64_t> from)
+    {
+        if (const catalog::Register* torque = m_servo.profile->byRole(Role::TorqueSwitch))
+            m_steps.push_back({RestoreStepKind::TorqueOff, torque->key, from, 0});
+    }
+
     QString lockKey() const
     {
         const catalog::Register* reg = m_servo.profile->byRole(Role::Lock);
@@ -130,8 +135,11 @@ private:
     /// Once the last register is written, before the lock is closed.
     void settle()
     {
-        for (const device::WriteItem& item : device::settledBySwitch(m_servo, m_items))
+        const auto also = device::settledBySwitch(m_servo, m_items);
+        for (const device::WriteItem& item : also)
             m_steps.push_back({RestoreStepKind::Settle, item.key, m_servo.raw(item.key), item.raw});
+        if (!also.empty())
+            torqueOff({}); // a command may have switched it on
         m_items.clear();
     }
 

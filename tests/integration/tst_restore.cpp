@@ -1,0 +1,621 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Restoring a snapshot on every family: what was saved comes back whatever was in the servo, in one
+// transaction, and a second time nothing is written. What is claimed is held against what the servo
+// really has.
+#include "integration/restore_help.h"
+#include "jobs/change.h"
+#include "jobs/restore.h"
+#include "jobs/restore_many.h"
+#include "jobs/snapshot.h"
+#include "record/snapshot.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+using jobs::RestoreReason;
+using jobs::RestoreStage;
+using jobs::RestoreVerdict;
+using support::SimBench;
+using support::TableValues;
+
+namespace {
+QString text(const char* word)
+{
+    return QString::fromLatin1(word);
+}
+
+const QString program = QStringLiteral("test 1");
+
+record::Snapshot saved(SimBench& bench, int id = 1)
+{
+    device::Servo servo = support::wholeServo(bench, id);
+    const auto snapshot = jobs::takeSnapshot(bench.context(), servo, program);
+    if (!snapshot)
+        qFatal("cannot save");
+    // Through the file, as it would be.
+    return record::decodeSnapshot(record::encodeSnapshot(*snapshot)).value();
+}
+
+jobs::RestoreChoice everything()
+{
+    jobs::RestoreChoice choice;
+    choice.dangerous = true;
+    return choice;
+}
+
+jobs::RestoreOptions consented()
+{
+    jobs::RestoreOptions options;
+    options.dangerous = true;
+    return options;
+}
+
+jobs::RestoreOutcome restored(SimBench& bench, const record::Snapshot& snapshot,
+                              const jobs::RestoreChoice& choice, jobs::RestoreOptions options)
+{
+    device::Servo servo = support::wholeServo(bench);
+    const auto plan = jobs::planRestore(servo, snapshot, choice);
+    auto outcome = jobs::restore(bench.context(), servo, plan, options);
+    if (!outcome)
+        qFatal("restore: %s %s", qPrintable(base::errorName(outcome.error().code)),
+               qPrintable(outcome.error().registerKey));
+    return *outcome;
+}
+
+QString differing(const TableValues& a, const TableValues& b)
+{
+    QStringList keys;
+    for (const auto& [key, raw] : a) {
+        if (b.count(key) == 0 || b.at(key) != raw)
+            keys << QStringLiteral("%1: %2, %3")
+                        .arg(key)
+                        .arg(raw)
+                        .arg(b.count(key) == 0 ? -9999 : b.at(key));
+    }
+    return keys.join(QStringLiteral("; "));
+}
+
+QStringList keysOf(const std::vector<jobs::RestoreWrite>& writes)
+{
+    QStringList keys;
+    for (const jobs::RestoreWrite& write : writes)
+        keys << write.key;
+    return keys;
+}
+} // namespace
+
+class TestRestore : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void whatWasSavedComesBack_data();
+    void whatWasSavedComesBack();
+    void withIdAndRate();
+    void torqueGoesOffFirstAndStaysOff();
+    void onlyTickedRowsAreWritten();
+    void dangerousRowsNeedConsent();
+    void liveRowsAreNeverWritten();
+    void limitsAreNeverTheWrongWayRound();
+    void aRefusedRowStopsTheRest();
+    void aRefusedRowRollsBack();
+    void theStepsAreWhatHappens();
+    void aPlanForAnotherServoIsRefused();
+    void aChangeSinceThePlanIsNotLost();
+    void aStopBeforeTheFirstWriteWritesNothing();
+    void theTableIsSavedOnlyBeforeAWrite();
+    void aLockLeftOpenIsClosed();
+    void severalServosEachForItself();
+    void aBundleGoesBackById();
+};
+
+void TestRestore::whatWasSavedComesBack_data()
+{
+    QTest::addColumn<int>("family");
+    QTest::addColumn<int>("seed");
+    for (int family = 0; family < int(support::restoreFamilies.size()); ++family) {
+        for (int seed = 1; seed <= 25; ++seed)
+            QTest::addRow("%s %d", support::restoreFamilies[std::size_t(family)].name, seed)
+                << family << seed;
+    }
+}
+
+void TestRestore::whatWasSavedComesBack()
+{
+    QFETCH(int, family);
+    QFETCH(int, seed);
+    const support::Family& kind = support::restoreFamilies[std::size_t(family)];
+    SimBench bench(text(kind.servos), support::atBaud(kind.baud));
+    const TableValues factory = support::held(bench);
+    const TableValues wanted =
+        support::RandomTable(unsigned(seed)).make(support::wholeServo(bench));
+    support::pokeAll(bench, wanted);
+    QCOMPARE(differing(wanted, support::held(bench)), QString());
+    const record::Snapshot snapshot = saved(bench);
+
+    // Families with a command for it reset themselves; the others are put back from outside.
+    device::Servo servo = support::wholeServo(bench);
+    if (!jobs::restoreDefaults(bench.context(), servo))
+        support::pokeAll(bench, factory);
+    bench.powerCycle();
+    bench.letTimePass(std::chrono::seconds(3));
+
+    const auto outcome = restored(bench, snapshot, everything(), consented());
+    QCOMPARE(outcome.verdict, RestoreVerdict::Done);
+    QCOMPARE(differing(wanted, support::held(bench)), QString());
+    QVERIFY(!support::lockIsOpen(bench));
+    QVERIFY(bench.journal().open()->empty());
+
+    const auto again = restored(bench, snapshot, everything(), consented());
+    QCOMPARE(again.verdict, RestoreVerdict::AlreadySo);
+    bench.forgetFrames();
+    const auto third = restored(bench, snapshot, everything(), consented());
+    QCOMPARE(third.verdict, RestoreVerdict::AlreadySo);
+    QVERIFY2(bench.onlyAsked(), "a restore with nothing to do spoke to the servo");
+
+    bench.powerCycle();
+    bench.letTimePass(std::chrono::seconds(3));
+    TableValues kept = support::held(bench);
+    // Nobody says whether LX keeps this one, and the simulator does not.
+    kept[text("led_error")] = wanted.count(text("led_error")) ? wanted.at(text("led_error")) : 0;
+    QCOMPARE(differing(wanted, kept), QString());
+}
+
+void TestRestore::withIdAndRate()
+{
+    SimBench bench(text("sts3215@7"));
+    bench.poke(7, text("position_p"), 45);
+    record::Snapshot snapshot = saved(bench, 7);
+    for (record::SnapshotRegister& reg : snapshot.registers) {
+        if (reg.key == text("id"))
+            reg.raw = 4;
+        if (reg.key == text("baud_rate"))
+            reg.raw = 4; // 115200
+    }
+    bench.poke(7, text("position_p"), 20);
+    device::Servo servo = support::wholeServo(bench, 7);
+
+    const auto without = jobs::planRestore(servo, snapshot);
+    QCOMPARE(keysOf(jobs::writesOf(without)), QStringList{text("position_p")});
+    QVERIFY(without.find(text("id"))->mayTick);
+    QVERIFY(without.find(text("id"))->reasons.testFlag(RestoreReason::Identity));
+
+    jobs::RestoreChoice choice;
+    choice.identity = true;
+    const auto plan = jobs::planRestore(servo, snapshot, choice);
+    QCOMPARE(keysOf(jobs::writesOf(plan)),
+             (QStringList{text("position_p"), text("id"), text("baud_rate")}));
+    QVERIFY(!plan.needsConsent());
+    const auto outcome = jobs::restore(bench.context(), servo, plan, {});
+    QVERIFY(outcome);
+    QCOMPARE(outcome->verdict, RestoreVerdict::Done);
+    QCOMPARE(outcome->newId, 4);
+    QCOMPARE(outcome->newBaud, 115'200);
+    QCOMPARE(servo.id, 4);
+    QCOMPARE(bench.bus().baud(), 115'200);
+    QCOMPARE(bench.raw(4, text("position_p")), 45);
+    QVERIFY(!support::lockIsOpen(bench, 4));
+    QVERIFY(bench.journal().open()->empty());
+    QCOMPARE(outcome->rows.back().write.key, text("baud_rate"));
+}
+
+void TestRestore::torqueGoesOffFirstAndStaysOff()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    bench.poke(1, text("position_p"), 50);
+    bench.poke(1, text("torque_switch"), 1);
+    bool torqueOnAtWrite = false;
+    bench.tap().onWrite = [&](const base::Bytes& frame) {
+        const bool gain = frame.size() > 5 && frame[4] == support::Write && frame[5] == 21;
+        torqueOnAtWrite |= gain && bench.raw(1, text("torque_switch")) != 0;
+    };
+    const auto outcome = restored(bench, snapshot, {}, {});
+    bench.tap().onWrite = nullptr;
+    QCOMPARE(outcome.verdict, RestoreVerdict::Done);
+    QVERIFY(outcome.torqueSwitchedOff);
+    QVERIFY(!torqueOnAtWrite);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    const auto& notices = bench.notices();
+    const auto said = [&](device::NoticeCode code) {
+        return std::any_of(notices.begin(), notices.end(),
+                           [&](const device::Notice& notice) { return notice.code == code; });
+    };
+    QVERIFY(said(device::NoticeCode::TorqueSwitchedOff));
+    QVERIFY(said(device::NoticeCode::TorqueStaysOff));
+}
+
+void TestRestore::onlyTickedRowsAreWritten()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    bench.poke(1, text("position_p"), 50);
+    bench.poke(1, text("position_d"), 51);
+    bench.poke(1, text("max_temperature"), 60);
+    device::Servo servo = support::wholeServo(bench);
+    auto plan = jobs::planRestore(servo, snapshot);
+    QCOMPARE(jobs::writesOf(plan).size(), std::size_t(3));
+    QVERIFY(plan.tick(text("position_d"), false));
+    QVERIFY(!plan.tick(text("goal_position"), true));
+    QVERIFY(!plan.tick(text("speed_p"), true)); // the same already
+    bench.forgetFrames();
+    const auto outcome = jobs::restore(bench.context(), servo, plan, {});
+    QVERIFY(outcome);
+    QCOMPARE(outcome->rows.size(), std::size_t(2));
+    QCOMPARE(bench.raw(1, text("position_d")), 51);
+    QCOMPARE(bench.raw(1, text("position_p")), 32);
+    QCOMPARE(bench.raw(1, text("max_temperature")), 70);
+    // Unlock, two rows, lock; torque was off.
+    QCOMPARE(bench.frames(support::Write), 4);
+}
+
+void TestRestore::dangerousRowsNeedConsent()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    bench.poke(1, text("position_offset"), 300);
+    device::Servo servo = support::wholeServo(bench);
+    auto plan = jobs::planRestore(servo, snapshot);
+    const jobs::RestoreRow* row = plan.find(text("position_offset"));
+    QVERIFY(row->mayTick && !row->ticked);
+    QVERIFY(row->reasons.testFlag(RestoreReason::NeedsConsent));
+    QVERIFY(row->reasons.testFlag(RestoreReason::MovesShaft));
+    QVERIFY(jobs::writesOf(plan).empty());
+    QVERIFY(plan.tick(text("position_offset"), true));
+    bench.forgetFrames();
+    const auto refused = jobs::restore(bench.context(), servo, plan, {});
+    QCOMPARE(refused.error().code, base::ErrorCode::NeedsConsent);
+    QCOMPARE(refused.error().registerKey, text("position_offset"));
+    QVERIFY(bench.onlyAsked());
+    QCOMPARE(jobs::restore(bench.context(), servo, plan, consented())->verdict,
+             RestoreVerdict::Done);
+    QCOMPARE(bench.raw(1, text("position_offset")), 0);
+}
+
+void TestRestore::liveRowsAreNeverWritten()
+{
+    SimBench bench(text("lx16a@1"), support::atBaud(115'200));
+    record::Snapshot snapshot = saved(bench);
+    for (record::SnapshotRegister& reg : snapshot.registers) {
+        if (reg.key == text("mode") || reg.key == text("load"))
+            reg.raw = 1;
+        if (reg.key == text("move_angle"))
+            reg.raw = 900;
+    }
+    device::Servo servo = support::wholeServo(bench);
+    jobs::RestoreChoice choice = everything();
+    choice.identity = true;
+    choice.live = true;
+    const auto plan = jobs::planRestore(servo, snapshot, choice);
+    QVERIFY(jobs::writesOf(plan).empty());
+    for (const char* key : {"mode", "load", "move_angle", "motor_speed"})
+        QVERIFY2(plan.find(text(key))->reasons.testFlag(RestoreReason::Live), key);
+
+    SimBench sts(text("sts3215@1"));
+    record::Snapshot other = saved(sts);
+    for (record::SnapshotRegister& reg : other.registers) {
+        if (reg.raw && (reg.area == catalog::Area::Sram))
+            reg.raw = *reg.raw == 0 ? 1 : 0;
+    }
+    device::Servo here = support::wholeServo(sts);
+    QVERIFY(jobs::writesOf(jobs::planRestore(here, other, everything())).empty());
+    QCOMPARE(keysOf(jobs::writesOf(jobs::planRestore(here, other, choice))),
+             (QStringList{text("acceleration"), text("torque_limit")}));
+}
+
+void TestRestore::limitsAreNeverTheWrongWayRound()
+{
+    // From a range above the wanted one to it, and back: whichever limit went first alone would
+    // cross the other.
+    SimBench bench(text("sts3215@1"));
+    bench.poke(1, text("min_angle_limit"), 100);
+    bench.poke(1, text("max_angle_limit"), 200);
+    const record::Snapshot low = saved(bench);
+    bench.poke(1, text("min_angle_limit"), 3000);
+    bench.poke(1, text("max_angle_limit"), 4000);
+    const record::Snapshot high = saved(bench);
+    bool crossed = false;
+    bench.tap().onWrite = [&](const base::Bytes&) {
+        crossed |= bench.raw(1, text("min_angle_limit")) >= bench.raw(1, text("max_angle_limit"));
+    };
+    for (const record::Snapshot* snapshot : {&low, &high, &low})
+        QCOMPARE(restored(bench, *snapshot, {}, {}).verdict, RestoreVerdict::Done);
+    bench.tap().onWrite = nullptr;
+    QVERIFY(!crossed);
+    QCOMPARE(bench.raw(1, text("max_angle_limit")), 200);
+
+    // Half of a pair that would end the wrong way round is refused as a whole.
+    device::Servo servo = support::wholeServo(bench);
+    jobs::RestoreChoice half;
+    half.only = QStringList{text("min_angle_limit")};
+    bench.forgetFrames();
+    const auto refused =
+        jobs::restore(bench.context(), servo, jobs::planRestore(servo, high, half), {});
+    QCOMPARE(refused.error().code, base::ErrorCode::OutOfRange);
+    QVERIFY(bench.onlyAsked());
+}
+
+namespace {
+/// Seven rows that differ, far enough apart for frames of their own.
+void disturb(SimBench& bench)
+{
+    support::pokeKept(bench, text("max_temperature"), 60);
+    support::pokeKept(bench, text("max_torque"), 900);
+    support::pokeKept(bench, text("position_p"), 50);
+    support::pokeKept(bench, text("position_i"), 5);
+    support::pokeKept(bench, text("cw_dead_zone"), 3);
+    support::pokeKept(bench, text("protection_torque"), 33);
+    support::pokeKept(bench, text("speed_p"), 77);
+}
+
+/// As if somebody else wrote this register right after we did, every time.
+void meddle(SimBench& bench, std::uint8_t address, const char* key, std::int64_t raw, int times)
+{
+    bench.tap().onWrite = [&bench, address, key, raw, times,
+                           pending = false](const base::Bytes& frame) mutable {
+        if (pending && times-- > 0)
+            bench.poke(1, text(key), raw);
+        pending = frame.size() > 5 && frame[4] == support::Write && frame[5] == address;
+    };
+}
+} // namespace
+
+void TestRestore::aRefusedRowStopsTheRest()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    disturb(bench);
+    meddle(bench, 21, "position_p", 99, 1);
+    const auto outcome = restored(bench, snapshot, {}, {});
+    bench.tap().onWrite = nullptr;
+    QCOMPARE(outcome.verdict, RestoreVerdict::Failed);
+    QCOMPARE(outcome.lock, device::LockState::Closed);
+    QCOMPARE(outcome.rows.size(), std::size_t(7));
+    bool failed = false;
+    for (const jobs::RestoreRowResult& row : outcome.rows) {
+        const bool isBad = row.write.key == text("position_p");
+        if (isBad)
+            QCOMPARE(row.write.outcome, device::WriteOutcome::Mismatch);
+        else
+            QCOMPARE(row.write.outcome,
+                     failed ? device::WriteOutcome::Refused : device::WriteOutcome::Kept);
+        QVERIFY(!row.rolledBack);
+        failed |= isBad;
+    }
+    QVERIFY(failed);
+    QCOMPARE(bench.raw(1, text("max_temperature")), 70); // before it
+    QCOMPARE(bench.raw(1, text("speed_p")), 77);         // behind it
+    QVERIFY(!support::lockIsOpen(bench));
+    QVERIFY(bench.journal().open()->empty());
+    // Restoring again does the rest.
+    QCOMPARE(restored(bench, snapshot, {}, {}).verdict, RestoreVerdict::Done);
+    QVERIFY(bench.raw(1, text("speed_p")) != 77);
+}
+
+void TestRestore::aRefusedRowRollsBack()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    disturb(bench);
+    const TableValues before = support::held(bench);
+    meddle(bench, 21, "position_p", 99, 1);
+    jobs::RestoreOptions options;
+    options.onFailure = jobs::OnFailure::RollBack;
+    const auto outcome = restored(bench, snapshot, {}, options);
+    bench.tap().onWrite = nullptr;
+    QCOMPARE(outcome.verdict, RestoreVerdict::RolledBack);
+    QCOMPARE(differing(before, support::held(bench)), QString());
+    QVERIFY(!support::lockIsOpen(bench));
+    QVERIFY(bench.journal().open()->empty());
+    for (const jobs::RestoreRowResult& row : outcome.rows) {
+        const bool touched = row.write.outcome != device::WriteOutcome::Refused;
+        QCOMPARE(row.rolledBack, touched);
+        if (touched)
+            QCOMPARE(row.write.readBack, row.write.oldRaw);
+    }
+    bench.powerCycle();
+    bench.letTimePass(std::chrono::seconds(3));
+    QCOMPARE(differing(before, support::held(bench)), QString());
+}
+
+void TestRestore::theStepsAreWhatHappens()
+{
+    // Into another mode, with everything that belongs to it.
+    SimBench bench(text("sts3215@1"));
+    bench.poke(1, text("operating_mode"), 1);
+    const record::Snapshot wheel = saved(bench);
+    bench.poke(1, text("operating_mode"), 0);
+    bench.poke(1, text("goal_speed"), 500);
+    disturb(bench);
+    device::Servo servo = support::wholeServo(bench);
+    const auto plan = jobs::planRestore(servo, wheel, everything());
+    const auto writes = jobs::writesOf(plan);
+    for (std::size_t i = 1; i < writes.size(); ++i)
+        QVERIFY(writes[i - 1].stage <= writes[i].stage);
+    const auto steps = jobs::stepsOf(plan);
+    QCOMPARE(steps.front().kind, jobs::RestoreStepKind::TorqueOff);
+    QCOMPARE(steps[1].kind, jobs::RestoreStepKind::Unlock);
+    QCOMPARE(steps[steps.size() - 3].kind, jobs::RestoreStepKind::Settle);
+    QCOMPARE(steps[steps.size() - 3].key, text("goal_speed"));
+    QCOMPARE(steps[steps.size() - 2].kind, jobs::RestoreStepKind::TorqueOff); // it switches it on
+    QCOMPARE(steps.back().kind, jobs::RestoreStepKind::Lock);
+
+    std::vector<std::pair<int, int>> sent; // address and bytes of each write
+    bench.tap().onWrite = [&](const base::Bytes& frame) {
+        if (frame.size() > 5 && frame[4] == support::Write)
+            sent.emplace_back(frame[5], int(frame[3]) - 3);
+    };
+    QCOMPARE(jobs::restore(bench.context(), servo, plan, consented())->verdict,
+             RestoreVerdict::Done);
+    bench.tap().onWrite = nullptr;
+    // Every register written is a step, in the order of the steps.
+    std::vector<int> expected;
+    for (const jobs::RestoreStep& step : steps) {
+        if (step.kind != jobs::RestoreStepKind::TorqueOff || step.from != 0) // else it is off
+            expected.push_back(servo.profile->find(step.key)->address);
+    }
+    std::vector<int> written;
+    for (const auto& [address, bytes] : sent) {
+        for (const catalog::Register& reg : servo.profile->registers) {
+            if (reg.address >= address && reg.address + reg.size <= address + bytes)
+                written.push_back(reg.address);
+        }
+    }
+    QCOMPARE(written, expected);
+}
+
+void TestRestore::aPlanForAnotherServoIsRefused()
+{
+    SimBench bench(text("sts3215@1,sts3215@2,scs15@3"));
+    const record::Snapshot snapshot = saved(bench);
+    const device::Servo one = support::wholeServo(bench, 1);
+    bench.poke(1, text("position_p"), 50);
+    const auto plan = jobs::planRestore(support::wholeServo(bench, 1), snapshot);
+    for (const int id : {2, 3}) {
+        device::Servo other = support::wholeServo(bench, id);
+        bench.forgetFrames();
+        QCOMPARE(jobs::restore(bench.context(), other, plan, {}).error().code,
+                 base::ErrorCode::BadArgument);
+        QCOMPARE(bench.frameCount(), std::size_t(0));
+    }
+}
+
+void TestRestore::aChangeSinceThePlanIsNotLost()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    bench.poke(1, text("position_p"), 50);
+    bench.poke(1, text("position_d"), 51);
+    device::Servo servo = support::wholeServo(bench);
+    const auto plan = jobs::planRestore(servo, snapshot);
+    // While somebody looks at the list.
+    bench.poke(1, text("position_p"), 60);
+    bench.poke(1, text("position_d"), 32);
+    QCOMPARE(jobs::restore(bench.context(), servo, plan, {})->verdict, RestoreVerdict::Done);
+    const auto entries = bench.journal().entries().value();
+    QCOMPARE(entries.size(), std::size_t(1));
+    QCOMPARE(entries[0].intent.items.size(), std::size_t(1));
+    QCOMPARE(entries[0].intent.kind, base::IntentKind::Restore);
+    QCOMPARE(entries[0].intent.items[0].oldRaw, 60);
+}
+
+void TestRestore::aStopBeforeTheFirstWriteWritesNothing()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    disturb(bench);
+    device::Servo servo = support::wholeServo(bench);
+    const auto plan = jobs::planRestore(servo, snapshot);
+    bench.stop().request();
+    bench.forgetFrames();
+    QCOMPARE(jobs::restore(bench.context(), servo, plan, {}).error().code,
+             base::ErrorCode::Stopped);
+    QVERIFY(bench.onlyAsked());
+}
+
+void TestRestore::theTableIsSavedOnlyBeforeAWrite()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    int calls = 0;
+    jobs::RestoreOptions options;
+    options.beforeWrite = [&](const device::Context&, device::Servo&) -> base::Result<void> {
+        ++calls;
+        return {};
+    };
+    restored(bench, snapshot, {}, options);
+    QCOMPARE(calls, 0);
+    disturb(bench);
+    restored(bench, snapshot, {}, options);
+    QCOMPARE(calls, 1);
+    disturb(bench);
+    options.beforeWrite = [&](const device::Context&, device::Servo&) -> base::Result<void> {
+        return base::fail(base::ErrorCode::DiskFull);
+    };
+    device::Servo servo = support::wholeServo(bench);
+    bench.forgetFrames();
+    const auto refused =
+        jobs::restore(bench.context(), servo, jobs::planRestore(servo, snapshot), options);
+    QCOMPARE(refused.error().code, base::ErrorCode::DiskFull);
+    QVERIFY(bench.onlyAsked());
+}
+
+void TestRestore::aLockLeftOpenIsClosed()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    bench.poke(1, text("lock"), 0);
+    device::Servo servo = support::wholeServo(bench);
+    const auto plan = jobs::planRestore(servo, snapshot);
+    QCOMPARE(jobs::stepsOf(plan).size(), std::size_t(1));
+    QCOMPARE(jobs::stepsOf(plan)[0].kind, jobs::RestoreStepKind::Lock);
+    const auto outcome = jobs::restore(bench.context(), servo, plan, {});
+    QCOMPARE(outcome->verdict, RestoreVerdict::AlreadySo);
+    QCOMPARE(outcome->lock, device::LockState::Closed);
+    QVERIFY(!support::lockIsOpen(bench));
+}
+
+void TestRestore::severalServosEachForItself()
+{
+    SimBench bench(text("sts3215@1,sts3215@2,scs15@3,sts3215@4"));
+    const record::Snapshot snapshot = saved(bench);
+    bench.poke(2, text("position_p"), 50);
+    bench.poke(4, text("position_p"), 51);
+    jobs::ApplyOptions options;
+    options.dryRun = true;
+    bench.forgetFrames();
+    auto all = jobs::applyToServos(bench.context(), {1, 2, 3, 4, 9}, snapshot, options);
+    QVERIFY(bench.onlyAsked());
+    QCOMPARE(all.size(), std::size_t(5));
+    QCOMPARE(all[0].verdict, jobs::ApplyVerdict::AlreadySo);
+    QCOMPARE(all[1].verdict, jobs::ApplyVerdict::Planned);
+    QVERIFY(all[2].plan.otherModel);
+    QCOMPARE(all[4].verdict, jobs::ApplyVerdict::NoAnswer);
+
+    options.dryRun = false;
+    options.choice.identity = true; // ignored: four servos with one ID
+    std::vector<int> told;
+    all = jobs::applyToServos(bench.context(), {1, 2, 9, 4}, snapshot, options, {},
+                              [&](const jobs::Applied& one) { told.push_back(one.id); });
+    QCOMPARE(told, (std::vector<int>{1, 2, 9, 4}));
+    QCOMPARE(all[0].verdict, jobs::ApplyVerdict::AlreadySo);
+    QCOMPARE(all[1].verdict, jobs::ApplyVerdict::Done);
+    QCOMPARE(all[2].verdict, jobs::ApplyVerdict::NoAnswer);
+    QCOMPARE(all[3].verdict, jobs::ApplyVerdict::Done);
+    QCOMPARE(bench.raw(4, text("position_p")), 32);
+    QCOMPARE(bench.raw(4, text("id")), 4);
+}
+
+void TestRestore::aBundleGoesBackById()
+{
+    SimBench bench(text("sts3215@1,sts3215@2,scs15@3"));
+    std::vector<device::Servo> servos;
+    for (const int id : {3, 1, 2})
+        servos.push_back(support::wholeServo(bench, id));
+    bench.poke(2, text("position_p"), 44);
+    const auto taken = jobs::takeBundle(bench.context(), servos, program);
+    QVERIFY(taken);
+    const auto bundle = record::decodeBundle(record::encodeBundle(*taken));
+    QVERIFY(bundle);
+    QCOMPARE(bundle->servos.size(), std::size_t(3));
+    QCOMPARE(bundle->servos[0].servo.id, 1);
+    bench.poke(2, text("position_p"), 11);
+    bench.poke(1, text("max_temperature"), 11);
+    // Somebody has swapped two of them: hands off.
+    bench.withWire([](sim::VirtualBus& wire) {
+        wire.servo(3)->poke(text("id"), 30);
+        wire.servo(1)->poke(text("id"), 3);
+        wire.servo(30)->poke(text("id"), 1);
+    });
+    bench.letTimePass(std::chrono::milliseconds(50));
+    const auto all = jobs::restoreBundle(bench.context(), *bundle, {});
+    QCOMPARE(all[0].verdict, jobs::ApplyVerdict::OtherServo);
+    QCOMPARE(all[1].verdict, jobs::ApplyVerdict::Done);
+    QCOMPARE(all[2].verdict, jobs::ApplyVerdict::OtherServo);
+    QCOMPARE(bench.raw(2, text("position_p")), 44);
+    QCOMPARE(bench.raw(3, text("max_temperature")), 11);
+}
+
+QTEST_GUILESS_MAIN(TestRestore)
+#include "tst_restore.moc"
