@@ -1,0 +1,515 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commissioning line on simulated time: six factory servos without a click, and everything that
+// goes wrong at a bench: two servos at once, foreign rates, alarms, servos pulled in the middle,
+// the program killed, IDs used up, a template of another model.
+#include "device/reader.h"
+#include "jobs/snapshot.h"
+#include "support/commission_bench.h"
+#include "support/deaf_acks.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <set>
+
+using namespace std::chrono_literals;
+using jobs::CommissionAnswer;
+using jobs::CommissionEnd;
+using jobs::CommissionObstacle;
+using jobs::CommissionStep;
+using jobs::CommissionView;
+using record::CommissionRow;
+using record::CommissionVerdict;
+using support::CommissionBench;
+
+namespace {
+QString q(const char* text)
+{
+    return QString::fromUtf8(text);
+}
+
+QStringList words(const CommissionRow& row)
+{
+    QStringList all;
+    for (const record::CommissionTrouble& trouble : row.troubles)
+        all.append(trouble.word);
+    return all;
+}
+
+/// A template with these values, from a servo of this model.
+record::Snapshot templateOf(const char* model,
+                            const std::vector<std::pair<const char*, std::int64_t>>& values)
+{
+    support::SimBench other(q(model) + q("@1"));
+    auto context = other.context();
+    device::Servo servo = other.servo(1);
+    record::Snapshot snapshot = *jobs::takeSnapshot(context, servo, q("test"));
+    std::vector<record::SnapshotRegister> rows;
+    for (const auto& value : values) {
+        record::SnapshotRegister row = *snapshot.find(q(value.first));
+        row.raw = value.second;
+        rows.push_back(row);
+    }
+    snapshot.registers = rows;
+    snapshot.isTemplate = true;
+    return snapshot;
+}
+
+/// Everything there is to be written.
+void pullSpec(CommissionBench& line)
+{
+    line.spec.baud = 500'000;
+    line.spec.center = true;
+    line.spec.settings = templateOf("sts3215", {{"position_p", 24}, {"max_temperature", 65}});
+}
+
+bool lockedAndOff(const sim::VirtualServo& servo)
+{
+    return servo.raw(q("lock")) == 1 && servo.raw(q("torque_switch")) == 0;
+}
+} // namespace
+
+class tst_Commission : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void sixFactoryServosWithoutAClick()
+    {
+        CommissionBench line;
+        line.spec.baud = 500'000;
+        const auto end = line.run();
+        QVERIFY2(end, qPrintable(end ? QString() : end.error().detail));
+        QCOMPARE(*end, CommissionEnd::Stopped); // the bag was empty
+        QCOMPARE(line.batch.rows.size(), std::size_t{6});
+        for (std::size_t i = 0; i < 6; ++i) {
+            const CommissionRow& row = line.batch.rows[i];
+            QVERIFY2(row.verdict == CommissionVerdict::Good, qPrintable(words(row).join(q(" "))));
+            QCOMPARE(row.servo.id, 1);
+            QCOMPARE(row.oldBaud, 1'000'000);
+            QCOMPARE(row.newId, 11 + int(i));
+            QCOMPARE(row.newBaud, 500'000);
+            QCOMPARE(row.label, row.servo.model + q(" · ID %1 · 500 k").arg(11 + int(i)));
+            QVERIFY(row.volts && row.celsius);
+            const auto& servo = line.servoAt(i);
+            QCOMPARE(servo.id(), 11 + int(i));
+            QCOMPARE(servo.baud(), 500'000);
+            QVERIFY(lockedAndOff(servo));
+            QVERIFY2(line.spans[i] <= 10s, qPrintable(QString::number(line.spans[i] / 1ms)));
+        }
+        QVERIFY(line.keptInTime);
+        QCOMPARE(line.saved.size(), std::size_t{6});
+        QVERIFY(line.batch.pending.empty());
+        QVERIFY(!line.saw(CommissionStep::Confirm));
+        QCOMPARE(line.bench.journal().open()->size(), std::size_t{0});
+        QFile csv(line.csv());
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        const QByteArrayList lines = csv.readAll().trimmed().split('\n');
+        QCOMPARE(lines.size(), 7);
+        QVERIFY(lines[1].contains(",good,,STS3215,3.10,1,1000000,11,500000,"));
+    }
+
+    void oneClickAServoAndNotMore()
+    {
+        CommissionBench line;
+        line.spec.automatic = false;
+        int clicks = 0;
+        line.answer = [&] {
+            ++clicks;
+            return CommissionAnswer::Continue;
+        };
+        QVERIFY(line.run());
+        QCOMPARE(line.batch.count(CommissionVerdict::Good), 6);
+        QCOMPARE(clicks, 6);
+    }
+
+    void withoutTheClickNothingIsWritten()
+    {
+        CommissionBench line;
+        line.spec.automatic = false;
+        int asked = 0;
+        line.answer = [&] {
+            if (++asked == 40)
+                line.bench.stop().request();
+            return CommissionAnswer::None;
+        };
+        QVERIFY(line.run());
+        QCOMPARE(asked, 40);
+        QVERIFY(line.bench.onlyAsked());
+        QVERIFY(line.batch.rows.empty());
+        QVERIFY(line.saved.empty());
+    }
+
+    void whoIsPulledBeforeTheClickIsForgotten()
+    {
+        CommissionBench line;
+        line.spec.automatic = false;
+        line.spec.count = 1;
+        int confirms = 0;
+        line.hand = [&](const CommissionView& view) {
+            if (view.step == CommissionStep::Confirm && ++confirms == 1) {
+                line.unplugAll();
+                return true;
+            }
+            return false;
+        };
+        line.answer = [&] {
+            return confirms > 1 ? CommissionAnswer::Continue : CommissionAnswer::None;
+        };
+        const auto end = line.run();
+        QCOMPARE(*end, CommissionEnd::CountReached);
+        QCOMPARE(line.batch.rows.size(), std::size_t{1});
+        QCOMPARE(line.servoAt(0).id(), 1);
+        QCOMPARE(line.servoAt(1).id(), 11);
+    }
+
+    void templateAndMiddleAreSet()
+    {
+        CommissionBench line;
+        line.spec.settings = templateOf(
+            "sts3215", {{"position_p", 24}, {"max_temperature", 65}, {"protection_torque", 30}});
+        line.spec.templateName = q("joint.servo.json");
+        line.spec.center = true;
+        line.spec.count = 2;
+        const auto end = line.run();
+        QVERIFY2(end, qPrintable(end ? QString() : end.error().detail));
+        QCOMPARE(line.batch.rows.size(), std::size_t{2});
+        for (std::size_t i = 0; i < 2; ++i) {
+            const CommissionRow& row = line.batch.rows[i];
+            QVERIFY2(row.verdict == CommissionVerdict::Good, qPrintable(words(row).join(q(" "))));
+            QVERIFY(row.centred);
+            QCOMPARE(row.written, 3);
+            QCOMPARE(row.templateName, q("joint.servo.json"));
+            auto& servo = line.servoAt(i);
+            line.plug(i);
+            QCOMPARE(servo.raw(q("position_p")), 24);
+            QCOMPARE(servo.raw(q("max_temperature")), 65);
+            QVERIFY(std::abs(servo.raw(q("present_position")) - 2048) <= 12);
+            QVERIFY(lockedAndOff(servo));
+            QVERIFY(line.spans[i] <= 10s);
+        }
+    }
+
+    void twoServosAreNeverTouched_data()
+    {
+        QTest::addColumn<QString>("servos");
+        QTest::addColumn<CommissionObstacle>("obstacle");
+        const auto row = [](const char* servos, CommissionObstacle obstacle) {
+            QTest::newRow(servos) << q(servos) << obstacle;
+        };
+        row("sts3215@1:1000000,sts3215@1:1000000", CommissionObstacle::TwinIds);
+        row("sts3215@1:1000000,sts3215@7:1000000", CommissionObstacle::SeveralServos);
+        row("sts3215@1:1000000,sts3215@1:115200", CommissionObstacle::SeveralServos);
+        row("sts3215@1:1000000,lx16a@1", CommissionObstacle::SeveralServos);
+        row("sts3215@1:1000000,sts3215@9:500000", CommissionObstacle::SeveralServos);
+        row("lx16a@1,lx16a@2", CommissionObstacle::SeveralServos);
+        row("lx16a@1,lx16a@1", CommissionObstacle::TwinIds);
+    }
+    void twoServosAreNeverTouched()
+    {
+        QFETCH(QString, servos);
+        QFETCH(CommissionObstacle, obstacle);
+        CommissionBench line(servos);
+        line.spec.baud = servos.contains(q("500000")) ? 500'000 : 0;
+        line.spec.count = 1;
+        line.servoAt(0).setTemperature(31); // no two read the same
+        bool parted = false;
+        line.hand = [&](const CommissionView& view) {
+            if (view.step == CommissionStep::Waiting && !line.somebodyPlugged()) {
+                line.plug(0);
+                line.plug(1);
+            } else if (view.step == CommissionStep::Blocked) {
+                if (!line.bench.onlyAsked())
+                    return true;
+                if (!parted) {
+                    parted = true;
+                    line.bench.withWire([](sim::VirtualBus& wire) { wire.unplug(1); });
+                }
+                return true;
+            }
+            return view.step != CommissionStep::Unplug;
+        };
+        const auto end = line.run();
+        QVERIFY2(end, qPrintable(end ? QString() : end.error().detail));
+        QVERIFY(parted);
+        QVERIFY(line.saw(obstacle));
+        QCOMPARE(*end, CommissionEnd::CountReached);
+        QCOMPARE(line.servoAt(0).id(), 11);
+        QVERIFY(line.servoAt(1).id() != 11);
+    }
+
+    void secondServoWhileTheFirstWaitsForItsClick()
+    {
+        CommissionBench line;
+        line.spec.automatic = false;
+        bool second = false;
+        line.answer = [&] {
+            if (!second) {
+                second = true;
+                line.plug(1);
+            }
+            return CommissionAnswer::Continue;
+        };
+        line.hand = [&](const CommissionView& view) {
+            if (view.step == CommissionStep::Blocked)
+                line.bench.stop().request();
+            return false;
+        };
+        QVERIFY(line.run());
+        QVERIFY(second);
+        QVERIFY(line.saw(CommissionStep::Blocked));
+        QVERIFY(line.bench.onlyAsked());
+    }
+
+    void otherRatesAndLanguagesAreFound_data()
+    {
+        QTest::addColumn<QString>("servo");
+        for (const char* servo : {"sts3215@1:115200", "sts3215@1:38400", "sts3215@1:250000",
+                                  "sm40blhv@1", "scs15@1:500000", "scs15@1:57600"})
+            QTest::newRow(servo) << q(servo);
+    }
+    void otherRatesAndLanguagesAreFound()
+    {
+        QFETCH(QString, servo);
+        CommissionBench line(servo);
+        line.spec.baud = 1'000'000;
+        const int before = line.servoAt(0).baud();
+        line.spec.count = 1;
+        const auto end = line.run();
+        QCOMPARE(*end, CommissionEnd::CountReached);
+        const CommissionRow& row = line.batch.rows.front();
+        QVERIFY2(row.verdict == CommissionVerdict::Good, qPrintable(words(row).join(q(" "))));
+        QCOMPARE(row.oldBaud, before);
+        QCOMPARE(line.servoAt(0).id(), 11);
+        QCOMPARE(line.servoAt(0).baud(), 1'000'000);
+        QVERIFY2(line.spans[0] <= 10s, qPrintable(QString::number(line.spans[0] / 1ms)));
+    }
+
+    void lxServosKeepTheirRate()
+    {
+        CommissionBench line(q("lx16a@1,smsmb@1"));
+        line.spec.count = 2;
+        const auto end = line.run();
+        QCOMPARE(*end, CommissionEnd::CountReached);
+        for (std::size_t i = 0; i < 2; ++i) {
+            QVERIFY2(line.batch.rows[i].verdict == CommissionVerdict::Good,
+                     qPrintable(words(line.batch.rows[i]).join(q(" "))));
+            QCOMPARE(line.servoAt(i).id(), 11 + int(i));
+            QVERIFY2(line.spans[i] <= 10s, qPrintable(QString::number(line.spans[i] / 1ms)));
+        }
+    }
+
+    void aRateTheServoCannotHaveSetsItAside()
+    {
+        CommissionBench line(q("lx16a@1,sts3215@1"));
+        line.spec.baud = 1'000'000;
+        QVERIFY(line.run());
+        QCOMPARE(line.batch.rows[0].verdict, CommissionVerdict::Aside);
+        QCOMPARE(words(line.batch.rows[0]), QStringList{q("no-such-rate")});
+        QCOMPARE(line.servoAt(0).id(), 1);
+        QCOMPARE(line.batch.rows[1].verdict, CommissionVerdict::Good);
+        QCOMPARE(line.servoAt(1).id(), 11); // no ID was spent on the first
+    }
+
+    void troublesAreSetAsideWithoutAnId()
+    {
+        CommissionBench line(q("line-trouble"));
+        line.spec.baud = 500'000;
+        QVERIFY(line.run());
+        QCOMPARE(line.batch.rows.size(), std::size_t{6});
+        const std::vector<std::pair<CommissionVerdict, QStringList>> expected{
+            {CommissionVerdict::Good, {}},
+            {CommissionVerdict::Aside, {q("alarm")}},
+            {CommissionVerdict::Aside, {q("other-id")}},
+            {CommissionVerdict::Good, {}},
+            {CommissionVerdict::Aside, {q("no-such-rate")}},
+            {CommissionVerdict::Good, {}},
+        };
+        for (std::size_t i = 0; i < 6; ++i) {
+            QCOMPARE(words(line.batch.rows[i]), expected[i].second);
+            QCOMPARE(line.batch.rows[i].verdict, expected[i].first);
+        }
+        QCOMPARE(line.servoAt(1).id(), 1);
+        QCOMPARE(line.servoAt(2).id(), 7);
+        QCOMPARE(line.servoAt(5).id(), 13);
+        QCOMPARE(line.saved.size(), std::size_t{3});
+    }
+
+    void theUserMaySetUpWhatHasAnAlarm()
+    {
+        CommissionBench line(q("line-trouble"));
+        line.spec.automatic = false;
+        line.answer = [] { return CommissionAnswer::Continue; };
+        QVERIFY(line.run());
+        QCOMPARE(line.batch.rows.size(), std::size_t{6});
+        QCOMPARE(line.batch.rows[1].verdict, CommissionVerdict::Failed); // told, not hidden
+        QVERIFY(words(line.batch.rows[1]).contains(q("alarm")));
+        QCOMPARE(line.servoAt(1).id(), 12);
+        QCOMPARE(line.batch.rows[2].verdict, CommissionVerdict::Remark);
+        QCOMPARE(line.servoAt(2).id(), 13);
+    }
+
+    void anotherModelThanTheTemplatesIsSetAside()
+    {
+        CommissionBench line(q("scs15@1,sts3215@1"));
+        line.spec.settings = templateOf("sts3215", {{"position_p", 24}});
+        QVERIFY(line.run());
+        QCOMPARE(line.batch.rows[0].verdict, CommissionVerdict::Aside);
+        QVERIFY(words(line.batch.rows[0]).contains(q("other-model")));
+        QCOMPARE(line.batch.rows[1].verdict, CommissionVerdict::Good);
+        QCOMPARE(line.servoAt(1).id(), 11);
+    }
+
+    void idsAreUsedUp()
+    {
+        CommissionBench line;
+        line.spec.ids = {20, 21};
+        const auto end = line.run();
+        QCOMPARE(*end, CommissionEnd::IdsUsedUp);
+        QCOMPARE(line.batch.rows.size(), std::size_t{2});
+        line.restart();
+        QCOMPARE(*line.run(), CommissionEnd::IdsUsedUp);
+        QCOMPARE(line.batch.rows.size(), std::size_t{2});
+        line.restart();
+        line.spec.ids = {20, 21, 22};
+        QCOMPARE(*line.run(), CommissionEnd::IdsUsedUp);
+        QCOMPARE(line.batch.rows.back().newId, 22);
+    }
+
+    void whoIsLeftOnTheWireIsNotTakenAgain()
+    {
+        CommissionBench line;
+        line.hand = [&](const CommissionView& view) {
+            if (view.step == CommissionStep::Unplug) {
+                line.bench.stop().request(); // the user goes home
+                return true;
+            }
+            return false;
+        };
+        QVERIFY(line.run());
+        QVERIFY(line.batch.onWire);
+        line.restart();
+        line.bench.forgetFrames();
+        line.hand = [&](const CommissionView& view) { return false; };
+        QVERIFY(line.run());
+        QCOMPARE(line.views.front().step, CommissionStep::Unplug);
+        QCOMPARE(line.views.front().newId, 11);
+        QCOMPARE(line.batch.rows.size(), std::size_t{6});
+    }
+
+    void aServoThatIsDoneIsRecognised()
+    {
+        CommissionBench line;
+        bool again = false;
+        line.hand = [&](const CommissionView& view) {
+            if (view.step == CommissionStep::Waiting && line.batch.rows.size() == 2 && !again) {
+                again = true;
+                line.unplugAll();
+                line.plug(0); // the first one once more
+                return true;
+            }
+            return false;
+        };
+        QVERIFY(line.run());
+        QVERIFY(again);
+        QCOMPARE(line.batch.rows.size(), std::size_t{6});
+        QCOMPARE(line.servoAt(0).id(), 11);
+        const bool told = std::any_of(line.views.begin(), line.views.end(), [](const auto& view) {
+            return view.step == CommissionStep::Unplug && view.newId == 11 &&
+                   !view.concerns.empty() && view.concerns.front().word == q("already-done");
+        });
+        QVERIFY(told);
+    }
+
+    void pulledInTheMiddle_data()
+    {
+        QTest::addColumn<int>("frame");
+        QTest::addColumn<bool>("heard");
+        QTest::addColumn<bool>("killed");
+        int changes = 0;
+        CommissionBench line(q("sts3215@1"));
+        pullSpec(line);
+        line.bench.tap().onWrite = [&changes](const base::Bytes& bytes) {
+            changes += support::isChange(bytes) ? 1 : 0;
+        };
+        QVERIFY(line.run());
+        QVERIFY(changes > 6);
+        for (int frame = 0; frame < changes; ++frame) {
+            for (const bool heard : {false, true}) {
+                for (const bool killed : {false, true})
+                    QTest::addRow("change %d %s %s", frame, heard ? "heard" : "lost",
+                                  killed ? "killed" : "goes on")
+                        << frame << heard << killed;
+            }
+        }
+    }
+    /// At every frame that changes something: before the servo hears it, or after; and the program
+    /// goes on, or is killed at that very moment.
+    void pulledInTheMiddle()
+    {
+        QFETCH(int, frame);
+        QFETCH(bool, heard);
+        QFETCH(bool, killed);
+        CommissionBench line(q("sts3215@1,sts3215@1"));
+        pullSpec(line);
+        int changes = 0;
+        bool pulled = false;
+        const auto pull = [&] {
+            pulled = true;
+            line.bench.tap().onWrite = nullptr;
+            line.unplugAll();
+            if (killed) {
+                line.bench.cutLink();
+                line.bench.journal().failWith(base::ErrorCode::DiskFull);
+            }
+        };
+        bool next = false;
+        line.bench.tap().onWrite = [&](const base::Bytes& bytes) {
+            if (next)
+                return pull();
+            if (support::isChange(bytes) && changes++ == frame) {
+                if (heard)
+                    next = true;
+                else
+                    pull();
+            }
+        };
+        line.hand = [&](const CommissionView& view) {
+            if (view.step != CommissionStep::Waiting || !pulled || line.somebodyPlugged() ||
+                !line.batch.rows.empty())
+                return false;
+            line.plug(0); // the same one again
+            return true;
+        };
+        auto end = line.run();
+        if (pulled && killed) {
+            QVERIFY(!end);
+            line.bench.journal().failWith(std::nullopt);
+            line.bench.restoreLink();
+            line.restart();
+            end = line.run();
+        }
+        QVERIFY2(end, qPrintable(end ? QString() : base::errorName(end.error().code)));
+        QVERIFY(pulled);
+        std::set<int> ids;
+        for (std::size_t place : {0U, 1U}) {
+            const auto& servo = line.servoAt(place);
+            line.plug(place);
+            ids.insert(servo.id());
+            QVERIFY2(servo.id() >= 11, "each has an ID of its own");
+            QCOMPARE(servo.baud(), 500'000);
+            QCOMPARE(servo.raw(q("position_p")), 24);
+            QCOMPARE(servo.raw(q("max_temperature")), 65);
+            QVERIFY(lockedAndOff(servo));
+        }
+        QCOMPARE(ids.size(), std::size_t{2});
+        QCOMPARE(line.batch.done(), 2);
+        for (const CommissionRow& row : line.batch.rows)
+            QVERIFY2(ids.count(row.newId) == 1, "the batch says what is so");
+    }
+};
+
+QTEST_GUILESS_MAIN(tst_Commission)
+#include "tst_commission.moc"
