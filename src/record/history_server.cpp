@@ -154,7 +154,11 @@ QString HistoryServer::statement(const QString& sql, const QVariantList& values)
 base::Result<HistoryAnswer> HistoryServer::run(const QString& sql, const QVariantList& values) const
 {
     const PlainMessages plain;
-    QSqlQuery query(QSqlDatabase::database(m_name, false));
+    const QSqlDatabase database = QSqlDatabase::database(m_name, false);
+    if (!database.isOpen()) // any more
+        return tl::unexpected(
+            serverError(m_socket.closed() ? ServerTrouble::Hung : ServerTrouble::Away, QString()));
+    QSqlQuery query(database);
     HistoryAnswer answer;
     if (!query.exec(statement(sql, values)))
         return tl::unexpected(error(query.lastError(), false));

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sending copies while the program runs, against a real PostgreSQL server that is away, comes, goes
+// and hangs: what was missed arrives later, servo writes and the end of the program wait for
+// nobody, and browsing says what is wrong. Without PostgreSQL installed there is nothing to test.
+#include "device/writer.h"
+#include "session/archive.h"
+#include "session/history_sender.h"
+#include "session/history_server_choice.h"
+#include "session/server_source.h"
+#include "support/cli_program.h"
+#include "support/history_example.h"
+#include "support/postgres.h"
+#include "support/silent_server.h"
+#include "support/sim_bench.h"
+
+#include <QtTest>
+
+#include <atomic>
+#include <thread>
+
+using history_example::Bench;
+using history_example::everything;
+using record::History;
+using record::HistoryServer;
+using session::HistorySender;
+using Phase = session::SendState::Phase;
+using namespace std::chrono_literals;
+
+namespace {
+constexpr int patienceMs = 60'000; ///< only a hung program ever needs it
+
+QString utf8(const char* words)
+{
+    return QString::fromUtf8(words);
+}
+
+QString kindOf(const base::Error& error)
+{
+    return error.detail.left(error.detail.indexOf(u':'));
+}
+
+/// Impatient, for the tests.
+HistorySender::Times quick()
+{
+    HistorySender::Times times;
+    times.look = 50ms;
+    times.settle = 1ms;
+    times.firstRetry = 20ms;
+    times.lastRetry = 100ms;
+    times.silence = 200ms;
+    return times;
+}
+} // namespace
+
+class TestHistorySender : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<History> browse()
+    {
+        auto server =
+            record::connectHistoryServer(m_pg.address(m_database), HistoryServer::Purpose::Browse);
+        if (!server)
+            qCritical("%s", qPrintable(server.error().detail));
+        return std::make_unique<History>(std::move(*server));
+    }
+
+    void verifyCopied(const Bench& bench)
+    {
+        QCOMPARE(everything(*browse()), everything(*bench.open()));
+    }
+
+    support::Postgres m_pg;
+    QString m_database;
+    int m_databases = 0;
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!support::Postgres::installed())
+            QSKIP("PostgreSQL is not installed (package postgresql)");
+        QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
+    }
+    void init()
+    {
+        QTest::failOnWarning(QRegularExpression(utf8(".*")));
+        m_database = utf8("shop %1").arg(++m_databases);
+        m_pg.query(utf8("postgres"), utf8("CREATE DATABASE \"%1\"").arg(m_database));
+        QVERIFY2(m_pg.why().isEmpty(), qPrintable(m_pg.why()));
+    }
+
+    void offUntilAServerIsSet();
+    void whatComesIsSent();
+    void otherProgramsChangesAreSentToo();
+    void awayAtFirstThenThere();
+    void aServerThatRestartsMissesNothing();
+    void aHungServerCountsAsTrouble();
+    void servoWritesDoNotWait();
+    void theEndDoesNotWait_data();
+    void theEndDoesNotWait();
+    void anotherServerMidway();
+    void theWindowBrowses();
+    void browsingAHungServer();
+    void theChoiceIsRemembered();
+};
+
+void TestHistorySender::offUntilAServerIsSet()
+{
+    Bench bench;
+    history_example::fill(bench);
+    HistorySender sender(bench.path, quick());
+    sender.poke();
+    QCOMPARE(int(sender.state().phase), int(Phase::Off));
+    QVERIFY(sender.state().server.isEmpty());
+}
+
+void TestHistorySender::whatComesIsSent()
+{
+    Bench bench;
+    history_example::fill(bench);
+    HistorySender::Times rare = quick();
+    rare.look = 1h;
+    HistorySender sender(bench.path, rare);
+    QList<Phase> phases;
+    connect(&sender, &HistorySender::stateChanged, this,
+            [&] { phases.append(sender.state().phase); });
+    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    QVERIFY(phases.contains(Phase::Sending));
+    QVERIFY(sender.state().upToDate.isValid());
+    QCOMPARE(sender.state().waiting, std::optional<std::int64_t>(0));
+    QCOMPARE(sender.state().server,
+             utf8("postgres@127.0.0.1:%1/%2").arg(m_pg.port()).arg(m_database));
+    verifyCopied(bench);
+
+    history_example::write(bench.journal, 4, 1);
+    sender.poke();
+    QCOMPARE(int(sender.state().phase), int(Phase::Waiting));
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    verifyCopied(bench);
+}
+
+void TestHistorySender::otherProgramsChangesAreSentToo()
+{
+    Bench bench;
+    HistorySender sender(bench.path, quick());
+    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    history_example::write(bench.journal, 4, 1); // nobody pokes
+    const QString count = utf8("SELECT count(*) FROM servodesk.writes");
+    QTRY_COMPARE_WITH_TIMEOUT(m_pg.query(m_database, count), utf8("2"), patienceMs);
+}
+
+void TestHistorySender::awayAtFirstThenThere()
+{
+    Bench bench;
+    history_example::fill(bench);
+    m_pg.stop();
+    {
+        HistorySender sender(bench.path, quick());
+        sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+        QCOMPARE(kindOf(*sender.state().error), utf8("away"));
+        QVERIFY(sender.state().nextTry.isValid());
+        QVERIFY(!sender.state().waiting);
+        QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+        QVERIFY(!sender.state().error);
+        verifyCopied(bench);
+    }
+    // Missed by a program that has ended, sent by the next one.
+    m_pg.stop();
+    {
+        HistorySender sender(bench.path, quick());
+        sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+        history_example::write(bench.journal, 1, 99);
+        sender.poke();
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+    }
+    QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
+    HistorySender sender(bench.path, quick());
+    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    verifyCopied(bench);
+}
+
+void TestHistorySender::aServerThatRestartsMissesNothing()
+{
+    Bench bench;
+    HistorySender sender(bench.path, quick());
+    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    for (int round = 0; round < 3; ++round) {
+        for (int i = 0; i < 40; ++i)
+            history_example::write(bench.journal, 1 + i % 3, i);
+        sender.poke();
+        m_pg.kill();
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+        history_example::write(bench.journal, 1, round);
+        QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(everything(*browse()), everything(*bench.open()), patienceMs);
+}
+
+void TestHistorySender::aHungServerCountsAsTrouble()
+{
+    Bench bench;
+    history_example::fill(bench);
+    HistorySender sender(bench.path, quick());
+    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    m_pg.freeze();
+    history_example::write(bench.journal, 1, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+    QCOMPARE(kindOf(*sender.state().error), utf8("hung"));
+    QCOMPARE(sender.state().waiting, std::optional<std::int64_t>(1));
+    m_pg.thaw();
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    verifyCopied(bench);
+}
+
+/// Safe writes to a servo, journalled in the very file that is to be copied, on a thread of their
+/// own as in the program: while the server hangs they are as many in the same time as without one.
+void TestHistorySender::servoWritesDoNotWait()
+{
+    Bench bench;
+    const support::SilentServer silent;
+    HistorySender sender(bench.path, quick());
+    sender.setServer(silent.address(), utf8("Bench 1"));
+    QCOMPARE(int(sender.state().phase), int(Phase::Waiting));
+    support::SimBench wire(utf8("sts3215@1"));
+    const device::Context own = wire.context();
+    const device::Context context{own.bus, own.catalog, bench.journal, own.stop, own.notices};
+    device::Servo servo = wire.servo(1);
+    for (int i = 0; i < 50; ++i) {
+        const auto report = device::write(context, servo, {{utf8("min_angle"), 100 + i}}, {});
+        QVERIFY(report.has_value());
+        QVERIFY(report->allGood());
+        sender.poke();
+        QCoreApplication::processEvents();
+        QVERIFY(sender.state().phase != Phase::UpToDate);
+    }
+    QCOMPARE(wire.raw(1, utf8("min_angle")), std::int64_t(149));
+    // The server has not said a word yet, and everything is done and written down.
+    QCOMPARE(history_example::writes(*bench.open()).size(), qsizetype(50));
+    QVERIFY(bench.journal.open().value().empty());
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+    QCOMPARE(kindOf(*sender.state().error), utf8("hung"));
+    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    verifyCopied(bench);
+}
+
+void TestHistorySender::theEndDoesNotWait_data()
+{
+    QTest::addColumn<bool>("connecting");
+    QTest::newRow("while connecting") << true;
+    QTest::newRow("in a transaction") << false;
+}
+
+/// The server never answers: that this test ends at all is what it is about.
+void TestHistorySender::theEndDoesNotWait()
+{
+    QFETCH(bool, connecting);
+    Bench bench;
+    history_example::fill(bench);
+    const support::SilentServer silent;
+    HistorySender::Times times = quick();
+    times.silence = 24h;
+    auto sender = std::make_unique<HistorySender>(bench.path, times);
+    if (connecting) {
+        sender->setServer(silent.address() + utf8(" connect_timeout=100000"), utf8("Bench 1"));
+    } else {
+        sender->setServer(m_pg.address(m_database), utf8("Bench 1"));
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender->state().phase), int(Phase::UpToDate), patienceMs);
+        m_pg.freeze();
+        history_example::write(bench.journal, 1, 1);
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender->state().phase), int(Phase::Sending), patienceMs);
+    }
+    sender.reset();
+    m_pg.thaw();
+}
+
+void TestHistorySender::anotherServerMidway()
+{
+    Bench bench;
+    history_example::fill(bench);
+    const support::SilentServer silent;
+    HistorySender sender(bench.path, quick());
+    sender.setServer(silent.address(), utf8("Bench 1"));
+    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    verifyCopied(bench);
+    sender.setServer(QString(), QString());
+    QCOMPARE(int(sender.state().phase), int(Phase::Off));
+}
+
+void TestHistorySender::theWindowBrowses()
+{
+    Bench one;
+    Bench two;
+    history_example::fill(one);
+    history_example::write(two.journal, 9, 1);
+    for (const Bench* bench : {&one, &two}) {
+        session::HistorySending sending(bench->path, m_pg.address(m_database),
+                                        bench == &one ? utf8("A") : utf8("B"));
+        QVERIFY(sending.send().has_value());
+    }
+    session::Archive archive(std::make_unique<session::ServerSource>(m_pg.address(m_database)));
+    std::optional<std::vector<record::HistoryBench>> benches;
+    archive.benches(this, [&](const auto& found) { benches = found.value(); });
+    QTRY_VERIFY_WITH_TIMEOUT(benches.has_value(), patienceMs);
+    QCOMPARE(benches->size(), std::size_t(2));
+
+    std::optional<std::int64_t> count;
+    archive.countWrites({}, this, [&](const auto& found) { count = found.value(); });
+    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(16), patienceMs);
+    archive.chooseBench(benches->at(1).number);
+    archive.countWrites({}, this, [&](const auto& found) { count = found.value(); });
+    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(2), patienceMs);
+    archive.chooseBench(benches->at(0).number);
+
+    session::SharedSnapshot snapshot;
+    archive.snapshots({}, this, [&](const auto& found) {
+        archive.loadSnapshot(found.value().front().number, this,
+                             [&](const auto& loaded) { snapshot = loaded.value(); });
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(snapshot != nullptr, patienceMs);
+    const auto log = one.open();
+    QCOMPARE(*snapshot, log->log().snapshot(log->log().snapshots().value().front().number).value());
+    session::SharedRun run;
+    archive.list({}, this, [&](const auto& found) {
+        archive.load(found.value().front().number, this,
+                     [&](const auto& loaded) { run = loaded.value(); });
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(run != nullptr, patienceMs);
+    QCOMPARE(run->servos.size(), sweep_example::run().servos.size());
+
+    QSignalSpy failed(&archive, &session::Archive::failed);
+    archive.setNote(1, utf8("mine"));
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patienceMs);
+
+    // Gone and back again: said, and then forgotten.
+    m_pg.stop();
+    std::optional<base::Error> trouble;
+    archive.countWrites({}, this, [&](const auto& found) { trouble = found.error(); });
+    QTRY_VERIFY_WITH_TIMEOUT(trouble.has_value(), patienceMs);
+    QCOMPARE(kindOf(*trouble), utf8("away"));
+    QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
+    count.reset();
+    archive.countWrites({}, this, [&](const auto& found) { count = found.value(); });
+    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(14), patienceMs);
+}
+
+void TestHistorySender::browsingAHungServer()
+{
+    Bench bench;
+    history_example::fill(bench);
+    session::HistorySending sending(bench.path, m_pg.address(m_database), utf8("A"));
+    QVERIFY(sending.send().has_value());
+    auto archive = std::make_unique<session::Archive>(
+        std::make_unique<session::ServerSource>(m_pg.address(m_database), 200ms));
+    std::optional<std::int64_t> count;
+    archive->countWrites({}, this, [&](const auto& found) { count = found.value(); });
+    QTRY_VERIFY_WITH_TIMEOUT(count.has_value(), patienceMs);
+    m_pg.freeze();
+    std::optional<base::Error> trouble;
+    archive->countWrites({}, this, [&](const auto& found) { trouble = found.error(); });
+    QTRY_VERIFY_WITH_TIMEOUT(trouble.has_value(), patienceMs);
+    QCOMPARE(kindOf(*trouble), utf8("hung"));
+    archive->countWrites({}, this, [](const auto&) { QFAIL("nobody is there any more"); });
+    archive.reset();
+    m_pg.thaw();
+}
+
+void TestHistorySender::theChoiceIsRemembered()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(utf8("settings.ini"));
+    {
+        session::Settings settings(path);
+        const auto none = session::historyServerChoice(settings);
+        QVERIFY(none.address.isEmpty());
+        QVERIFY(!none.bench.isEmpty());
+        session::setHistoryServerChoice(settings,
+                                        {utf8("postgresql://shop/history"), utf8("Tor 3")});
+    }
+    const session::Settings settings(path);
+    QCOMPARE(session::historyServerChoice(settings).address, utf8("postgresql://shop/history"));
+    QCOMPARE(session::historyServerChoice(settings).bench, utf8("Tor 3"));
+    qputenv("SERVODESK_HISTORY_SERVER", "host=elsewhere");
+    const auto overridden = session::historyServerChoice(settings);
+    qunsetenv("SERVODESK_HISTORY_SERVER");
+    QCOMPARE(overridden.address, utf8("host=elsewhere"));
+    QVERIFY(overridden.fixed);
+    QVERIFY(!session::historyServerChoice(settings).fixed);
+}
+
+QTEST_GUILESS_MAIN(TestHistorySender)
+#include "tst_history_sender.moc"

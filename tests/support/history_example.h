@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A bench's history with something of every kind in it, and what its lists say without the numbers
+// that each database gives by itself, so that a copy can be held against it. The test's thread.
+#pragma once
+
+#include "record/history.h"
+#include "record/history_journal.h"
+#include "unit/record/sweep_example.h"
+
+#include <QTemporaryDir>
+
+namespace history_example {
+using namespace std::chrono_literals;
+
+/// `folder` goes with it.
+struct Bench {
+    QTemporaryDir folder;
+    QString path = folder.filePath(QStringLiteral("history.sqlite"));
+    record::HistoryJournal journal{path, QStringLiteral("ServoDesk 0.1.0")};
+
+    std::unique_ptr<record::History> open() const
+    {
+        return std::move(record::History::open(path).value());
+    }
+};
+
+inline void must(const base::Result<void>& done)
+{
+    if (!done)
+        qFatal("%s", qPrintable(done.error().detail));
+}
+
+inline base::ServoIdentity servo(int id, const char* model = "STS3215")
+{
+    base::ServoIdentity who{
+        id, 9, 3, 3, 10, QStringLiteral("sts-sms"), QStringLiteral("/dev/ttyUSB0"), 1000000};
+    who.model = QString::fromLatin1(model);
+    return who;
+}
+
+/// Two registers; `outcome` empty: interrupted.
+inline QString write(record::HistoryJournal& journal, int id, std::int64_t value,
+                     const char* outcome = "done")
+{
+    base::Intent intent;
+    intent.lockOpened = true;
+    intent.servo = servo(id);
+    intent.items = {{QStringLiteral("min_angle"), 9, -12, value},
+                    {QStringLiteral("max_angle"), 11, 4095, value + 1000}};
+    const QString uuid = journal.begin(intent).value();
+    if (*outcome == '\0')
+        return uuid;
+    base::IntentEnd end{QString::fromLatin1(outcome), QStringLiteral("O'Neill\\ ?")};
+    end.items = {{QStringLiteral("min_angle"), value, QStringLiteral("kept")},
+                 {QStringLiteral("max_angle"), {}, QStringLiteral("mismatch")}};
+    must(journal.end(uuid, end));
+    return uuid;
+}
+
+inline record::Snapshot snapshot(int id, const char* note)
+{
+    record::Snapshot snapshot;
+    snapshot.program = QStringLiteral("ServoDesk 0.1.0");
+    snapshot.at = QDateTime({2026, 5, 1}, {8, id % 60, 3}, Qt::UTC);
+    snapshot.note = QString::fromUtf8(note);
+    snapshot.port = QStringLiteral("/dev/ttyUSB0");
+    snapshot.baud = 1000000;
+    snapshot.servo = {id,
+                      QStringLiteral("STS3215"),
+                      QStringLiteral("9.3"),
+                      QStringLiteral("3.10"),
+                      QStringLiteral("sts-sms"),
+                      QStringLiteral("feetech")};
+    snapshot.registers = {{QStringLiteral("min_angle"), 9, -12, -1.05, QStringLiteral("deg")}};
+    return snapshot;
+}
+
+/// Something of every kind.
+inline void fill(Bench& bench)
+{
+    for (int i = 0; i < 5; ++i)
+        write(bench.journal, 1 + i % 3, i);
+    write(bench.journal, 2, 77, "failed");
+    write(bench.journal, 3, 78, "");
+    must(bench.journal.keep(servo(1), QStringLiteral("limits"), {1, -2}));
+    const auto history = bench.open();
+    const record::HistoryLog log = history->log();
+    (void)log.addSnapshot(snapshot(1, "磨损 'worn'"), record::SnapshotReason::Automatic).value();
+    (void)log.addSnapshot(snapshot(7, ""), record::SnapshotReason::Asked).value();
+    const QDateTime at({2026, 5, 2}, {9, 0, 0, 250}, Qt::UTC);
+    must(log.alarmCame(servo(2), QStringLiteral("overload"), false, at));
+    must(log.alarmWent(servo(2), QStringLiteral("overload"), at.addSecs(9)));
+    must(log.alarmCame(servo(1), QStringLiteral("voltage"), true, at.addSecs(1)));
+    record::HistoryRecording recording;
+    recording.at = at;
+    recording.length = 12s;
+    recording.file = QStringLiteral("/tmp/r.csv");
+    recording.rows = 4711;
+    recording.port = QStringLiteral("/dev/ttyUSB0");
+    (void)log.addRecording(recording, {servo(1), servo(3)}).value();
+    (void)history->add(sweep_example::run(), {QStringLiteral("/tmp/r.html")}).value();
+}
+
+// --- the lists as text, newest first ---
+
+inline QString said(const QDateTime& at)
+{
+    return at.toString(Qt::ISODateWithMs);
+}
+
+inline QStringList writes(const record::History& history, const record::HistoryFilter& filter = {})
+{
+    QStringList lines;
+    const auto all = history.log().writes(filter).value();
+    for (const record::HistoryWrite& one : all)
+        lines << QStringLiteral("%1/%2 %3 %4 %5 %6 %7 %8@%9")
+                         .arg(one.intentUuid)
+                         .arg(one.place)
+                         .arg(one.servoId)
+                         .arg(one.model, one.label, said(one.at), base::intentKindName(one.kind))
+                         .arg(one.key)
+                         .arg(one.address) +
+                     QStringLiteral(" %1→%2 %3 %4 %5 %6 %7 %8 %9")
+                         .arg(one.oldRaw)
+                         .arg(one.newRaw)
+                         .arg(one.readBack ? QString::number(*one.readBack) : QString())
+                         .arg(one.outcome, one.detail, one.port)
+                         .arg(one.baud)
+                         .arg(one.program)
+                         .arg(one.temporary);
+    return lines;
+}
+
+inline QStringList servos(const record::History& history, const record::HistoryFilter& filter = {})
+{
+    QStringList lines;
+    const auto all = history.log().servos(filter).value();
+    for (const record::HistoryServo& one : all)
+        lines << QStringLiteral("%1 %2 %3 %4 %5 %6 %7")
+                         .arg(one.uuid)
+                         .arg(one.who.id)
+                         .arg(one.who.model, one.who.map, one.label, said(one.lastWrite),
+                              one.who.port) +
+                     (one.current ? QStringLiteral(" current") : QString());
+    return lines;
+}
+
+inline QStringList snapshots(const record::History& history,
+                             const record::HistoryFilter& filter = {})
+{
+    QStringList lines;
+    const auto all = history.log().snapshots(filter).value();
+    for (const record::HistorySnapshot& one : all)
+        lines << QStringLiteral("%1 %2 %3 %4 %5 %6 %7 %8")
+                         .arg(one.uuid)
+                         .arg(one.servoId)
+                         .arg(one.model, one.firmware, one.label, one.note,
+                              record::snapshotReasonName(one.reason))
+                         .arg(one.registers) +
+                     QString::fromUtf8(
+                         record::encodeSnapshot(history.log().snapshot(one.number).value()));
+    return lines;
+}
+
+inline QStringList alarms(const record::History& history, const record::HistoryFilter& filter = {})
+{
+    QStringList lines;
+    const auto all = history.log().alarms(filter).value();
+    for (const record::HistoryAlarm& one : all)
+        lines << QStringLiteral("%1 %2 %3 %4 %5 %6")
+                     .arg(one.uuid)
+                     .arg(one.servoId)
+                     .arg(one.key)
+                     .arg(one.derived)
+                     .arg(said(one.at), said(one.went));
+    return lines;
+}
+
+inline QStringList recordings(const record::History& history,
+                              const record::HistoryFilter& filter = {})
+{
+    QStringList lines;
+    const auto all = history.log().recordings(filter).value();
+    for (const record::HistoryRecording& one : all) {
+        QString line = QStringLiteral("%1 %2 %3 %4 %5")
+                           .arg(one.uuid, said(one.at), one.file)
+                           .arg(one.rows)
+                           .arg(qint64(one.length.count()));
+        for (const auto& servo : one.servos)
+            line += QStringLiteral(" %1:%2:%3").arg(servo.id).arg(servo.model, servo.label);
+        lines << line;
+    }
+    return lines;
+}
+
+inline QStringList runs(const record::History& history, const record::RunFilter& filter = {})
+{
+    QStringList lines;
+    const auto all = history.runs(filter).value();
+    for (const record::TestRun& one : all) {
+        QString line = QStringLiteral("%1 %2 %3 %4 %5")
+                           .arg(one.uuid, one.kind, said(one.at), one.operatorName, one.note) +
+                       one.files.join(u',');
+        for (const record::TestServo& servo : one.servos)
+            line += QStringLiteral(" %1:%2:%3:%4")
+                        .arg(servo.id)
+                        .arg(servo.model, servo.label)
+                        .arg(servo.reference);
+        lines << line << QString::fromUtf8(history.text(one.number).value());
+    }
+    return lines;
+}
+
+/// Everything there is to see.
+inline QStringList everything(const record::History& history)
+{
+    return servos(history) + writes(history) + snapshots(history) + alarms(history) +
+           recordings(history) + runs(history) + history.log().writtenKeys().value();
+}
+} // namespace history_example
