@@ -21,7 +21,7 @@ const std::vector<Command>& commands()
                                           snapshotDiffCommand(), snapshotRestoreCommand(),
                                           bundleSaveCommand(),   bundleRestoreCommand(),
                                           templateMakeCommand(), templateApplyCommand(),
-                                          tourCommand()};
+                                          historySyncCommand(),  tourCommand()};
     return all;
 }
 } // namespace cli

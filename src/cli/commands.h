@@ -31,6 +31,7 @@ Command sweepReferenceCommand();
 Command sweepCompareCommand();
 Command rawCommand();
 Command recoverCommand();
+Command historySyncCommand();
 Command snapshotSaveCommand();
 Command snapshotShowCommand();
 Command snapshotDiffCommand();

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "session/history_sending.h"
+#include "session/history_server_choice.h"
+#include "session/loose_thread.h"
+#include "session/paths.h"
+
+#include <future>
+
+namespace cli {
+namespace {
+using session::SendProgress;
+constexpr auto lookEvery = std::chrono::milliseconds(50);
+constexpr auto longestSilence = std::chrono::minutes(2);
+constexpr auto atTheEnd = std::chrono::milliseconds(900);
+
+/// On a thread that can be left behind, since a server may hang for as long as it likes.
+base::Result<SendProgress> send(Run& run, const session::HistoryServerChoice& choice)
+{
+    const auto sending = std::make_shared<session::HistorySending>(session::historyFile(),
+                                                                   choice.address, choice.bench);
+    const auto promise = std::make_shared<std::promise<base::Result<SendProgress>>>();
+    auto answer = promise->get_future();
+    session::LooseThread thread;
+    thread.start([sending, promise] { promise->set_value(sending->send()); });
+    while (answer.wait_for(lookEvery) != std::future_status::ready) {
+        if (run.stop().requested()) {
+            sending->abort();
+            thread.end(atTheEnd);
+            return base::fail(base::ErrorCode::Stopped, QStringLiteral("history-sync"));
+        }
+        if (sending->silence() > longestSilence)
+            sending->hangUp();
+    }
+    thread.end(atTheEnd, [sending] { sending->disconnect(); });
+    return answer.get();
+}
+
+base::Result<Exit> runSync(Run& run, const Values& values)
+{
+    session::Settings settings;
+    session::HistoryServerChoice choice = session::historyServerChoice(settings);
+    choice.address = values.option("--server").value_or(choice.address);
+    choice.bench = values.option("--bench").value_or(choice.bench).trimmed();
+    if (choice.address.trimmed().isEmpty())
+        return base::fail(base::ErrorCode::BadArgument, QStringLiteral("arguments"),
+                          translate("cli", "no history server is set; name one with --server or "
+                                           "SERVODESK_HISTORY_SERVER"));
+    const auto address = record::ServerAddress::parse(choice.address);
+    if (!address)
+        return tl::unexpected(address.error());
+    if (values.has("--remember"))
+        session::setHistoryServerChoice(settings, choice);
+    const auto sent = send(run, choice);
+    if (!sent)
+        return tl::unexpected(sent.error());
+    run.finish(Json::object()
+                   .add("server", address->shown())
+                   .add("bench", choice.bench)
+                   .add("sent", sent->sent),
+               translate("cli", "Rows sent to %1 as %2: %3; it has everything now")
+                       .arg(address->shown(), choice.bench)
+                       .arg(qint64(sent->sent)) +
+                   QLatin1Char('\n'));
+    return Exit::Done;
+}
+} // namespace
+
+Command historySyncCommand()
+{
+    return {"history-sync",
+            QT_TRANSLATE_NOOP("cli", "send what a history server (PostgreSQL) has missed; needs no "
+                                     "port"),
+            {},
+            {{"--server",
+              QT_TRANSLATE_NOOP("cli", "its connection string, such as "
+                                       "postgresql://USER@HOST/DATABASE; else the one remembered"),
+              "STRING"},
+             {"--bench", QT_TRANSLATE_NOOP("cli", "what this bench is called there"), "NAME"},
+             {"--remember",
+              QT_TRANSLATE_NOOP("cli", "use server and name from now on, in the window too")}},
+            runSync};
+}
+} // namespace cli
