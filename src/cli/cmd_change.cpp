@@ -26,6 +26,8 @@ base::Result<Exit> runSetId(Run& run, const Values& values)
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
+    if (const auto saved = run.saveFirst(*servo); !saved)
+        return tl::unexpected(saved.error());
     const auto report = jobs::changeId(*context, *servo, *newId);
     if (!report)
         return tl::unexpected(report.error());
@@ -44,6 +46,8 @@ base::Result<Exit> runSetBaud(Run& run, const Values& values)
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
+    if (const auto saved = run.saveFirst(*servo); !saved)
+        return tl::unexpected(saved.error());
     const auto report = jobs::changeBaud(*context, *servo, rates->front());
     if (!report)
         return tl::unexpected(report.error());
@@ -57,6 +61,8 @@ base::Result<Exit> runCenter(Run& run, const Values& values)
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
+    if (const auto saved = run.saveFirst(*servo); !saved)
+        return tl::unexpected(saved.error());
     const auto report = jobs::center(*context, *servo);
     if (!report)
         return tl::unexpected(report.error());

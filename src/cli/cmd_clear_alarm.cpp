@@ -47,6 +47,13 @@ QString alarmText(const device::Servo& servo, const jobs::AlarmPlan& plan)
            text::releaseWords(jobs::releaseName(plan.next)) + QLatin1Char('\n');
 }
 
+bool writes(const jobs::AlarmPlan& plan)
+{
+    return !plan.refused &&
+           (plan.next == jobs::Release::TurnBack || plan.next == jobs::Release::NewGoal ||
+            plan.next == jobs::Release::FaultReset);
+}
+
 base::Result<Exit> run(Run& run, const Values& values)
 {
     auto servo = run.servoWithSettings(values);
@@ -68,6 +75,10 @@ base::Result<Exit> run(Run& run, const Values& values)
                                         "repeat it with --move.") +
                        QLatin1Char('\n'));
         return Exit::NotDone;
+    }
+    if (writes(*plan)) {
+        if (const auto saved = run.saveFirst(*servo); !saved)
+            return tl::unexpected(saved.error());
     }
     const auto report = jobs::clearAlarm(*context, *servo, *plan);
     if (!report)

@@ -14,6 +14,8 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
+    if (const auto saved = run.saveFirst(*servo); !saved)
+        return tl::unexpected(saved.error());
     bool said = false;
     const auto report = jobs::blink(*context, *servo, jobs::blinkTime, [&](const jobs::Progress&) {
         if (!std::exchange(said, true))

@@ -192,7 +192,11 @@ base::Result<Exit> run(Run& run, const Values& values)
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
-    const auto recovered = jobs::recover(*context, action, values.has("--any-port"));
+    const auto recovered = jobs::recover(
+        *context, action,
+        {values.has("--any-port"), {}, [&run](const device::Context& inner, device::Servo& servo) {
+             return run.saveFirst(inner, servo);
+         }});
     if (!recovered)
         return tl::unexpected(recovered.error());
     show(run, *recovered, action);

@@ -6,12 +6,11 @@
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "jobs/change.h"
-#include "session/safety_snapshot.h"
 #include "text/notice_words.h"
 
 namespace cli {
 namespace {
-Json jsonRestore(const jobs::RestoreReport& report, const QString& snapshot)
+Json jsonRestore(const jobs::RestoreReport& report)
 {
     return Json::object()
         .add("id", report.newId)
@@ -19,11 +18,10 @@ Json jsonRestore(const jobs::RestoreReport& report, const QString& snapshot)
         .add("old_baud", report.oldBaud)
         .add("baud", report.newBaud)
         .add("changed", QStringList(report.changed.begin(), report.changed.end()))
-        .add("lock", device::lockName(report.lock))
-        .add("snapshot", snapshot);
+        .add("lock", device::lockName(report.lock));
 }
 
-QString restoreText(const jobs::RestoreReport& report, const QString& snapshot)
+QString restoreText(const jobs::RestoreReport& report)
 {
     const QStringList changed(report.changed.begin(), report.changed.end());
     QStringList lines;
@@ -34,7 +32,6 @@ QString restoreText(const jobs::RestoreReport& report, const QString& snapshot)
                                 : translate("cli", "Changed registers: %1")
                                       .arg(changed.join(QStringLiteral(", "))));
     lines << translate("cli", "EPROM lock: %1").arg(text::lockWord(device::lockName(report.lock)));
-    lines << translate("cli", "The settings before are in %1").arg(snapshot);
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
@@ -46,10 +43,8 @@ base::Result<Exit> run(Run& run, const Values& values)
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
-    const auto snapshot = session::saveSafetySnapshot(*context, *servo);
-    if (!snapshot)
-        return tl::unexpected(snapshot.error());
-    run.console().remark(translate("cli", "The present settings are saved in %1").arg(*snapshot));
+    if (const auto saved = run.saveFirst(*servo); !saved)
+        return tl::unexpected(saved.error());
     base::Result<jobs::RestoreReport> report;
     {
         ProgressLine line(run.console(), translate("cli", "Restoring"));
@@ -58,7 +53,7 @@ base::Result<Exit> run(Run& run, const Values& values)
     }
     if (!report)
         return tl::unexpected(report.error());
-    run.finish(jsonRestore(*report, *snapshot), restoreText(*report, *snapshot));
+    run.finish(jsonRestore(*report), restoreText(*report));
     const bool shut =
         report->lock != device::LockState::Open && report->lock != device::LockState::Unknown;
     return shut ? Exit::Done : Exit::NotDone;

@@ -4,6 +4,7 @@
 #include "cli/progress.h"
 #include "cli/register_input.h"
 #include "cli/run.h"
+#include "cli/sweep_history.h"
 #include "cli/table.h"
 #include "cli/translate.h"
 #include "jobs/step_advice.h"
@@ -97,7 +98,8 @@ private:
     base::Result<void> takeTrial();
     base::Result<void> perform(const std::vector<record::StepGain>& trial);
     base::Result<void> save() const;
-    void show();
+    QString keep();
+    void show(const QString& kept);
 
     Run& m_run;
     const Values& m_values;
@@ -185,6 +187,10 @@ base::Result<void> StepCommand::perform(const std::vector<record::StepGain>& tri
     const auto context = m_run.context();
     if (!context)
         return tl::unexpected(context.error());
+    if (!trial.empty() || m_order.switchMode) {
+        if (const auto saved = m_run.saveFirstAndSay(*m_servo); !saved)
+            return saved;
+    }
     ProgressLine line(m_run.console(), trial.empty() ? translate("cli", "Step response")
                                                      : translate("cli", "Step response, trial"));
     jobs::StepWatch watch;
@@ -217,7 +223,22 @@ base::Result<void> StepCommand::save() const
     return {};
 }
 
-void StepCommand::show()
+/// Every run is kept, also the one with the values the servo had.
+QString StepCommand::keep()
+{
+    QStringList files;
+    if (m_kind != FileKind::None)
+        files.append(QFileInfo(m_values.option("--report").value_or(QString())).absoluteFilePath());
+    QStringList kept;
+    for (const record::StepRun& run : m_runs) {
+        const QString line = keepStep(m_run.console(), run, files);
+        if (!line.isEmpty())
+            kept.append(line);
+    }
+    return kept.join(QLatin1Char('\n'));
+}
+
+void StepCommand::show(const QString& kept)
 {
     if (m_run.console().json()) {
         m_run.console().write(record::encodeStepRuns(m_runs, m_advice));
@@ -246,6 +267,8 @@ void StepCommand::show()
         text +=
             translate("cli", "Report: %1").arg(m_values.option("--report").value_or(QString())) +
             QLatin1Char('\n');
+    if (!kept.isEmpty())
+        text += kept + QLatin1Char('\n');
     m_run.console().print(text + m_run.takeNotices());
 }
 
@@ -259,7 +282,7 @@ base::Result<Exit> StepCommand::run()
     if (!m_trial.empty() && m_runs.front().end == record::SweepEnd::Finished)
         after = perform(m_trial);
     const auto saved = save();
-    show();
+    show(keep());
     if (!after)
         return tl::unexpected(after.error());
     if (!saved)

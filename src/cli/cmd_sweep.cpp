@@ -231,6 +231,12 @@ base::Result<Exit> SweepCommand::run()
     const auto context = m_run.context();
     if (!context)
         return tl::unexpected(context.error());
+    if (m_order.switchMode) {
+        for (device::Servo& servo : m_servos) {
+            if (const auto saved = m_run.saveFirstAndSay(servo); !saved)
+                return tl::unexpected(saved.error());
+        }
+    }
     warnOfHaste(*context);
     const auto done = jobs::sweep(*context, m_servos, m_order, watch());
     m_line.reset();

@@ -119,6 +119,8 @@ base::Result<Exit> runMode(Run& run, const Values& values)
                               .arg(wanted, known.join(QStringLiteral(", "))),
                           servo->id);
     }
+    if (const auto saved = run.saveFirst(*servo); !saved)
+        return tl::unexpected(saved.error());
     const auto report = device::switchMode(*run.context(), *servo, wanted);
     if (!report)
         return tl::unexpected(report.error());

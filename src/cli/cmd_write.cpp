@@ -24,6 +24,8 @@ base::Result<Exit> run(Run& run, const Values& values)
     options.temporary = values.has("--temporary");
     options.dangerous = values.has("--dangerous");
     const auto context = run.context();
+    if (const auto saved = run.saveFirst(*servo); !saved)
+        return tl::unexpected(saved.error());
     const auto report = device::write(*context, *servo, *items, options);
     if (!report)
         return tl::unexpected(report.error());

@@ -4,6 +4,7 @@
 #include "cli/arguments.h"
 #include "cli/translate.h"
 #include "device/reader.h"
+#include "session/safety_snapshot.h"
 #include "text/notice_words.h"
 #include "transport/port_opener.h"
 
@@ -146,6 +147,53 @@ base::Result<device::Servo> Run::servoWithSettings(const Values& values)
     return parseId(values.word("ID")).and_then([this](int id) { return servoWithSettings(id); });
 }
 
+base::Result<void> Run::saveFirst(device::Servo& servo)
+{
+    const auto ready = context();
+    return ready ? saveFirst(*ready, servo) : base::Result<void>(tl::unexpected(ready.error()));
+}
+
+base::Result<void> Run::saveFirst(const device::Context& context, device::Servo& servo)
+{
+    const bool done = std::any_of(m_saved.begin(), m_saved.end(),
+                                  [&](const auto& saved) { return saved.first == servo.id; });
+    if (done)
+        return {};
+    const auto saved = session::saveSafetySnapshot(context, servo);
+    if (!saved) {
+        m_console.say(translate("cli", "The settings of servo %1 could not be saved first, so "
+                                       "nothing is written to it.")
+                          .arg(servo.id));
+        return tl::unexpected(saved.error());
+    }
+    m_saved.emplace_back(servo.id, *saved);
+    m_console.remark(translate("cli", "The present settings are saved in %1").arg(*saved));
+    return {};
+}
+
+base::Result<void> Run::saveFirstAndSay(device::Servo& servo)
+{
+    const std::size_t before = m_saved.size();
+    const auto saved = saveFirst(servo);
+    if (m_console.json() && m_saved.size() > before)
+        m_console.say(
+            translate("cli", "The present settings are saved in %1").arg(m_saved.back().second));
+    return saved;
+}
+
+/// "snapshot" of the only one, else "snapshots".
+void Run::addSaved(Json& document) const
+{
+    if (m_saved.size() == 1)
+        document.add("snapshot", m_saved.front().second);
+    if (m_saved.size() < 2)
+        return;
+    Json::Array all;
+    for (const auto& [id, file] : m_saved)
+        all.push_back(Json::object().add("id", id).add("file", file));
+    document.add("snapshots", std::move(all));
+}
+
 /// Steps of one task may say the same thing.
 void Run::dropRepeatedNotices()
 {
@@ -196,6 +244,7 @@ void Run::finish(Json document, const QString& text)
         m_console.print(text + takeNotices());
         return;
     }
+    addSaved(document);
     if (!m_notices.empty())
         document.add("notes", takeNoticesAsJson());
     m_console.write(document.text());

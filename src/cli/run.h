@@ -39,6 +39,13 @@ public:
     base::Result<device::Servo> servo(const Values& values);
     base::Result<device::Servo> servoWithSettings(const Values& values);
 
+    /// Before anything is written to its memory: the whole table to a file and to the history, once
+    /// a run. Says where; finish() says it in the document. What cannot be read is not written to.
+    base::Result<void> saveFirst(device::Servo& servo);
+    /// For commands whose document is a file of its own: said on stderr in JSON mode too.
+    base::Result<void> saveFirstAndSay(device::Servo& servo);
+    base::Result<void> saveFirst(const device::Context& context, device::Servo& servo);
+
     /// Shows the result: the document with the notices in JSON mode, else the text and the notices.
     void finish(Json document, const QString& text);
     /// The notices since the last call, as lines.
@@ -50,6 +57,7 @@ public:
     void setDefaultPort(const QString& port);
 
 private:
+    void addSaved(Json& document) const;
     void dropRepeatedNotices();
     base::Result<QString> choosePort();
     base::Result<device::Servo> findRate(const device::Context& context, int id);
@@ -58,6 +66,7 @@ private:
     Console& m_console;
     const base::Stop& m_stop;
     device::Notices m_notices;
+    std::vector<std::pair<int, QString>> m_saved; ///< ID and file
     std::unique_ptr<session::Session> m_session;
     std::unique_ptr<session::Connection> m_connection; ///< goes before the session
     bool m_rateFound = false;

@@ -24,11 +24,9 @@ const QRegularExpression& runNumber()
     static const QRegularExpression expression(QStringLiteral("^#?(\\d{1,15})$"));
     return expression;
 }
-} // namespace
 
-QString keepSweep(Console& console, const record::SweepRun& run, const QStringList& files)
+QString wordsFor(Console& console, const record::KeptRun& kept)
 {
-    const record::KeptRun kept = record::keepRun(session::historyFile(), run, files);
     if (!kept.trouble)
         return translate("cli", "Kept in the history as test run %1").arg(qint64(kept.number));
     console.say(translate("cli", "The test could not be kept in the history: %1 (%2)")
@@ -37,6 +35,17 @@ QString keepSweep(Console& console, const record::SweepRun& run, const QStringLi
         return {};
     console.say(translate("cli", "It was left in %1 instead").arg(kept.file));
     return {};
+}
+} // namespace
+
+QString keepSweep(Console& console, const record::SweepRun& run, const QStringList& files)
+{
+    return wordsFor(console, record::keepRun(session::historyFile(), run, files));
+}
+
+QString keepStep(Console& console, const record::StepRun& run, const QStringList& files)
+{
+    return wordsFor(console, record::keepRun(session::historyFile(), run, files));
 }
 
 base::Result<std::vector<record::TestRun>> listSweeps(const record::RunFilter& filter)

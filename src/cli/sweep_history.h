@@ -12,6 +12,7 @@ namespace cli {
 /// Answers a line for the user. That the history could not be written is no failure of the test: it
 /// is said on stderr, with the place where the run was left.
 QString keepSweep(Console& console, const record::SweepRun& run, const QStringList& files);
+QString keepStep(Console& console, const record::StepRun& run, const QStringList& files);
 
 /// Not made if there is none yet.
 base::Result<std::vector<record::TestRun>> listSweeps(const record::RunFilter& filter);

@@ -5,7 +5,7 @@ namespace jobs {
 namespace {
 base::Result<void> settleOne(const device::Context& context, const QString& uuid)
 {
-    const auto seen = recover(context, RecoverAction::Look, false, uuid);
+    const auto seen = recover(context, RecoverAction::Look, {false, uuid, {}});
     if (!seen)
         return tl::unexpected(seen.error());
     if (seen->empty())
@@ -15,7 +15,7 @@ base::Result<void> settleOne(const device::Context& context, const QString& uuid
         return {};
     const auto done =
         recover(context, finding == Finding::AllOld ? RecoverAction::Undo : RecoverAction::Finish,
-                false, uuid);
+                {false, uuid, {}});
     if (!done)
         return tl::unexpected(done.error());
     if (!done->empty() && done->front().error)

@@ -168,7 +168,7 @@ Outcome settle(const device::Context& context, const base::Intent& intent, devic
 }
 
 base::Result<Recovered> recoverOne(const device::Context& context, const base::Intent& intent,
-                                   RecoverAction action)
+                                   RecoverAction action, const BeforeWrite& beforeWrite)
 {
     Recovered recovered;
     device::Servo servo;
@@ -185,6 +185,14 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
             {},
             intent.servo.id};
         return recovered;
+    }
+    if (beforeWrite) {
+        if (const auto ready = beforeWrite(context, servo); !ready) {
+            if (ready.error().code == ErrorCode::LinkLost)
+                return tl::unexpected(ready.error());
+            recovered.error = ready.error();
+            return recovered;
+        }
     }
     Outcome outcome = settle(context, intent, servo, action);
     recovered.report = std::move(outcome.report);
@@ -207,7 +215,7 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
 } // namespace
 
 base::Result<std::vector<Recovered>> recover(const device::Context& outer, RecoverAction action,
-                                             bool anyPort, const QString& uuid)
+                                             const RecoverOptions& options)
 {
     const auto open = outer.journal.open();
     if (!open)
@@ -217,13 +225,13 @@ base::Result<std::vector<Recovered>> recover(const device::Context& outer, Recov
     std::vector<Recovered> all;
     const int baudBefore = context.bus.baud();
     for (const base::Intent& intent : *open) {
-        if (!anyPort && intent.servo.port != context.bus.portName())
+        if (!options.anyPort && intent.servo.port != context.bus.portName())
             continue;
-        if (!uuid.isEmpty() && intent.uuid != uuid)
+        if (!options.uuid.isEmpty() && intent.uuid != options.uuid)
             continue;
         if (context.stop.requested())
             return base::fail(ErrorCode::Stopped, QStringLiteral("recover"));
-        auto one = recoverOne(context, intent, action);
+        auto one = recoverOne(context, intent, action, options.beforeWrite);
         if (context.bus.hasBaud()) // also after an error: whoever comes next counts on it
             (void)context.bus.setBaud(baudBefore);
         if (!one)

@@ -6,6 +6,7 @@
 
 #include "device/writer.h"
 #include "jobs/job.h"
+#include "jobs/restore.h"
 
 namespace jobs {
 enum class Finding : std::uint8_t {
@@ -33,7 +34,13 @@ struct Recovered {
     std::optional<base::Error> error;
 };
 
-/// Concerns intents of this port only (every port if `anyPort`), or the one of them named `uuid`.
+struct RecoverOptions {
+    bool anyPort = false; ///< intents of this port only, unless so
+    QString uuid{};       ///< only this one
+    /// Before a servo is written to; its error leaves that intent open.
+    BeforeWrite beforeWrite{};
+};
+
 base::Result<std::vector<Recovered>> recover(const device::Context& context, RecoverAction action,
-                                             bool anyPort = false, const QString& uuid = {});
+                                             const RecoverOptions& options = {});
 } // namespace jobs

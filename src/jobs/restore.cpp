@@ -148,7 +148,7 @@ bool Restorer::good() const
 void Restorer::finishEarlier(const std::vector<QString>& uuids)
 {
     for (const QString& uuid : uuids) {
-        const auto done = recover(m_context, RecoverAction::Finish, false, uuid);
+        const auto done = recover(m_context, RecoverAction::Finish, {false, uuid, {}});
         if (!done)
             return;
         for (const Recovered& one : *done) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/desk_work.h"
+#include "session/safety_snapshot.h"
 
 #include <algorithm>
 
@@ -15,6 +16,25 @@ base::Result<bool> anyOpen(const device::Context& context)
     return std::any_of(open->begin(), open->end(),
                        [&](const base::Intent& intent) { return intent.servo.port == port; });
 }
+
+/// A table that was saved before an intent was settled.
+struct SavedTable {
+    base::Protocol protocol;
+    int id;
+    QString path;
+};
+
+jobs::BeforeWrite saveInto(std::vector<SavedTable>& saved)
+{
+    return [&saved](const device::Context& context, device::Servo& servo) -> base::Result<void> {
+        const auto path = saveSafetySnapshot(context, servo);
+        if (!path)
+            return tl::unexpected(path.error());
+        saved.push_back({servo.protocol, servo.id, *path});
+        return {};
+    };
+}
+
 /// The rate a report says was written.
 std::optional<int> rateAfter(const catalog::Profile& profile, const device::WriteReport& report)
 {
@@ -45,22 +65,29 @@ void Desk::settleIntent(const QString& uuid, jobs::RecoverAction action)
 void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid)
 {
     const auto found = std::make_shared<std::vector<jobs::Recovered>>();
+    const auto saved = std::make_shared<std::vector<SavedTable>>();
     const auto work = std::make_shared<Work>();
     work->task.name = QStringLiteral("recover");
     work->task.quiet = action == jobs::RecoverAction::Look;
-    work->task.work = [action, uuid, found](TaskContext& task) -> base::Result<void> {
+    work->task.work = [action, uuid, found, saved](TaskContext& task) -> base::Result<void> {
         const auto open = anyOpen(task.device);
         if (!open)
             return tl::unexpected(open.error());
         if (!*open)
             return {};
-        auto recovered = jobs::recover(task.device, action, false, uuid);
+        auto recovered = jobs::recover(task.device, action, {false, uuid, saveInto(*saved)});
         if (!recovered)
             return tl::unexpected(recovered.error());
         *found = std::move(*recovered);
         return {};
     };
-    work->merged = [this, found, action](Work& ended) {
+    work->merged = [this, found, saved, action](Work& ended) {
+        for (const SavedTable& table : *saved) {
+            const ServoRef ref = find(table.protocol, table.id);
+            if (ServoEntry* known = entry(ref))
+                known->snapshotPath = table.path;
+            tell({.kind = Event::Kind::TableSaved, .servo = ref, .path = table.path});
+        }
         if (ended.error)
             tell({.kind = Event::Kind::Failed, .error = ended.error});
         if (ended.error && action == jobs::RecoverAction::Look) {

@@ -2,6 +2,7 @@
 #include "session/safety_snapshot.h"
 
 #include "jobs/snapshot.h"
+#include "record/history.h"
 #include "session/paths.h"
 
 #include <QCoreApplication>
@@ -42,12 +43,22 @@ base::Result<QString> saveSafetySnapshot(const device::Context& context, device:
     if (!folder.mkpath(QStringLiteral(".")))
         return base::fail(base::ErrorCode::FileUnwritable, QStringLiteral("snapshot"),
                           folder.path());
-    const auto snapshot = jobs::takeSnapshot(context, servo, programName());
+    auto snapshot = jobs::takeSnapshot(context, servo, programName());
     if (!snapshot)
         return tl::unexpected(snapshot.error());
+    // A history that cannot be used refuses the write itself; the file is worth having all the
+    // same.
+    const auto history = record::History::open(historyFile());
+    if (history) {
+        const auto known = (*history)->log().of(servo.identity());
+        if (known && *known)
+            snapshot->label = (*known)->label;
+    }
     const QString path = newFile(folder, servo);
     if (const auto saved = record::saveSnapshot(*snapshot, path); !saved)
         return tl::unexpected(saved.error());
+    if (history)
+        (void)(*history)->log().addSnapshot(*snapshot, record::SnapshotReason::Automatic, path);
     return path;
 }
 } // namespace session

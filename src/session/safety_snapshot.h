@@ -10,6 +10,7 @@ namespace session {
 /// Name and version as files carry them: "servodesk 0.1.0".
 QString programName();
 
-/// A new file in the data folder; answers its path. Reads the whole table.
+/// A new file in the data folder, and a row of the history; answers the path of the file. Reads the
+/// whole table. Its label is the servo's of the history.
 base::Result<QString> saveSafetySnapshot(const device::Context& context, device::Servo& servo);
 } // namespace session

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/refusal_words.h"
 
+#include "text/history_words.h"
 #include "text/server_words.h"
 #include "text/translate.h"
 
@@ -212,6 +213,8 @@ const RefusalWords* findIn(const List& list, const QString& detail)
 const RefusalWords* refusalWords(const base::Error& error)
 {
     if (const RefusalWords* words = serverWords(error))
+        return words;
+    if (const RefusalWords* words = historyWords(error))
         return words;
     if (error.code == base::ErrorCode::NotSupported)
         return findIn(notSupported, error.detail);

@@ -145,8 +145,7 @@ void TestFamilyChanges::newIdWithTheLinkCut()
         if (bench.openIntents() == 1) {
             // The cable is back: what was begun can be finished.
             bench.bus.cutAfter = -1;
-            const auto recovered =
-                jobs::recover(bench.context(), jobs::RecoverAction::Finish, false);
+            const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Finish);
             QVERIFY(recovered);
             QVERIFY(recovered->at(0).done);
             QCOMPARE(bench.openIntents(), std::size_t(0));
@@ -398,8 +397,7 @@ void TestFamilyChanges::recovery()
                 continue;
             ++interrupted;
             const auto recovered = jobs::recover(
-                bench.context(), finish ? jobs::RecoverAction::Finish : jobs::RecoverAction::Undo,
-                false);
+                bench.context(), finish ? jobs::RecoverAction::Finish : jobs::RecoverAction::Undo);
             QVERIFY(recovered);
             QVERIFY(recovered->at(0).done);
             QCOMPARE(bench.openIntents(), std::size_t(0));
@@ -422,11 +420,11 @@ void TestFamilyChanges::recoveryClosesEitherLock()
         intent.items = {{text("position_p"), 17, 0, 21}};
         QVERIFY(bench.journal.begin(intent));
         bench.paper().poke(text("lock"), open);
-        const auto looked = jobs::recover(bench.context(), jobs::RecoverAction::Look, false);
+        const auto looked = jobs::recover(bench.context(), jobs::RecoverAction::Look);
         QVERIFY(looked);
         QCOMPARE(looked->at(0).before.lockOpen, std::optional(true));
         QCOMPARE(bench.bus.writes(), 0);
-        QVERIFY(jobs::recover(bench.context(), jobs::RecoverAction::Undo, false));
+        QVERIFY(jobs::recover(bench.context(), jobs::RecoverAction::Undo));
         QCOMPARE(bench.paper().raw(text("lock")), std::int64_t(1));
     }
 }
@@ -441,7 +439,7 @@ void TestFamilyChanges::recoveryOfATriedOffset()
     intent.items = {{text("angle_offset"), 19, 0, 20}};
     QVERIFY(bench.journal.begin(intent));
     bench.paper().poke(text("angle_offset"), 20);
-    const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Finish, false);
+    const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Finish);
     QVERIFY(recovered);
     QVERIFY(recovered->at(0).done);
     QCOMPARE(bench.noted(NoticeCode::SavedPerSheet), 1);
@@ -456,7 +454,7 @@ void TestFamilyChanges::recoveryAsksInTheRightLanguage()
     intent.servo = servo.identity();
     intent.items = {{text("temp_limit"), 25, 85, 71}};
     QVERIFY(bench.journal.begin(intent));
-    const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Finish, false);
+    const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Finish);
     QVERIFY(recovered);
     QVERIFY(recovered->at(0).done);
     QCOMPARE(bench.paper(2).keptRaw(text("temp_limit")), std::int64_t(71));
@@ -502,7 +500,7 @@ void TestFamilyChanges::undoTakesWhatTheServoHad()
     intent.servo = servo.identity();
     intent.items = {{text("vin_limit_min"), 23, 4000, 5000}};
     QVERIFY(bench.journal.begin(intent));
-    const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Undo, false);
+    const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Undo);
     QVERIFY(recovered);
     QVERIFY(recovered->at(0).done);
     QCOMPARE(bench.paper().keptRaw(text("vin_limit_min")), std::int64_t(4000));
