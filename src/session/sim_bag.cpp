@@ -2,15 +2,9 @@
 #include "session/sim_bag.h"
 
 #include <QByteArrayList>
-#include <QtGlobal>
 
 #include <atomic>
 #include <csignal>
-
-#ifdef Q_OS_UNIX
-#include <poll.h>
-#include <unistd.h>
-#endif
 
 namespace session {
 namespace {
@@ -29,32 +23,11 @@ void onNextSignal(void (*handler)(int))
     (void)handler;
 #endif
 }
-
-/// What stands there now; nullopt: nothing more will come. Who is in the background of a terminal
-/// must not ask it.
-std::optional<QByteArray> standardInput()
-{
-#ifdef Q_OS_UNIX
-    if (isatty(STDIN_FILENO) == 1 && tcgetpgrp(STDIN_FILENO) != getpgrp())
-        return QByteArray();
-    pollfd input{STDIN_FILENO, POLLIN, 0};
-    if (poll(&input, 1, 0) <= 0)
-        return QByteArray();
-    char bytes[256];
-    const auto count = read(STDIN_FILENO, bytes, sizeof bytes);
-    if (count <= 0)
-        return std::nullopt;
-    return QByteArray(bytes, static_cast<qsizetype>(count));
-#else
-    return std::nullopt;
-#endif
-}
 } // namespace
 
 SimBag::SimBag(sim::VirtualBus& bus, std::function<void(const QString&)> tell)
     : m_bus(bus)
     , m_tell(std::move(tell))
-    , m_inputOpen(bus.isBag())
 {
     if (m_bus.isBag())
         onNextSignal(askForNext);
@@ -72,20 +45,9 @@ void SimBag::look()
         return;
     for (int asked = nextAsked.exchange(0); asked > 0; --asked)
         next();
-    if (m_inputOpen)
-        readInput();
-}
-
-void SimBag::readInput()
-{
-    const auto bytes = standardInput();
-    m_inputOpen = bytes.has_value();
-    m_input += bytes.value_or(QByteArray("\n"));
-    for (auto end = m_input.indexOf('\n'); end >= 0; end = m_input.indexOf('\n')) {
-        const QByteArray line = m_input.left(end).simplified();
-        m_input.remove(0, end + 1);
-        if (!line.isEmpty())
-            obey(line);
+    for (auto line = m_input.take(); line; line = m_input.take()) {
+        if (!line->isEmpty())
+            obey(*line);
     }
 }
 

@@ -5,8 +5,7 @@
 #pragma once
 
 #include "sim/virtual_bus.h"
-
-#include <QByteArray>
+#include "transport/line_input.h"
 
 #include <functional>
 
@@ -22,14 +21,12 @@ public:
     void look(); ///< never waits
 
 private:
-    void readInput();
     void obey(const QByteArray& line);
     void next();
     void sayPlugged(std::size_t place);
 
     sim::VirtualBus& m_bus;
     std::function<void(const QString&)> m_tell;
-    QByteArray m_input;
-    bool m_inputOpen;
+    transport::LineInput m_input;
 };
 } // namespace session

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/report_words.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "jobs/commission.h"
+#include "report/commission_words.h"
+#include "session/safety_snapshot.h"
+#include "text/language.h"
+#include "transport/line_input.h"
+
+#include <QFileInfo>
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace cli {
+namespace {
+using jobs::CommissionStep;
+using jobs::CommissionView;
+
+QString in(const catalog::Text& words)
+{
+    return words.in(text::inChinese());
+}
+
+/// The hand that plugs servos in and out of a simulated bag, a moment after it is asked to.
+class SimulatedHand {
+public:
+    explicit SimulatedHand(session::Connection& connection)
+        : m_connection(connection)
+    {
+        if (connection.hasBag())
+            m_thread = std::thread([this] { work(); });
+    }
+    ~SimulatedHand()
+    {
+        ask(Deed::End);
+        if (m_thread.joinable())
+            m_thread.join();
+    }
+    SimulatedHand(const SimulatedHand&) = delete;
+    SimulatedHand& operator=(const SimulatedHand&) = delete;
+
+    /// Called for every change of the line: what it asks for is done.
+    void see(const CommissionView& view)
+    {
+        if (view.step == CommissionStep::Unplug)
+            ask(Deed::Unplug);
+        else if (view.step == CommissionStep::Waiting)
+            ask(Deed::PlugNext);
+    }
+    /// Nobody is left to be plugged in.
+    bool empty() const { return m_empty; }
+    std::function<void()> onEmpty;
+
+private:
+    enum class Deed { None, Unplug, PlugNext, End };
+
+    void ask(Deed deed)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_deed = deed;
+        m_asked.notify_one();
+    }
+    void work()
+    {
+        constexpr auto moment = std::chrono::milliseconds(100);
+        for (;;) {
+            std::unique_lock lock(m_mutex);
+            m_asked.wait(lock, [this] { return m_deed != Deed::None; });
+            const Deed deed = std::exchange(m_deed, Deed::None);
+            if (deed == Deed::End)
+                return;
+            if (m_asked.wait_for(lock, moment, [this] { return m_deed != Deed::None; }))
+                continue; // overtaken
+            lock.unlock();
+            if (deed == Deed::Unplug)
+                m_connection.unplugAll();
+            else if (!m_connection.plugNext() && onEmpty) {
+                m_empty = true;
+                onEmpty();
+            }
+        }
+    }
+
+    session::Connection& m_connection;
+    std::mutex m_mutex;
+    std::condition_variable m_asked;
+    Deed m_deed = Deed::None;
+    std::atomic<bool> m_empty{false};
+    std::thread m_thread;
+};
+
+/// Ctrl-C, or the end of a simulated bag.
+class EitherStop {
+public:
+    explicit EitherStop(const base::Stop& first)
+        : m_first(first)
+        , m_watch([this] { watch(); })
+    {}
+    ~EitherStop()
+    {
+        m_over = true;
+        m_watch.join();
+    }
+    EitherStop(const EitherStop&) = delete;
+    EitherStop& operator=(const EitherStop&) = delete;
+    base::Stop& stop() { return m_both; }
+
+private:
+    void watch()
+    {
+        constexpr auto slice = std::chrono::milliseconds(20);
+        while (!m_over && !m_first.requested())
+            (void)m_first.waitUntil(std::chrono::steady_clock::now() + slice);
+        if (m_first.requested())
+            m_both.request();
+    }
+
+    const base::Stop& m_first;
+    base::Stop m_both;
+    std::atomic<bool> m_over{false};
+    std::thread m_watch;
+};
+
+class CommissionCommand {
+public:
+    CommissionCommand(Run& run, const Values& values)
+        : m_run(run)
+        , m_values(values)
+    {}
+    base::Result<Exit> run();
+
+private:
+    base::Result<void> collect();
+    base::Result<void> collectIds();
+    jobs::CommissionAnswer answer();
+    void tell(const CommissionView& view);
+    void tell(const record::CommissionRow& row);
+    Exit finish(jobs::CommissionEnd end);
+
+    Run& m_run;
+    const Values& m_values;
+    jobs::CommissionSpec m_spec;
+    QString m_csv;
+    record::CommissionBatch m_batch;
+    std::size_t m_before = 0; ///< rows of earlier runs
+    QString m_said;
+    transport::LineInput m_input;
+    base::Stop* m_stop = nullptr;
+};
+
+base::Result<void> CommissionCommand::collectIds()
+{
+    constexpr int usualFirst = 1;
+    if (const auto list = m_values.option("--id-list")) {
+        auto ids = parseIds(list->split(QLatin1Char(','), Qt::SkipEmptyParts));
+        if (!ids)
+            return tl::unexpected(ids.error());
+        if (m_values.option("--first-id"))
+            return badArgument(translate("cli", "give --first-id or --id-list, not both"));
+        m_spec.ids = *ids;
+    } else {
+        auto first = m_values.option("--first-id") ? parseId(*m_values.option("--first-id"))
+                                                   : base::Result<int>(usualFirst);
+        if (!first)
+            return tl::unexpected(first.error());
+        for (int id = *first; id <= 253; ++id)
+            m_spec.ids.push_back(id);
+    }
+    if (const auto count = m_values.option("--count")) {
+        const auto number = parseWhole(*count, 1, 254);
+        if (!number)
+            return tl::unexpected(number.error());
+        m_spec.count = *number;
+    }
+    return {};
+}
+
+base::Result<void> CommissionCommand::collect()
+{
+    if (const auto ids = collectIds(); !ids)
+        return ids;
+    if (const auto rate = m_values.option("--to-baud")) {
+        const auto rates = parseBauds(*rate);
+        if (!rates || rates->size() != 1)
+            return rates ? badArgument(translate("cli", "give one baud rate"))
+                         : tl::unexpected(rates.error());
+        m_spec.baud = rates->front();
+    }
+    if (const auto file = m_values.option("--template")) {
+        auto snapshot = record::loadSnapshot(*file);
+        if (!snapshot)
+            return tl::unexpected(snapshot.error());
+        m_spec.settings = std::move(*snapshot);
+        m_spec.templateName = QFileInfo(*file).fileName();
+    }
+    if (const auto& language = m_run.globals().protocol)
+        m_spec.protocols = {*language};
+    m_spec.center = m_values.has("--center");
+    m_spec.dangerous = m_values.has("--dangerous");
+    m_spec.automatic = m_values.has("--auto");
+    m_spec.labelFormat = m_values.option("--label-format").value_or(record::usualLabelFormat());
+    m_csv = m_values.option("--batch").value_or(QString());
+    if (m_csv.isEmpty())
+        return badArgument(translate("cli", "name the file of the batch with --batch FILE.csv"));
+    auto batch = record::openCommissionBatch(m_csv);
+    if (!batch)
+        return tl::unexpected(batch.error());
+    m_batch = std::move(*batch);
+    m_batch.program = session::programName();
+    m_before = m_batch.rows.size();
+    return {};
+}
+
+/// Enter goes on. Without anybody who could press it the line ends, as with Ctrl-C.
+jobs::CommissionAnswer CommissionCommand::answer()
+{
+    const auto line = m_input.take();
+    if (!line && !m_input.open())
+        m_stop->request();
+    if (!line)
+        return jobs::CommissionAnswer::None;
+    if (*line == "a")
+        return jobs::CommissionAnswer::SetAside;
+    return *line == "s" ? jobs::CommissionAnswer::SameServo : jobs::CommissionAnswer::Continue;
+}
+
+QString confirmText(const CommissionView& view)
+{
+    QString text = translate("cli", "%1, ID %2 at %3 baud, gets ID %4.")
+                       .arg(view.servo.model)
+                       .arg(view.servo.id)
+                       .arg(view.baud)
+                       .arg(view.newId);
+    if (!view.concerns.empty())
+        text +=
+            QLatin1Char(' ') +
+            translate("cli", "Beware: %1.").arg(in(report::commissionTroublesWords(view.concerns)));
+    if (view.doubtfulId >= 0)
+        text += QLatin1Char(' ') +
+                translate("cli", "If it is the one that was to have ID %1, press s and Enter.")
+                    .arg(view.doubtfulId);
+    return text + QLatin1Char(' ') + translate("cli", "Enter: go on; a and Enter: set it aside.");
+}
+
+QString viewText(const CommissionView& view)
+{
+    switch (view.step) {
+    case CommissionStep::Waiting:
+        if (view.obstacle == jobs::CommissionObstacle::Lost)
+            return translate("cli", "The servo went away in the middle; plug it in again (ID %1).")
+                .arg(view.newId);
+        return view.newId < 0
+                   ? translate("cli", "No ID is left; an unfinished servo is awaited.")
+                   : translate("cli", "Connect the next servo (it gets ID %1).").arg(view.newId);
+    case CommissionStep::Blocked:
+        switch (view.obstacle) {
+        case jobs::CommissionObstacle::SeveralServos:
+            return translate("cli", "Several servos answer; leave one: nothing is written.");
+        case jobs::CommissionObstacle::TwinIds:
+            return translate("cli", "Two servos answer under ID %1; leave one: nothing is written.")
+                .arg(view.heard.empty() ? -1 : view.heard.front().place.id);
+        default:
+            return translate("cli", "Somebody answers, but cannot be recognised.");
+        }
+    case CommissionStep::Confirm:
+        return confirmText(view);
+    case CommissionStep::Unplug:
+        return view.newId < 0 ? translate("cli", "Unplug it.")
+                              : translate("cli", "Unplug: ID %1 is done.").arg(view.newId);
+    default:
+        return {};
+    }
+}
+
+void CommissionCommand::tell(const CommissionView& view)
+{
+    const QString text = viewText(view);
+    if (text.isEmpty() || text == m_said)
+        return;
+    m_said = text;
+    m_run.console().remark(text);
+}
+
+Json jsonRow(const record::CommissionRow& row)
+{
+    Json::Array troubles;
+    for (const record::CommissionTrouble& trouble : row.troubles)
+        troubles.push_back(Json::object().add("word", trouble.word).add("detail", trouble.detail));
+    Json json = Json::object();
+    json.add("time", row.at.toUTC().toString(Qt::ISODate))
+        .add("verdict", record::verdictName(row.verdict))
+        .add("model", row.servo.model)
+        .add("firmware", row.servo.firmware)
+        .add("was_id", row.servo.id)
+        .add("was_baud", row.oldBaud)
+        .add("id", row.newId >= 0 ? Json(row.newId) : Json())
+        .add("baud", row.newBaud > 0 ? Json(row.newBaud) : Json())
+        .add("template", row.templateName)
+        .add("written", row.written)
+        .add("centred", row.centred)
+        .add("volts", row.volts)
+        .add("celsius", row.celsius)
+        .add("troubles", std::move(troubles))
+        .add("label", row.label)
+        .add("snapshot", row.snapshot);
+    return json;
+}
+
+void CommissionCommand::tell(const record::CommissionRow& row)
+{
+    if (m_run.console().json()) {
+        m_run.console().write(jsonRow(row).compact() + '\n');
+        return;
+    }
+    const QString troubles = in(report::commissionTroublesWords(row.troubles));
+    const QString who = row.label.isEmpty()
+                            ? QStringLiteral("%1 · ID %2").arg(row.servo.model).arg(row.servo.id)
+                            : row.label;
+    m_run.console().print(
+        QStringLiteral("%1 %2: %3%4\n")
+            .arg(report::commissionVerdictSign(row.verdict), who,
+                 in(report::commissionVerdictWords(row.verdict)),
+                 troubles.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(troubles)));
+}
+
+Exit CommissionCommand::finish(jobs::CommissionEnd end)
+{
+    using record::CommissionVerdict;
+    const QString summary =
+        translate("cli", "%1 set up, %2 failed, %3 set aside; %4 unfinished. Batch: %5")
+            .arg(m_batch.done())
+            .arg(m_batch.count(CommissionVerdict::Failed))
+            .arg(m_batch.count(CommissionVerdict::Aside))
+            .arg(m_batch.pending.size())
+            .arg(m_csv);
+    if (end == jobs::CommissionEnd::IdsUsedUp)
+        m_run.console().remark(translate("cli", "All IDs have been given."));
+    m_run.console().remark(summary);
+    if (const QString notices = m_run.takeNotices(); !notices.isEmpty())
+        m_run.console().remark(notices.trimmed());
+    const bool good = std::all_of(m_batch.rows.begin() + std::ptrdiff_t(m_before),
+                                  m_batch.rows.end(), [](const record::CommissionRow& row) {
+                                      return row.verdict == CommissionVerdict::Good ||
+                                             row.verdict == CommissionVerdict::Remark;
+                                  });
+    return good && m_batch.pending.empty() ? Exit::Done : Exit::NotDone;
+}
+
+base::Result<Exit> CommissionCommand::run()
+{
+    if (const auto ready = collect(); !ready)
+        return tl::unexpected(ready.error());
+    const auto connection = m_run.connect();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    EitherStop either(m_run.stop());
+    device::Context context = *m_run.context();
+    const device::Context stoppable{context.bus,   context.catalog, context.journal,
+                                    either.stop(), context.notices, context.priority,
+                                    context.hold,  context.epoch};
+    m_stop = &either.stop();
+    SimulatedHand hand(**connection);
+    hand.onEmpty = [&either] { either.stop().request(); };
+    jobs::CommissionHooks hooks;
+    hooks.onChange = [&](const CommissionView& view) {
+        tell(view);
+        hand.see(view);
+    };
+    hooks.answer = [this] { return answer(); };
+    hooks.onRow = [this](const record::CommissionRow& row) { tell(row); };
+    hooks.save = [](const device::Context& with, device::Servo& servo) {
+        return session::saveSafetySnapshot(with, servo);
+    };
+    const auto end = jobs::commission(stoppable, m_spec, m_batch, m_csv, hooks);
+    if (!end)
+        return tl::unexpected(end.error());
+    return finish(*end);
+}
+
+base::Result<Exit> run(Run& run, const Values& values)
+{
+    return CommissionCommand(run, values).run();
+}
+} // namespace
+
+Command commissionCommand()
+{
+    return {
+        "commission",
+        QT_TRANSLATE_NOOP("cli",
+                          "set up servos plugged in one after the other: template, ID, rate"),
+        {},
+        {{"--batch",
+          QT_TRANSLATE_NOOP("cli", "the list of the batch; one that exists is gone on with"),
+          "FILE.csv"},
+         {"--first-id", QT_TRANSLATE_NOOP("cli", "the first ID to give (usual: 1)"), "ID"},
+         {"--id-list", QT_TRANSLATE_NOOP("cli", "the IDs to give, in this order: 4-9,12"), "IDS"},
+         {"--count", QT_TRANSLATE_NOOP("cli", "end after so many servos of the batch"), "N"},
+         {"--to-baud", QT_TRANSLATE_NOOP("cli", "the rate to give (else each keeps its own)"),
+          "RATE"},
+         {"--template", QT_TRANSLATE_NOOP("cli", "a snapshot or template to write"), "FILE"},
+         {"--dangerous", QT_TRANSLATE_NOOP("cli", "also write its dangerous rows")},
+         {"--center", QT_TRANSLATE_NOOP("cli", "make the present position the middle")},
+         {"--auto", QT_TRANSLATE_NOOP("cli", "set up each servo without asking; what has an alarm "
+                                             "or does not fit is set aside")},
+         {"--label-format",
+          QT_TRANSLATE_NOOP("cli", "text of the labels, with {model} {id} {rate} {baud} {firmware} "
+                                   "{date} {was_id}"),
+          "TEXT"}},
+        run};
+}
+} // namespace cli

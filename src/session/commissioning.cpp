@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/commissioning.h"
+
+#include "session/safety_snapshot.h"
+
+#include <QFileInfo>
+
+#include <atomic>
+#include <mutex>
+
+namespace session {
+constexpr auto drainEvery = std::chrono::milliseconds(40);
+
+/// Filled on the job's thread, emptied on the main thread: the latest counts.
+struct Commissioning::Live {
+    std::atomic<jobs::CommissionAnswer> answer = jobs::CommissionAnswer::None;
+    std::atomic<bool> cancelled = false; ///< before it began
+    std::mutex mutex;
+    std::optional<jobs::CommissionView> view{};
+    std::optional<record::CommissionBatch> batch{};
+
+    void show(const jobs::CommissionView& now)
+    {
+        answer = jobs::CommissionAnswer::None; // a click belongs to what was shown
+        const std::lock_guard lock(mutex);
+        view = now;
+    }
+    void show(const record::CommissionBatch& now)
+    {
+        const std::lock_guard lock(mutex);
+        batch = now;
+    }
+};
+
+Commissioning::Commissioning(Desk& desk, QObject* parent)
+    : QObject(parent)
+    , m_desk(desk)
+{
+    m_drainTimer.setInterval(drainEvery);
+    connect(&m_drainTimer, &QTimer::timeout, this, &Commissioning::drain);
+}
+
+Commissioning::~Commissioning()
+{
+    if (m_running)
+        m_live->cancelled = true; // the desk ends its task when it closes
+}
+
+void Commissioning::drain()
+{
+    std::optional<jobs::CommissionView> view;
+    std::optional<record::CommissionBatch> batch;
+    {
+        const std::lock_guard lock(m_live->mutex);
+        view.swap(m_live->view);
+        batch.swap(m_live->batch);
+    }
+    if (batch) {
+        m_batch = std::move(*batch);
+        Q_EMIT batchChanged();
+    }
+    if (view) {
+        m_view = std::move(*view);
+        Q_EMIT changed();
+    }
+}
+
+namespace {
+base::Result<void> takeTemplate(jobs::CommissionSpec& spec, const QString& file)
+{
+    if (file.isEmpty())
+        return {};
+    auto snapshot = record::loadSnapshot(file);
+    if (!snapshot)
+        return tl::unexpected(snapshot.error());
+    spec.settings = std::move(*snapshot);
+    spec.templateName = QFileInfo(file).fileName();
+    return {};
+}
+} // namespace
+
+bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPath,
+                          const QString& templateFile)
+{
+    if (m_running || m_desk.state() != LinkState::Open)
+        return false;
+    m_running = true;
+    m_view = {};
+    m_csvPath = csvPath;
+    m_batch = {};
+    m_live = std::make_shared<Live>();
+    const auto live = m_live;
+    Task task;
+    task.name = QStringLiteral("commission");
+    task.lasting = true;
+    task.quiet = true;
+    task.work = [=](TaskContext& context) mutable -> base::Result<void> {
+        if (live->cancelled)
+            return base::fail(base::ErrorCode::Stopped, QStringLiteral("commission"));
+        jobs::CommissionSpec order = spec;
+        if (const auto taken = takeTemplate(order, templateFile); !taken)
+            return taken;
+        auto batch = record::openCommissionBatch(csvPath);
+        if (!batch)
+            return tl::unexpected(batch.error());
+        batch->program = programName();
+        live->show(*batch);
+        jobs::CommissionHooks hooks;
+        hooks.onChange = [live](const jobs::CommissionView& view) { live->show(view); };
+        hooks.onRow = [&](const record::CommissionRow&) { live->show(*batch); };
+        hooks.answer = [live] { return live->answer.exchange(jobs::CommissionAnswer::None); };
+        hooks.save = [](const device::Context& with, device::Servo& servo) {
+            return saveSafetySnapshot(with, servo);
+        };
+        const auto end = jobs::commission(context.device, order, *batch, csvPath, hooks);
+        live->show(*batch);
+        return end ? base::Result<void>() : tl::unexpected(end.error());
+    };
+    task.guard = this;
+    task.done = [this](const TaskEnd& end) { finish(end); };
+    m_drainTimer.start();
+    m_desk.perform(0, std::move(task));
+    Q_EMIT began();
+    return true;
+}
+
+void Commissioning::finish(const TaskEnd& end)
+{
+    m_drainTimer.stop();
+    drain();
+    m_running = false;
+    const bool stopped = end.error && end.error->code == base::ErrorCode::Stopped;
+    Q_EMIT ended(stopped ? std::nullopt : end.error);
+}
+
+void Commissioning::stop()
+{
+    if (!m_running)
+        return;
+    m_live->cancelled = true;
+    m_desk.stopTest();
+}
+
+void Commissioning::answer(jobs::CommissionAnswer answer)
+{
+    if (m_running && m_view.step == jobs::CommissionStep::Confirm)
+        m_live->answer = answer;
+}
+
+bool Commissioning::hasBag() const
+{
+    return m_desk.connection() != nullptr && m_desk.connection()->hasBag();
+}
+
+std::size_t Commissioning::inBag() const
+{
+    return m_desk.connection() != nullptr ? m_desk.connection()->inBag() : 0;
+}
+
+void Commissioning::plugNext()
+{
+    if (m_desk.connection() != nullptr)
+        (void)m_desk.connection()->plugNext();
+}
+
+void Commissioning::unplug()
+{
+    if (m_desk.connection() != nullptr)
+        m_desk.connection()->unplugAll();
+}
+} // namespace session

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/line_input.h"
+
+#include <QtGlobal>
+
+#ifdef Q_OS_UNIX
+#include <poll.h>
+#include <unistd.h>
+#endif
+
+namespace transport {
+void LineInput::fill()
+{
+#ifdef Q_OS_UNIX
+    if (isatty(STDIN_FILENO) == 1 && tcgetpgrp(STDIN_FILENO) != getpgrp())
+        return;
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    if (poll(&input, 1, 0) <= 0)
+        return;
+    char bytes[256];
+    const auto count = read(STDIN_FILENO, bytes, sizeof bytes);
+    if (count > 0) {
+        m_text += QByteArray(bytes, static_cast<qsizetype>(count));
+        return;
+    }
+#endif
+    m_open = false;
+    if (!m_text.isEmpty())
+        m_text += '\n'; // the last line may lack its end
+}
+
+std::optional<QByteArray> LineInput::take()
+{
+    if (m_open && !m_text.contains('\n'))
+        fill();
+    const auto end = m_text.indexOf('\n');
+    if (end < 0)
+        return std::nullopt;
+    const QByteArray line = m_text.left(end).simplified();
+    m_text.remove(0, end + 1);
+    return line;
+}
+} // namespace transport

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines that somebody types or pipes into standard input, looked for without waiting. One owner,
+// one thread. A program in the background of a terminal does not ask it (that would stop the
+// program). Where the system has no poll() nothing is ever read.
+#pragma once
+
+#include <QByteArray>
+
+#include <optional>
+
+namespace transport {
+class LineInput {
+public:
+    /// The next whole line, without its end and the blanks around it; nullopt: none yet.
+    std::optional<QByteArray> take();
+    bool open() const { return m_open; } ///< false: nothing more will come
+
+private:
+    void fill();
+
+    QByteArray m_text;
+    bool m_open = true;
+};
+} // namespace transport
