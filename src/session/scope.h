@@ -60,6 +60,7 @@ public:
     bool recording() const { return m_recorder != nullptr || m_beginning; }
     record::RecorderStatus recordingStatus() const; ///< of the running or the latest one
     QString recordingPath() const { return m_recordingPath; }
+    std::vector<ServoRef> recordedServos() const; ///< while recording
 
 Q_SIGNALS:
     void grown();           ///< new samples or marks; at most once a batch

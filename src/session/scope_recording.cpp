@@ -113,6 +113,14 @@ void Scope::letGo(std::unique_ptr<record::Recorder> recorder)
         [old = std::shared_ptr<record::Recorder>(std::move(recorder))]() mutable { old.reset(); });
 }
 
+std::vector<ServoRef> Scope::recordedServos() const
+{
+    std::vector<ServoRef> servos;
+    for (const auto& [ref, size] : m_rowSizes)
+        servos.push_back(ref);
+    return servos;
+}
+
 void Scope::forgetColumns()
 {
     m_columns.clear();

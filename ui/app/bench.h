@@ -7,6 +7,8 @@
 
 #include "session/archive.h"
 #include "session/drive.h"
+#include "session/history_keeper.h"
+#include "session/history_sender.h"
 #include "session/port_watch.h"
 #include "session/scope.h"
 #include "session/sweep_test.h"
@@ -19,6 +21,7 @@ struct Bench {
         , drive(desk)
         , scope(desk)
         , sweep(desk)
+        , keeper(desk, scope, archive)
         , commands(desk, selection)
     {}
 
@@ -27,6 +30,8 @@ struct Bench {
     session::Scope scope;
     session::SweepTest sweep;
     session::Archive archive;
+    session::HistoryKeeper keeper;
+    session::HistorySender sender; ///< no server is set at first
     session::PortWatch ports;
     Selection selection;
     Commands commands;

@@ -12,8 +12,10 @@
 #include "ui/dialogs/runs_dialog.h"
 #include "ui/dialogs/servo_tasks.h"
 #include "ui/dialogs/shortcut_list.h"
+#include "ui/pages/history_page.h"
 #include "ui/pages/memory_page.h"
 #include "ui/pages/operate_page.h"
+#include "ui/pages/snapshots_page.h"
 #include "ui/pages/step_page.h"
 #include "ui/pages/sweep_page.h"
 #include "ui/pages/trend_panel.h"
@@ -79,12 +81,15 @@ void MainWindow::start(const Options& options)
         resize(options.size);
     m_wantedId = options.select;
     m_selectFirst = !options.screenshot.isEmpty() && !options.select;
-    const std::map<QString, QWidget*> pages{{QStringLiteral("operate"), m_operate},
-                                            {QStringLiteral("memory"), m_memory},
-                                            {QStringLiteral("sweep"), m_sweep},
-                                            {QStringLiteral("step"), m_step}};
+    const std::map<QString, QWidget*> pages{
+        {QStringLiteral("operate"), m_operate},     {QStringLiteral("memory"), m_memory},
+        {QStringLiteral("sweep"), m_sweep},         {QStringLiteral("step"), m_step},
+        {QStringLiteral("snapshots"), m_snapshots}, {QStringLiteral("history"), m_history}};
     if (const auto page = pages.find(options.page); page != pages.end())
         m_pages->setCurrentWidget(page->second);
+    m_pagesWanted = options.page == QLatin1StringView("snapshots") ||
+                    options.page == QLatin1StringView("history");
+    showCentre();
     if (options.port) {
         m_connectBar->setRequest(*options.port);
         m_desk.connectTo(*options.port);
@@ -137,28 +142,6 @@ void MainWindow::connectCommands()
     connect(m_stop, &QPushButton::clicked, this, [this] { m_desk.emergencyStop(); });
     auto* stopKey = new StopKey(this);
     connect(stopKey, &StopKey::pressed, this, [this] { m_desk.emergencyStop(); });
-}
-
-/// What the chart shows belongs to the operate page; whoever asks for it is led there.
-void MainWindow::connectPages()
-{
-    const auto on = [this](Command command, QWidget* page, auto slot) {
-        connect(m_commands.action(command), &QAction::triggered, this, [this, page, slot] {
-            m_pages->setCurrentWidget(page);
-            slot();
-        });
-    };
-    const auto nothing = [] {};
-    TrendPanel* trend = m_operate->trend();
-    on(Command::PageOperate, m_operate, nothing);
-    on(Command::PageMemory, m_memory, nothing);
-    on(Command::PageSweep, m_sweep, nothing);
-    on(Command::PageStep, m_step, nothing);
-    on(Command::PauseTrend, m_operate, [trend] { trend->toggleFollowing(); });
-    on(Command::Record, m_operate, [trend] { trend->toggleRecording(); });
-    on(Command::OpenRecording, m_operate, [trend] { trend->openRecording(); });
-    // A recording can be looked at without a servo.
-    connect(trend, &TrendPanel::replayShown, this, [this] { showCentre(); });
 }
 
 void MainWindow::connectDesk()
@@ -217,7 +200,7 @@ void MainWindow::connectSwitches()
 void MainWindow::showCentre()
 {
     const bool something = m_desk.state() == session::LinkState::Open || !m_desk.servos().empty() ||
-                           m_operate->trend()->replaying();
+                           m_operate->trend()->replaying() || m_pagesWanted;
     m_centre->setCurrentIndex(something ? 1 : 0);
 }
 

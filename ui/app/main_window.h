@@ -25,6 +25,8 @@ class Menus;
 class MessageLine;
 class MessageLog;
 class OperatePage;
+class HistoryPage;
+class SnapshotsPage;
 class StepPage;
 class SweepPage;
 class ThemeSwitch;
@@ -52,6 +54,7 @@ private:
     void buildStatusBar();
     void connectCommands();
     void connectPages();
+    void connectHistory();
     void connectDesk();
     void connectSwitches();
     void retranslate();
@@ -78,6 +81,9 @@ private:
     MemoryPage* m_memory = nullptr;
     SweepPage* m_sweep = nullptr;
     StepPage* m_step = nullptr;
+    SnapshotsPage* m_snapshots = nullptr;
+    HistoryPage* m_history = nullptr;
+    bool m_pagesWanted = false; ///< although no port was ever open
     QDockWidget* m_searchDock = nullptr;
     QDockWidget* m_logDock = nullptr;
     MessageLine* m_message = nullptr;

@@ -6,9 +6,11 @@
 #include "ui/app/message_line.h"
 #include "ui/app/message_log.h"
 #include "ui/app/theme.h"
+#include "ui/pages/history_page.h"
 #include "ui/pages/memory_page.h"
 #include "ui/pages/operate_page.h"
 #include "ui/pages/search_panel.h"
+#include "ui/pages/snapshots_page.h"
 #include "ui/pages/step_page.h"
 #include "ui/pages/sweep_page.h"
 #include "ui/widgets/banner.h"
@@ -77,7 +79,10 @@ QWidget* MainWindow::buildCentre()
     m_memory = new MemoryPage(m_desk, m_commands, m_selection, m_settings, m_pages);
     m_sweep = new SweepPage(m_bench, m_settings, m_pages);
     m_step = new StepPage(m_bench, m_settings, m_pages);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_operate, m_memory, m_sweep, m_step})
+    m_snapshots = new SnapshotsPage(m_bench, m_settings, m_pages);
+    m_history = new HistoryPage(m_bench, m_settings, m_pages);
+    for (QWidget* page : std::initializer_list<QWidget*>{m_operate, m_memory, m_sweep, m_step,
+                                                         m_snapshots, m_history})
         m_pages->addTab(page, QString());
     m_centre = new QStackedWidget(centre);
     m_centre->addWidget(new Welcome(m_commands, m_centre));
@@ -131,6 +136,12 @@ void MainWindow::retranslate()
     m_pages->setTabText(m_pages->indexOf(m_step), tr("Step response"));
     m_pages->setTabToolTip(m_pages->indexOf(m_step),
                            tr("See how a servo answers a step, and try other gains"));
+    m_pages->setTabText(m_pages->indexOf(m_snapshots), tr("Snapshots"));
+    m_pages->setTabToolTip(m_pages->indexOf(m_snapshots),
+                           tr("Save, compare and restore what servos keep"));
+    m_pages->setTabText(m_pages->indexOf(m_history), tr("History"));
+    m_pages->setTabToolTip(m_pages->indexOf(m_history),
+                           tr("What was ever written, saved, tested and alarmed"));
     m_pages->setAccessibleName(tr("Pages"));
     m_stop->setText(tr("Esc   Torque off — all"));
     m_stop->setToolTip(m_commands.action(Command::TorqueOffAll)->toolTip());

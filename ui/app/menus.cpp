@@ -39,8 +39,9 @@ Menus::Menus(QMenuBar& bar, const Commands& commands, const QList<QAction*>& doc
     add(*m_theme, commands, {Command::ThemeSystem, Command::ThemeLight, Command::ThemeDark});
     add(*m_language, commands, {Command::English, Command::Chinese});
     add(*m_view, commands,
-        {Command::PageOperate, Command::PageMemory, Command::PageSweep, Command::PageStep, line,
-         Command::EarlierTests, Command::PauseTrend, line});
+        {Command::PageOperate, Command::PageMemory, Command::PageSweep, Command::PageStep,
+         Command::PageSnapshots, Command::PageHistory, line, Command::EarlierTests,
+         Command::PauseTrend, line});
     m_view->addActions(docks);
     m_view->addSeparator();
     m_view->addMenu(m_theme);
@@ -59,9 +60,9 @@ Menus::Menus(QMenuBar& bar, const Commands& commands, const QList<QAction*>& doc
 void Menus::addServoCommands(QMenu& menu, const Commands& commands)
 {
     add(menu, commands,
-        {Command::ReadTable, line, Command::Identify, Command::SetId, Command::SetBaud,
-         Command::Center, Command::ClearAlarm, line, Command::CloseLock, Command::Reboot,
-         Command::RestoreDefaults, line, Command::TorqueOffAll});
+        {Command::ReadTable, Command::TakeSnapshot, line, Command::Identify, Command::SetId,
+         Command::SetBaud, Command::Center, Command::ClearAlarm, line, Command::CloseLock,
+         Command::Reboot, Command::RestoreDefaults, line, Command::TorqueOffAll});
 }
 
 void Menus::retranslate()

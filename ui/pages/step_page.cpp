@@ -32,6 +32,7 @@ StepPage::StepPage(Bench& bench, session::Settings& settings, QWidget* parent)
     , m_desk(bench.desk)
     , m_deskLives(&bench.desk)
     , m_selection(bench.selection)
+    , m_archive(bench.archive)
     , m_test(bench.desk)
 {
     setObjectName(QStringLiteral("stepPage"));
@@ -222,6 +223,7 @@ void StepPage::accept()
 void StepPage::ended()
 {
     const record::StepRun& run = m_test.runs().back();
+    m_archive.keep(std::make_shared<const record::StepRun>(run));
     if (!run.putBack) {
         m_banner->present([] {
             return BannerWords{

@@ -60,6 +60,7 @@ private:
     session::Desk& m_desk;
     QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
     Selection& m_selection;
+    session::Archive& m_archive;
     session::StepTest m_test;
 
     Banner* m_banner = nullptr;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What leads from one page of the window to another.
+#include "session/history_server_choice.h"
+#include "ui/app/main_window.h"
+#include "ui/pages/history_page.h"
+#include "ui/pages/memory_page.h"
+#include "ui/pages/operate_page.h"
+#include "ui/pages/snapshots_page.h"
+#include "ui/pages/step_page.h"
+#include "ui/pages/sweep_page.h"
+#include "ui/pages/trend_panel.h"
+
+#include <QTabWidget>
+
+namespace ui {
+/// What the chart shows belongs to the operate page; whoever asks for it is led there.
+void MainWindow::connectPages()
+{
+    const auto on = [this](Command command, QWidget* page, auto slot) {
+        connect(m_commands.action(command), &QAction::triggered, this, [this, page, slot] {
+            m_pages->setCurrentWidget(page);
+            slot();
+        });
+    };
+    const auto nothing = [] {};
+    TrendPanel* trend = m_operate->trend();
+    on(Command::PageOperate, m_operate, nothing);
+    on(Command::PageMemory, m_memory, nothing);
+    on(Command::PageSweep, m_sweep, nothing);
+    on(Command::PageStep, m_step, nothing);
+    const auto withoutPort = [this] {
+        m_pagesWanted = true;
+        showCentre();
+    };
+    on(Command::PageSnapshots, m_snapshots, withoutPort);
+    on(Command::PageHistory, m_history, withoutPort);
+    on(Command::TakeSnapshot, m_snapshots, [this] { m_snapshots->take(); });
+    on(Command::PauseTrend, m_operate, [trend] { trend->toggleFollowing(); });
+    on(Command::Record, m_operate, [trend] { trend->toggleRecording(); });
+    on(Command::OpenRecording, m_operate, [trend] { trend->openRecording(); });
+    connectHistory();
+    // A recording can be looked at without a servo.
+    connect(trend, &TrendPanel::replayShown, this, [this] { showCentre(); });
+}
+
+/// What is found in the history is shown where it can be used; copies go to the server.
+void MainWindow::connectHistory()
+{
+    connect(m_history, &HistoryPage::snapshotWished, this, [this](std::int64_t number) {
+        m_pages->setCurrentWidget(m_snapshots);
+        m_snapshots->showKept(number);
+    });
+    connect(m_history, &HistoryPage::tableWished, this,
+            [this](const session::SharedSnapshot& table, const QString& title) {
+                m_pages->setCurrentWidget(m_snapshots);
+                m_snapshots->showTable(table, title);
+            });
+    connect(m_history, &HistoryPage::testsWished, m_commands.action(Command::EarlierTests),
+            &QAction::trigger);
+    const auto server = session::historyServerChoice(m_settings);
+    m_bench.sender.setServer(server.address, server.bench);
+    connect(&m_bench.archive, &session::Archive::changed, &m_bench.sender,
+            &session::HistorySender::poke);
+    connect(&m_desk, &session::Desk::happened, &m_bench.sender, &session::HistorySender::poke);
+}
+} // namespace ui

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exactly what restoring would do, step by step, before anything is written; can be copied. A
+// picture of the plan it was given; main thread.
+#pragma once
+
+#include "ui/models/compare_model.h"
+
+#include <QDialog>
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace ui {
+class DryRunDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    /// The model gives names and units; its plan is taken as it is now.
+    DryRunDialog(const CompareModel& model, QWidget* parent);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Line {
+        jobs::RestoreStep step;
+        catalog::Text name{}; ///< of the register
+        QString from{};
+        QString to{};
+    };
+    void build();
+    void retranslate();
+    QString text() const; ///< all of it, for the clipboard
+
+    std::vector<Line> m_lines;
+    int m_id = -1;
+    QLabel* m_title = nullptr;
+    QTableWidget* m_table = nullptr;
+    QPushButton* m_copy = nullptr;
+    QPushButton* m_close = nullptr;
+};
+} // namespace ui

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/history_server_dialog.h"
+
+#include "session/history_server_choice.h"
+
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+constexpr int startWidth = 520;
+}
+
+HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
+                                         session::HistorySender& sender, QWidget* parent)
+    : QDialog(parent)
+    , m_settings(settings)
+    , m_sender(sender)
+    , m_what(new QLabel(this))
+    , m_addressName(new QLabel(this))
+    , m_address(new QLineEdit(this))
+    , m_benchName(new QLabel(this))
+    , m_bench(new QLineEdit(this))
+    , m_hint(new QLabel(this))
+    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this))
+{
+    setObjectName(QStringLiteral("historyServerDialog"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    const session::HistoryServerChoice now = session::historyServerChoice(settings);
+    m_address->setObjectName(QStringLiteral("serverAddress"));
+    m_address->setText(now.address);
+    m_address->setEnabled(!now.fixed);
+    m_address->setEchoMode(QLineEdit::PasswordEchoOnEdit); // it may hold a password
+    m_bench->setObjectName(QStringLiteral("serverBench"));
+    m_bench->setText(now.bench);
+    m_addressName->setBuddy(m_address);
+    m_benchName->setBuddy(m_bench);
+    m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("serverSave"));
+    m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("serverCancel"));
+    auto* column = new QVBoxLayout(this);
+    for (QLabel* words : {m_what, m_hint}) {
+        words->setWordWrap(true);
+        words->setTextFormat(Qt::PlainText);
+    }
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_what, m_addressName, m_address,
+                                                           m_benchName, m_bench, m_hint, m_buttons})
+        column->addWidget(widget);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &HistoryServerDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    resize(startWidth, sizeHint().height());
+    retranslate();
+}
+
+void HistoryServerDialog::accept()
+{
+    const session::HistoryServerChoice wanted{m_address->text().trimmed(),
+                                              m_bench->text().trimmed()};
+    session::setHistoryServerChoice(m_settings, wanted);
+    const session::HistoryServerChoice now = session::historyServerChoice(m_settings);
+    m_sender.setServer(now.address, now.bench);
+    m_sender.tryNow();
+    QDialog::accept();
+}
+
+void HistoryServerDialog::retranslate()
+{
+    setWindowTitle(tr("History server"));
+    setAccessibleName(windowTitle());
+    m_what->setText(tr("Writes, snapshots, labels and tests of this bench are copied to a "
+                       "PostgreSQL server, where all benches can be looked at together. This "
+                       "computer keeps everything itself; a server that is away never stops a "
+                       "write."));
+    m_addressName->setText(tr("&Server"));
+    m_address->setAccessibleName(tr("Server"));
+    m_address->setPlaceholderText(QStringLiteral("postgresql://user@host/servodesk"));
+    m_address->setToolTip(tr("Connection string of PostgreSQL; empty: no copies are sent"));
+    m_benchName->setText(tr("&Name of this bench"));
+    m_bench->setAccessibleName(tr("Name of this bench"));
+    m_bench->setToolTip(tr("How others find its history on the server"));
+    m_hint->setText(m_address->isEnabled()
+                        ? tr("A password in the string is kept in the settings as it is; better "
+                             "leave it to PostgreSQL's own password file.")
+                        : tr("The server is set by SERVODESK_HISTORY_SERVER."));
+    QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
+    save->setText(tr("Save"));
+    save->setAccessibleName(save->text());
+    save->setToolTip(tr("Keep this and begin to send"));
+    QPushButton* cancel = m_buttons->button(QDialogButtonBox::Cancel);
+    cancel->setText(tr("Cancel"));
+    cancel->setAccessibleName(cancel->text());
+    cancel->setToolTip(tr("Change nothing"));
+}
+
+void HistoryServerDialog::changeEvent(QEvent* event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_buttons != nullptr)
+        retranslate();
+}
+} // namespace ui

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Label and note of something that is kept. Opened, never waited for; main thread.
+#pragma once
+
+#include <QDialog>
+
+class QDialogButtonBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+
+namespace ui {
+class NoteDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    NoteDialog(const QString& label, const QString& note, QWidget* parent);
+
+    void setNoteVisible(bool visible); ///< false: a label only
+    QString label() const;
+    QString note() const;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+
+    QLabel* m_labelName;
+    QLineEdit* m_label;
+    QLabel* m_noteName;
+    QPlainTextEdit* m_note;
+    QDialogButtonBox* m_buttons;
+};
+} // namespace ui

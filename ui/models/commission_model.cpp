@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/commission_model.h"
+
+#include "report/commission_words.h"
+#include "text/language.h"
+#include "ui/models/sweep_cells.h"
+
+namespace ui {
+namespace {
+Tone toneOf(record::CommissionVerdict verdict)
+{
+    switch (verdict) {
+    case record::CommissionVerdict::Good:
+        return Tone::Good;
+    case record::CommissionVerdict::Remark:
+        return Tone::Warn;
+    case record::CommissionVerdict::Failed:
+        return Tone::Bad;
+    case record::CommissionVerdict::Aside:
+        break;
+    }
+    return Tone::Quiet;
+}
+
+QString place(int id, int baud)
+{
+    return id < 0 ? QStringLiteral("–")
+                  : QStringLiteral("%1 · %2").arg(id).arg(record::rateLabel(baud));
+}
+} // namespace
+
+void CommissionModel::show(const record::CommissionBatch& batch)
+{
+    if (batch.rows.size() < m_rows.size() ||
+        !std::equal(m_rows.begin(), m_rows.end(), batch.rows.begin())) {
+        beginResetModel();
+        m_rows = batch.rows;
+        endResetModel();
+    } else if (batch.rows.size() > m_rows.size()) {
+        beginInsertRows({}, int(m_rows.size()), int(batch.rows.size()) - 1);
+        m_rows = batch.rows;
+        endInsertRows();
+    }
+}
+
+void CommissionModel::retranslate()
+{
+    Q_EMIT headerDataChanged(Qt::Horizontal, 0, Columns - 1);
+    if (!m_rows.empty())
+        Q_EMIT dataChanged(index(0, 0), index(int(m_rows.size()) - 1, Columns - 1));
+}
+
+QStringList CommissionModel::labels(const QList<int>& rows) const
+{
+    QStringList found;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const bool wanted = rows.isEmpty() || rows.contains(int(i));
+        if (wanted && !m_rows[i].label.isEmpty())
+            found.append(m_rows[i].label);
+    }
+    return found;
+}
+
+int CommissionModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(m_rows.size());
+}
+
+int CommissionModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(Columns);
+}
+
+QString CommissionModel::text(const record::CommissionRow& row, int column) const
+{
+    const bool chinese = text::inChinese();
+    switch (column) {
+    case Verdict:
+        return report::commissionVerdictSign(row.verdict) + QLatin1Char(' ') +
+               report::commissionVerdictWords(row.verdict).in(chinese);
+    case Label:
+        return row.label;
+    case Model:
+        return row.servo.model;
+    case Was:
+        return place(row.servo.id, row.oldBaud);
+    case Now:
+        return place(row.newId, row.newBaud);
+    case Written:
+        return row.templateName.isEmpty() ? QStringLiteral("–") : QString::number(row.written);
+    case Volts:
+        return row.volts ? QStringLiteral("%1 V").arg(*row.volts, 0, 'f', 1) : QStringLiteral("–");
+    default:
+        return report::commissionTroublesWords(row.troubles).in(chinese);
+    }
+}
+
+QVariant CommissionModel::data(const QModelIndex& index, int role) const
+{
+    const record::CommissionRow& row = m_rows.at(std::size_t(index.row()));
+    if (role == Qt::DisplayRole)
+        return text(row, index.column());
+    if (role == Qt::ToolTipRole && index.column() == Remarks)
+        return text(row, Remarks);
+    if (role == toneRole && (index.column() == Verdict || index.column() == Remarks))
+        return int(toneOf(row.verdict));
+    return {};
+}
+
+QVariant CommissionModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (role != Qt::DisplayRole)
+        return {};
+    if (orientation == Qt::Vertical)
+        return section + 1;
+    switch (section) {
+    case Verdict:
+        return tr("Verdict");
+    case Label:
+        return tr("Label");
+    case Model:
+        return tr("Model");
+    case Was:
+        return tr("Was (ID, rate)");
+    case Now:
+        return tr("Is (ID, rate)");
+    case Written:
+        return tr("Rows written");
+    case Volts:
+        return tr("Voltage");
+    default:
+        return tr("Remarks");
+    }
+}
+} // namespace ui

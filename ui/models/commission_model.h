@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The batch of a commissioning line as a table, the latest servo last: verdict by sign, word and
+// colour, what it was and what it is, label, remarks. Owned by its page; main thread.
+#pragma once
+
+#include "record/commission_batch.h"
+
+#include <QAbstractTableModel>
+
+namespace ui {
+class CommissionModel final : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Verdict, Label, Model, Was, Now, Written, Volts, Remarks, Columns };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void show(const record::CommissionBatch& batch);
+    void retranslate();
+    /// Of these rows, or of all where none is given; servos without a label are left out.
+    QStringList labels(const QList<int>& rows) const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    QString text(const record::CommissionRow& row, int column) const;
+
+    std::vector<record::CommissionRow> m_rows;
+};
+} // namespace ui

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/history_lines.h"
+
+#include "record/factory_snapshot.h"
+#include "text/alarm_words.h"
+#include "text/language.h"
+#include "text/notice_words.h"
+#include "text/translate.h"
+#include "ui/models/sweep_cells.h"
+
+#include <QDir>
+
+namespace ui {
+using record::HistoryKind;
+using text::translate;
+
+namespace {
+const QString dot = QStringLiteral(" · ");
+
+QString when(const QDateTime& at)
+{
+    return at.isValid() ? at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"))
+                        : QString();
+}
+
+QString who(const QString& model, int id, const QString& label)
+{
+    const QString name = QStringLiteral("%1 · ID %2").arg(model).arg(id);
+    return label.isEmpty() ? name : name + dot + label;
+}
+
+QString intentWord(base::IntentKind kind, bool temporary)
+{
+    using base::IntentKind;
+    switch (kind) {
+    case IntentKind::Write:
+        return temporary ? translate("History", "temporary write") : translate("History", "write");
+    case IntentKind::SetId:
+        return translate("History", "change ID");
+    case IntentKind::SetBaud:
+        return translate("History", "change rate");
+    case IntentKind::Mode:
+        return translate("History", "switch mode");
+    case IntentKind::Calibrate:
+        return translate("History", "centre");
+    case IntentKind::Restore:
+        return translate("History", "restore");
+    case IntentKind::Identify:
+        return translate("History", "identify");
+    case IntentKind::Trial:
+        return translate("History", "trial");
+    }
+    return {};
+}
+
+/// The six words, or what is known of the whole only.
+QString endWord(const QString& outcome)
+{
+    if (outcome.isEmpty())
+        return translate("History", "interrupted");
+    if (outcome == QLatin1StringView("done"))
+        return translate("History", "done");
+    if (outcome == QLatin1StringView("undone"))
+        return translate("History", "undone");
+    if (outcome == QLatin1StringView("failed"))
+        return translate("History", "failed");
+    if (outcome == QLatin1StringView("abandoned"))
+        return translate("History", "left as it was");
+    return text::outcomeWord(outcome);
+}
+
+QString snapshotWord(record::SnapshotReason reason)
+{
+    switch (reason) {
+    case record::SnapshotReason::Automatic:
+        return translate("History", "before a change");
+    case record::SnapshotReason::Asked:
+        return translate("History", "taken");
+    case record::SnapshotReason::Bundle:
+        return translate("History", "with all servos");
+    case record::SnapshotReason::Commission:
+        return translate("History", "when set up");
+    }
+    return {};
+}
+
+/// Header and cell, line by line.
+QString tipOf(HistoryKind kind, const QStringList& cells, const QStringList& more)
+{
+    const QStringList headers = HistoryWords::headers(kind);
+    QStringList lines;
+    for (int i = 0; i < int(cells.size()); ++i) {
+        if (!cells[i].isEmpty())
+            lines << QStringLiteral("%1: %2").arg(headers.value(i), cells[i]);
+    }
+    for (const QString& one : more) {
+        if (!one.isEmpty())
+            lines << one;
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+} // namespace
+
+void HistoryWords::know(const std::vector<record::HistoryServo>& servos)
+{
+    for (const record::HistoryServo& servo : servos) {
+        record::Snapshot like;
+        const base::ServoIdentity& is = servo.who;
+        like.servo = {is.id,
+                      is.model,
+                      QStringLiteral("%1.%2").arg(is.modelMajor).arg(is.modelMinor),
+                      QStringLiteral("%1.%2").arg(is.firmwareMajor).arg(is.firmwareMinor),
+                      is.map,
+                      base::protocolName(is.protocol)};
+        m_profiles[servo.number] = record::profileOf(like, m_catalog);
+    }
+}
+
+QString HistoryWords::kindName(HistoryKind kind)
+{
+    switch (kind) {
+    case HistoryKind::Writes:
+        return translate("History", "Writes");
+    case HistoryKind::Snapshots:
+        return translate("History", "Snapshots");
+    case HistoryKind::Runs:
+        return translate("History", "Tests");
+    case HistoryKind::Alarms:
+        return translate("History", "Alarms");
+    case HistoryKind::Recordings:
+        return translate("History", "Recordings");
+    case HistoryKind::Servos:
+        return translate("History", "Servos");
+    }
+    return {};
+}
+
+QStringList HistoryWords::headers(HistoryKind kind)
+{
+    const QString time = translate("History", "Time");
+    const QString servo = translate("History", "Servo");
+    const QString note = translate("History", "Note");
+    switch (kind) {
+    case HistoryKind::Writes:
+        return {time,
+                servo,
+                translate("History", "Register"),
+                translate("History", "From"),
+                translate("History", "To"),
+                translate("History", "Outcome"),
+                translate("History", "Kind"),
+                translate("History", "Port")};
+    case HistoryKind::Snapshots:
+        return {time,
+                servo,
+                translate("History", "Occasion"),
+                translate("History", "Label"),
+                note,
+                translate("History", "Rows"),
+                translate("History", "File")};
+    case HistoryKind::Runs:
+        return {time,
+                translate("History", "Test"),
+                translate("History", "Servos"),
+                translate("History", "Verdict"),
+                translate("History", "Operator"),
+                note};
+    case HistoryKind::Alarms:
+        return {translate("History", "Came"), translate("History", "Went"), servo,
+                translate("History", "Alarm"), translate("History", "Port")};
+    case HistoryKind::Recordings:
+        return {time, translate("History", "Servos"), translate("History", "Length"),
+                translate("History", "Rows"), translate("History", "File")};
+    case HistoryKind::Servos:
+        return {servo, translate("History", "Firmware"), translate("History", "Label"),
+                translate("History", "Last write"), translate("History", "Port")};
+    }
+    return {};
+}
+
+int HistoryWords::toneColumn(HistoryKind kind)
+{
+    return kind == HistoryKind::Writes   ? 5
+           : kind == HistoryKind::Runs   ? 3
+           : kind == HistoryKind::Alarms ? 1
+                                         : -1;
+}
+
+QString HistoryWords::servoTitle(const record::HistoryServo& servo)
+{
+    return who(servo.who.model, servo.who.id, servo.label);
+}
+
+QString HistoryWords::registerName(const record::HistoryWrite& row) const
+{
+    const auto known = m_profiles.find(row.servo);
+    const catalog::Register* reg =
+        known != m_profiles.end() && known->second ? known->second->find(row.key) : nullptr;
+    return reg != nullptr ? reg->name.in(text::inChinese()) : row.key;
+}
+
+HistoryLine HistoryWords::line(const record::HistoryWrite& row) const
+{
+    const bool good = row.good();
+    const QString sign = good                    ? QStringLiteral("✔ ")
+                         : row.outcome.isEmpty() ? QStringLiteral("⚠ ")
+                                                 : QStringLiteral("✘ ");
+    HistoryLine line{row.number, row.servo, row.at};
+    line.cells = {when(row.at),
+                  who(row.model, row.servoId, row.label),
+                  registerName(row),
+                  QString::number(qint64(row.oldRaw)),
+                  QString::number(qint64(row.newRaw)),
+                  sign + endWord(row.outcome),
+                  intentWord(row.kind, row.temporary),
+                  row.port};
+    line.tone = good ? Tone::Good : row.outcome.isEmpty() ? Tone::Warn : Tone::Bad;
+    line.tip =
+        tipOf(HistoryKind::Writes, line.cells,
+              {QStringLiteral("%1 (%2)").arg(row.key).arg(row.address),
+               row.readBack ? translate("History", "read back: %1").arg(qint64(*row.readBack))
+                            : QString(),
+               row.detail, row.program});
+    line.label = row.label;
+    return line;
+}
+
+HistoryLine HistoryWords::line(const record::HistorySnapshot& row) const
+{
+    HistoryLine line{row.number, row.servo, row.at};
+    line.cells = {
+        when(row.at), who(row.model, row.servoId, {}), snapshotWord(row.reason),          row.label,
+        row.note,     QString::number(row.registers),  QDir::toNativeSeparators(row.file)};
+    line.tip = tipOf(HistoryKind::Snapshots, line.cells, {row.port, row.program});
+    line.label = row.label;
+    line.note = row.note;
+    return line;
+}
+
+HistoryLine HistoryWords::line(const record::HistoryAlarm& row) const
+{
+    const bool gone = row.went.isValid();
+    HistoryLine line{row.number, row.servo, row.at};
+    line.cells = {when(row.at),
+                  gone ? QStringLiteral("✔ ") + when(row.went)
+                       : QStringLiteral("⚠ ") + translate("History", "not seen to go"),
+                  who(row.model, row.servoId, row.label), text::alarmWord(row.key), row.port};
+    line.tone = gone ? Tone::Good : Tone::Warn;
+    line.tip = tipOf(HistoryKind::Alarms, line.cells,
+                     {row.derived ? translate("History", "worked out from the limits, not reported "
+                                                         "by the servo")
+                                  : QString()});
+    line.label = row.label;
+    return line;
+}
+
+HistoryLine HistoryWords::line(const record::HistoryRecording& row) const
+{
+    QStringList servos;
+    for (const record::HistoryRecording::Servo& one : row.servos)
+        servos << who(one.model, one.id, one.label);
+    const double seconds = std::chrono::duration<double>(row.length).count();
+    HistoryLine line{row.number, 0, row.at};
+    line.cells = {when(row.at), servos.join(QStringLiteral(", ")),
+                  QStringLiteral("%1 s").arg(seconds, 0, 'f', 1), QString::number(row.rows),
+                  QDir::toNativeSeparators(row.file)};
+    line.tip = tipOf(HistoryKind::Recordings, line.cells, {row.port});
+    return line;
+}
+
+HistoryLine HistoryWords::line(const record::HistoryServo& row) const
+{
+    HistoryLine line{row.number, row.number, row.lastWrite};
+    line.cells = {who(row.who.model, row.who.id, {}),
+                  QStringLiteral("%1.%2").arg(row.who.firmwareMajor).arg(row.who.firmwareMinor),
+                  row.label, when(row.lastWrite), row.who.port};
+    line.tip = tipOf(HistoryKind::Servos, line.cells, {});
+    line.label = row.label;
+    return line;
+}
+
+HistoryLine HistoryWords::line(const record::TestRun& row) const
+{
+    QStringList servos;
+    for (const record::TestServo& one : row.servos)
+        servos << who(one.model, one.id, one.label);
+    HistoryLine line{row.number, 0, row.at};
+    line.cells = {when(row.at),
+                  row.kind == QLatin1StringView("step") ? translate("History", "step response")
+                                                        : translate("History", "sweep test"),
+                  servos.join(QStringLiteral(", ")),
+                  row.verdict == record::Grade::NotMeasured ? QString() : gradeText(row.verdict),
+                  row.operatorName,
+                  row.note};
+    line.tone = gradeTone(row.verdict);
+    line.tip = tipOf(HistoryKind::Runs, line.cells, row.files);
+    line.note = row.note;
+    return line;
+}
+} // namespace ui

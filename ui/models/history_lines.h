@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rows of the history in words, in the language of the moment: one list for each kind. Pure but for
+// a cache of register names; main thread.
+#pragma once
+
+#include "catalog/catalog.h"
+#include "record/history.h"
+#include "record/history_export.h"
+#include "ui/app/theme.h"
+
+#include <map>
+
+namespace ui {
+struct HistoryLine {
+    std::int64_t number = 0; ///< of the row in its list
+    std::int64_t servo = 0;  ///< number of its servo; 0: several or none
+    QDateTime at{};          ///< UTC
+    QStringList cells{};
+    Tone tone = Tone::Quiet; ///< of the outcome
+    QString tip{};           ///< all there is to say
+    QString label{};         ///< the user's, where there is one
+    QString note{};
+};
+
+class HistoryWords {
+public:
+    explicit HistoryWords(const catalog::Catalog& catalog)
+        : m_catalog(catalog)
+    {}
+
+    void know(const std::vector<record::HistoryServo>& servos);
+    static QStringList headers(record::HistoryKind kind);
+    static int toneColumn(record::HistoryKind kind); ///< -1: none
+    static QString kindName(record::HistoryKind kind);
+    static QString servoTitle(const record::HistoryServo& servo);
+
+    HistoryLine line(const record::HistoryWrite& row) const;
+    HistoryLine line(const record::HistorySnapshot& row) const;
+    HistoryLine line(const record::HistoryAlarm& row) const;
+    HistoryLine line(const record::HistoryRecording& row) const;
+    HistoryLine line(const record::HistoryServo& row) const;
+    HistoryLine line(const record::TestRun& row) const;
+
+private:
+    QString registerName(const record::HistoryWrite& row) const;
+
+    const catalog::Catalog& m_catalog;
+    std::map<std::int64_t, catalog::ProfilePtr> m_profiles; ///< by number of the servo
+};
+} // namespace ui

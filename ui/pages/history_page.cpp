@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is asked and shown. The parts are made in history_page_build.cpp, the deeds are in
+// history_page_deeds.cpp.
+#include "ui/pages/history_page.h"
+
+#include "session/history_server_choice.h"
+#include "session/server_source.h"
+#include "ui/widgets/banner.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateEdit>
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+
+namespace ui {
+using record::HistoryKind;
+
+namespace {
+constexpr int mostServos = 2000;
+constexpr int everyBench = -1;
+
+/// Fills a list of choices and keeps what was chosen, where it is still there.
+void refill(QComboBox* box, const std::vector<std::pair<QString, QVariant>>& items)
+{
+    const QVariant chosen = box->currentData();
+    const QSignalBlocker quiet(box);
+    box->clear();
+    for (const auto& [text, data] : items)
+        box->addItem(text, data);
+    box->setCurrentIndex(std::max(0, box->findData(chosen)));
+}
+} // namespace
+
+HistoryPage::HistoryPage(Bench& bench, session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_local(bench.archive)
+    , m_sender(bench.sender)
+    , m_settings(settings)
+    , m_catalog(bench.desk.catalog())
+    , m_table(bench.desk.catalog())
+{
+    setObjectName(QStringLiteral("historyPage"));
+    build();
+    connectAll();
+    retranslate();
+}
+
+HistoryPage::~HistoryPage() = default;
+
+bool HistoryPage::remote() const
+{
+    return m_server != nullptr;
+}
+
+session::Archive& HistoryPage::archive() const
+{
+    return m_server ? *m_server : m_local;
+}
+
+/// The first entry is this computer, the others are the server's benches.
+void HistoryPage::sourceChosen()
+{
+    m_banner->clear();
+    const QVariant chosen = m_source->currentData();
+    m_table.ask(nullptr, m_table.kind(), {});
+    if (!chosen.isValid()) {
+        m_server.reset();
+    } else {
+        if (!m_server) {
+            m_server = std::make_unique<session::Archive>(std::make_unique<session::ServerSource>(
+                session::historyServerChoice(m_settings).address));
+        }
+        const auto bench = chosen.toLongLong();
+        m_server->chooseBench(bench == everyBench ? std::nullopt
+                                                  : std::optional<std::int64_t>(bench));
+    }
+    askChoices();
+    ask();
+}
+
+void HistoryPage::askSoon()
+{
+    m_stale = true;
+    if (isVisible())
+        m_ask.start();
+}
+
+record::HistoryFilter HistoryPage::filter() const
+{
+    record::HistoryFilter wanted;
+    const auto kind = HistoryKind(m_kind->currentData().toInt());
+    if (m_servo->currentData().isValid()) {
+        const QVariantList who = m_servo->currentData().toList();
+        wanted.servo = who.value(0).toLongLong();
+        if (kind == HistoryKind::Runs) { // tests name their servos, they have no number
+            wanted.servo.reset();
+            wanted.id = who.value(1).toInt();
+            wanted.model = who.value(2).toString();
+        }
+    }
+    if (kind == HistoryKind::Writes)
+        wanted.key = m_register->currentData().toString();
+    if (kind == HistoryKind::Writes || kind == HistoryKind::Alarms)
+        wanted.onlyTrouble = m_trouble->isChecked();
+    const int days = m_period->currentData().toInt();
+    if (days > 0)
+        wanted.from = QDate::currentDate().addDays(1 - days).startOfDay().toUTC();
+    if (days < 0) {
+        wanted.from = m_from->date().startOfDay().toUTC();
+        wanted.until = m_until->date().addDays(1).startOfDay().toUTC();
+    }
+    return wanted;
+}
+
+void HistoryPage::ask()
+{
+    m_ask.stop();
+    m_stale = false;
+    const auto kind = HistoryKind(m_kind->currentData().toInt());
+    m_register->setVisible(kind == HistoryKind::Writes);
+    m_trouble->setVisible(kind == HistoryKind::Writes || kind == HistoryKind::Alarms);
+    m_servo->setEnabled(kind != HistoryKind::Servos);
+    const bool dates = m_period->currentData().toInt() < 0;
+    m_from->setVisible(dates);
+    m_until->setVisible(dates);
+    m_table.ask(&archive(), kind, filter());
+    askChoices();
+}
+
+/// Servos, registers and benches there are.
+void HistoryPage::askChoices()
+{
+    std::vector<std::pair<QString, QVariant>> sources{{tr("This computer"), QVariant()}};
+    if (!session::historyServerChoice(m_settings).address.isEmpty())
+        sources.push_back({tr("Server: all benches"), QVariant::fromValue(everyBench)});
+    if (m_source->count() != int(sources.size()) || !remote())
+        refill(m_source, sources);
+    m_source->setItemText(0, tr("This computer"));
+    m_source->setVisible(sources.size() > 1);
+    record::HistoryFilter all;
+    all.most = mostServos;
+    archive().servos(
+        all, this, [this](const base::Result<std::vector<record::HistoryServo>>& servos) {
+            std::vector<std::pair<QString, QVariant>> items{{tr("All servos"), QVariant()}};
+            for (const record::HistoryServo& one :
+                 servos ? *servos : std::vector<record::HistoryServo>{})
+                items.push_back({HistoryWords::servoTitle(one),
+                                 QVariantList{qlonglong(one.number), one.who.id, one.who.model}});
+            refill(m_servo, items);
+        });
+    archive().writtenKeys(std::nullopt, this, [this](const base::Result<QStringList>& keys) {
+        std::vector<std::pair<QString, QVariant>> items{{tr("All registers"), QVariant()}};
+        for (const QString& key : keys ? *keys : QStringList{})
+            items.push_back({key, key});
+        refill(m_register, items);
+    });
+    if (!remote())
+        return;
+    m_server->benches(this, [this](const base::Result<std::vector<record::HistoryBench>>& found) {
+        if (!found)
+            return; // the list has told it
+        std::vector<std::pair<QString, QVariant>> items{
+            {tr("This computer"), QVariant()},
+            {tr("Server: all benches"), QVariant::fromValue(everyBench)}};
+        for (const record::HistoryBench& one : *found)
+            items.push_back({tr("Server: %1").arg(one.name), qlonglong(one.number)});
+        refill(m_source, items);
+    });
+}
+
+std::optional<int> HistoryPage::current() const
+{
+    const QModelIndexList rows = m_view->selectionModel()->selectedRows();
+    return rows.size() == 1 ? std::optional<int>(rows.front().row()) : std::nullopt;
+}
+
+void HistoryPage::showState()
+{
+    const HistoryKind kind = m_table.kind();
+    const bool one = current().has_value();
+    const bool writes = kind == HistoryKind::Writes;
+    m_open->setText(writes                      ? tr("Table at this moment")
+                    : kind == HistoryKind::Runs ? tr("Earlier tests…")
+                                                : tr("Open snapshot"));
+    m_open->setAccessibleName(m_open->text());
+    m_open->setToolTip(
+        writes ? tr("The servo's table as it was just before this write, to compare and restore")
+        : kind == HistoryKind::Runs ? tr("Reports and comparisons of kept tests")
+                                    : tr("Compare it and restore from it"));
+    m_open->setVisible(writes || kind == HistoryKind::Snapshots ||
+                       (kind == HistoryKind::Runs && !remote()));
+    m_open->setEnabled(one || kind == HistoryKind::Runs);
+    m_label->setVisible(!remote() &&
+                        (kind == HistoryKind::Servos || kind == HistoryKind::Snapshots));
+    m_label->setEnabled(one);
+    const int rows = m_table.rowCount();
+    m_export->setEnabled(rows > 0);
+    m_count->setText(m_table.asking() && rows == 0 ? tr("Asking…")
+                     : rows == 0                   ? tr("Nothing")
+                     : m_table.complete()          ? tr("%1 rows").arg(rows)
+                                                   : tr("%1 rows and more").arg(rows));
+}
+
+/// How far the copies are; nothing without a server.
+void HistoryPage::showServer()
+{
+    using Phase = session::SendState::Phase;
+    const session::SendState& state = m_sender.state();
+    QString words;
+    switch (state.phase) {
+    case Phase::Off:
+        break;
+    case Phase::Waiting:
+    case Phase::Sending:
+        words = state.waiting ? tr("%1: sending %2 rows").arg(state.server).arg(*state.waiting)
+                              : tr("%1: sending").arg(state.server);
+        break;
+    case Phase::UpToDate:
+        words = tr("✔ %1 is up to date").arg(state.server);
+        break;
+    case Phase::Trouble:
+        words = tr("⚠ %1 is away; what it misses is sent later").arg(state.server);
+        break;
+    }
+    m_serverState->setText(words);
+    m_serverState->setVisible(!words.isEmpty());
+    m_serverState->setToolTip(state.error ? state.error->detail : QString());
+}
+
+void HistoryPage::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_serverState != nullptr)
+        retranslate();
+}
+
+void HistoryPage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (m_stale)
+        ask();
+}
+} // namespace ui

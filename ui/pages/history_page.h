@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was ever done on this bench: writes, snapshots, tests, alarms, recordings, servos, filtered
+// by servo, time and register; from this computer or from the shop's server. A table as it was at
+// any moment goes to the snapshots page, from where it can be restored. Writes nothing to servos.
+// Owned by the window; main thread, never waits.
+#pragma once
+
+#include "session/settings.h"
+#include "ui/app/bench.h"
+#include "ui/models/history_table.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDateEdit;
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace ui {
+class Banner;
+
+class HistoryPage final : public QWidget {
+    Q_OBJECT
+
+public:
+    HistoryPage(Bench& bench, session::Settings& settings, QWidget* parent = nullptr);
+    ~HistoryPage() override;
+
+Q_SIGNALS:
+    void snapshotWished(std::int64_t number); ///< of the history of this computer
+    void tableWished(session::SharedSnapshot table, const QString& title);
+    void testsWished(); ///< the window of earlier tests
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    // history_page_build.cpp
+    void build();
+    QWidget* buildFilters();
+    QWidget* buildDeeds();
+    void connectAll();
+    void retranslate();
+
+    // history_page.cpp
+    session::Archive& archive() const;
+    bool remote() const;
+    void sourceChosen();
+    void askSoon();
+    void ask();
+    void askChoices();
+    record::HistoryFilter filter() const;
+    std::optional<int> current() const; ///< the row; none
+    void showState();
+    void showServer();
+
+    // history_page_deeds.cpp
+    void openTable();
+    void openKept(std::int64_t number);
+    void openMoment(const HistoryLine& line);
+    void editLabel();
+    void exportList();
+    void setServer();
+    void fail(const base::Error& error);
+
+    session::Archive& m_local;
+    session::HistorySender& m_sender;
+    session::Settings& m_settings;
+    const catalog::Catalog& m_catalog;
+    std::unique_ptr<session::Archive> m_server; ///< while it is looked at
+    HistoryTable m_table;
+    Banner* m_banner = nullptr;
+    QComboBox* m_source = nullptr;
+    QComboBox* m_kind = nullptr;
+    QComboBox* m_servo = nullptr;
+    QComboBox* m_register = nullptr;
+    QComboBox* m_period = nullptr;
+    QDateEdit* m_from = nullptr;
+    QDateEdit* m_until = nullptr;
+    QCheckBox* m_trouble = nullptr;
+    QLabel* m_honest = nullptr;
+    QLabel* m_count = nullptr;
+    QLabel* m_serverState = nullptr;
+    QTableView* m_view = nullptr;
+    QPushButton* m_open = nullptr;
+    QPushButton* m_label = nullptr;
+    QPushButton* m_export = nullptr;
+    QPushButton* m_serverSet = nullptr;
+    QTimer m_ask; ///< several changes, one question
+    bool m_stale = true;
+};
+} // namespace ui

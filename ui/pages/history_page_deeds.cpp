@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the history page does.
+#include "session/history_server_choice.h"
+#include "ui/dialogs/history_server_dialog.h"
+#include "ui/dialogs/note_dialog.h"
+#include "ui/pages/history_page.h"
+#include "ui/widgets/banner.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace ui {
+using record::HistoryKind;
+
+namespace {
+const QString folderChoice = QStringLiteral("history/folder");
+}
+
+void HistoryPage::openTable()
+{
+    if (m_table.kind() == HistoryKind::Runs) {
+        Q_EMIT testsWished();
+        return;
+    }
+    const auto row = current();
+    if (!row)
+        return;
+    m_banner->clear();
+    const HistoryLine line = m_table.at(*row);
+    if (m_table.kind() == HistoryKind::Snapshots)
+        openKept(line.number);
+    else if (m_table.kind() == HistoryKind::Writes)
+        openMoment(line);
+}
+
+void HistoryPage::openKept(std::int64_t number)
+{
+    if (!remote()) {
+        Q_EMIT snapshotWished(number);
+        return;
+    }
+    archive().loadSnapshot(
+        number, this, [this](const base::Result<session::SharedSnapshot>& loaded) {
+            if (!loaded) {
+                fail(loaded.error());
+                return;
+            }
+            const QString label = (*loaded)->label;
+            Q_EMIT tableWished(*loaded, label.isEmpty() ? tr("from the server") : label);
+        });
+}
+
+/// Just before the write: what one would go back to.
+void HistoryPage::openMoment(const HistoryLine& line)
+{
+    archive().tableAt(
+        m_catalog, line.servo, line.at, this,
+        [this, line](const base::Result<record::TablePoint>& point) {
+            if (!point) {
+                fail(point.error());
+                return;
+            }
+            const QString title =
+                tr("before %1")
+                    .arg(line.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
+            Q_EMIT tableWished(std::make_shared<const record::Snapshot>(point->table), title);
+            if (!point->unknown.isEmpty()) {
+                m_banner->present([keys = point->unknown] {
+                    return BannerWords{Tone::Warn,
+                                       tr("Some registers are not known for that moment."),
+                                       tr("What changed them was not recorded: %1.")
+                                           .arg(keys.join(QStringLiteral(", "))),
+                                       tr("They are left alone when the table is restored.")};
+                });
+            }
+        });
+}
+
+void HistoryPage::editLabel()
+{
+    const auto row = current();
+    if (!row)
+        return;
+    const HistoryLine line = m_table.at(*row);
+    const HistoryKind kind = m_table.kind();
+    auto* dialog = new NoteDialog(line.label, line.note, this);
+    dialog->setNoteVisible(kind == HistoryKind::Snapshots);
+    connect(dialog, &NoteDialog::accepted, this, [this, dialog, kind, number = line.number] {
+        if (kind == HistoryKind::Snapshots)
+            m_local.setSnapshotNote(number, dialog->label(), dialog->note());
+        else
+            m_local.setServoLabel(number, dialog->label());
+    });
+    dialog->open();
+}
+
+void HistoryPage::exportList()
+{
+    auto* dialog = new QFileDialog(this, tr("Export the history"));
+    dialog->setObjectName(QStringLiteral("historyFileDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters({tr("Table for spreadsheets (*.csv)"), tr("Data (*.json)")});
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    dialog->setDirectory(m_settings.choice(folderChoice, QDir::homePath()).toString());
+    dialog->selectFile(
+        QStringLiteral("history-%1.csv").arg(record::historyKindName(m_table.kind())));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
+        const bool csv = !path.endsWith(QLatin1StringView(".json"), Qt::CaseInsensitive);
+        archive().exportTo(
+            path, csv, {m_table.kind()}, filter(), this,
+            [this, path](const base::Result<std::int64_t>& rows) {
+                if (!rows) {
+                    fail(rows.error());
+                    return;
+                }
+                m_banner->present([path, count = *rows] {
+                    return BannerWords{
+                        Tone::Good,
+                        tr("%1 rows saved: %2").arg(count).arg(QDir::toNativeSeparators(path))};
+                });
+            });
+    });
+    dialog->open();
+}
+
+void HistoryPage::setServer()
+{
+    auto* dialog = new HistoryServerDialog(m_settings, m_sender, this);
+    connect(dialog, &HistoryServerDialog::accepted, this, [this] {
+        m_server.reset(); // another one perhaps
+        askChoices();
+        ask();
+    });
+    dialog->open();
+}
+
+void HistoryPage::fail(const base::Error& error)
+{
+    m_banner->present(error);
+}
+} // namespace ui

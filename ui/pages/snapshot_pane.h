@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tables that were chosen side by side, how many rows differ, and the ticks of what would be
+// restored. Owned by the snapshots page; main thread.
+#pragma once
+
+#include "ui/models/compare_model.h"
+
+#include <QWidget>
+
+class QLabel;
+class QTableView;
+class QToolButton;
+
+namespace ui {
+class Pill;
+
+class SnapshotPane final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SnapshotPane(QWidget* parent);
+
+    CompareModel& model() { return m_model; }
+    QToolButton* columns() const { return m_columns; } ///< its menu is the page's
+    /// `nothing` stands where there is no table to show.
+    void show(const QString& title, std::vector<ComparedTable> tables,
+              std::optional<jobs::RestorePlan> plan, const QString& nothing);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void build();
+    void retranslate();
+    void showCounts();
+    void toggleTick();
+
+    CompareModel m_model;
+    CompareFilter m_filter;
+    QLabel* m_title = nullptr;
+    Pill* m_different = nullptr;
+    Pill* m_same = nullptr;
+    Pill* m_rest = nullptr;
+    QToolButton* m_all = nullptr;
+    QToolButton* m_columns = nullptr;
+    QTableView* m_table = nullptr;
+    QLabel* m_nothing = nullptr;
+};
+} // namespace ui

@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/snapshot_shelf.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <map>
+
+namespace ui {
+namespace {
+constexpr int mostRows = 500;
+constexpr auto askAfter = std::chrono::milliseconds(120);
+
+enum Whose : int { ThisServo, Everything };
+
+QString when(const QDateTime& at)
+{
+    const QDateTime local = at.toLocalTime();
+    const bool today = local.date() == QDate::currentDate();
+    return today ? local.toString(QStringLiteral("HH:mm:ss"))
+                 : local.toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+}
+
+QString reasonWord(record::SnapshotReason reason)
+{
+    switch (reason) {
+    case record::SnapshotReason::Automatic:
+        return SnapshotShelf::tr("before a change");
+    case record::SnapshotReason::Asked:
+        return SnapshotShelf::tr("taken");
+    case record::SnapshotReason::Bundle:
+        return SnapshotShelf::tr("with all servos");
+    case record::SnapshotReason::Commission:
+        return SnapshotShelf::tr("when set up");
+    }
+    return {};
+}
+} // namespace
+
+struct SnapshotShelf::Item {
+    session::SharedSnapshot snapshot{};
+    session::SharedBundle bundle{};
+    std::optional<record::HistorySnapshot> kept{};
+    QString path{};
+    QString title{};
+    bool loading = false;
+};
+
+struct SnapshotShelf::Row final : QTreeWidgetItem {
+    explicit Row(std::shared_ptr<Item> about)
+        : item(std::move(about))
+    {}
+    std::shared_ptr<Item> item; ///< shared with what loads it
+};
+
+SnapshotShelf::SnapshotShelf(session::Desk& desk, session::Archive& archive, Selection& selection,
+                             QWidget* parent)
+    : QWidget(parent)
+    , m_desk(desk)
+    , m_archive(archive)
+    , m_selection(selection)
+{
+    build();
+    m_ask.setSingleShot(true);
+    m_ask.setInterval(askAfter);
+    connect(&m_ask, &QTimer::timeout, this, &SnapshotShelf::ask);
+    const auto soon = [this] { m_ask.start(); };
+    connect(&m_archive, &session::Archive::changed, this, soon);
+    connect(&m_selection, &Selection::changed, this, soon);
+    connect(m_whose, &QComboBox::currentIndexChanged, this, soon);
+    connect(m_search, &QLineEdit::textChanged, this, soon);
+    connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &SnapshotShelf::selectionChanged);
+    connect(m_tree, &QTreeWidget::currentItemChanged, this, &SnapshotShelf::selectionChanged);
+    retranslate();
+    ask();
+}
+
+void SnapshotShelf::build()
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(6);
+    m_title = new QLabel(this);
+    m_whose = new QComboBox(this);
+    m_whose->setObjectName(QStringLiteral("shelfWhose"));
+    m_whose->addItems({QString(), QString()});
+    m_search = new QLineEdit(this);
+    m_search->setObjectName(QStringLiteral("shelfSearch"));
+    m_search->setClearButtonEnabled(true);
+    m_tree = new QTreeWidget(this);
+    m_tree->setObjectName(QStringLiteral("shelfTree"));
+    m_tree->setColumnCount(1);
+    m_tree->setHeaderHidden(true);
+    m_tree->setRootIsDecorated(false);
+    m_tree->setIndentation(14);
+    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_tree->setUniformRowHeights(true);
+    m_tree->setTextElideMode(Qt::ElideRight);
+    m_nothing = new QLabel(this);
+    m_nothing->setObjectName(QStringLiteral("shelfNothing"));
+    m_nothing->setWordWrap(true);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_whose);
+    row->addWidget(m_search, 1);
+    column->addWidget(m_title);
+    column->addLayout(row);
+    column->addWidget(m_nothing);
+    column->addWidget(m_tree, 1);
+}
+
+void SnapshotShelf::retranslate()
+{
+    m_title->setText(QStringLiteral("<b>%1</b>").arg(tr("Snapshots")));
+    m_whose->setItemText(ThisServo, tr("This servo"));
+    m_whose->setItemText(Everything, tr("All servos"));
+    m_whose->setAccessibleName(tr("Whose snapshots"));
+    m_whose->setToolTip(tr("Snapshots of servos like the selected one with its ID, or all there "
+                           "are. Servos carry no serial number: model, firmware and ID are all "
+                           "that can be known"));
+    m_search->setPlaceholderText(tr("Search"));
+    m_search->setAccessibleName(tr("Search snapshots"));
+    m_search->setToolTip(tr("Words in model, label, note or file name"));
+    m_tree->setAccessibleName(tr("Snapshots"));
+    m_tree->setToolTip({});
+    m_nothing->setText(tr("There is none yet. One is taken by itself before the first change to a "
+                          "servo."));
+    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* row = m_tree->topLevelItem(i);
+        write(row);
+        for (int child = 0; child < row->childCount(); ++child)
+            write(row->child(child));
+    }
+}
+
+SnapshotShelf::Item* SnapshotShelf::itemOf(const QTreeWidgetItem* row)
+{
+    return row != nullptr ? static_cast<const Row*>(row)->item.get() : nullptr;
+}
+
+/// Two lines: who, and what for.
+void SnapshotShelf::write(QTreeWidgetItem* row) const
+{
+    const Item* item = itemOf(row);
+    if (item == nullptr)
+        return;
+    QString who;
+    QString what;
+    QStringList tip;
+    if (item->bundle) {
+        who = item->title;
+        what = tr("%1 servos").arg(item->bundle->servos.size()) + QStringLiteral(" · ") +
+               when(item->bundle->at);
+        tip << item->bundle->note;
+    } else if (item->kept) {
+        const record::HistorySnapshot& kept = *item->kept;
+        who = QStringLiteral("%1 · ID %2").arg(kept.model).arg(kept.servoId);
+        what = (kept.label.isEmpty() ? reasonWord(kept.reason) : kept.label) +
+               QStringLiteral(" · ") + when(kept.at);
+        tip << reasonWord(kept.reason) << kept.note
+            << tr("firmware %1, on %2").arg(kept.firmware, kept.port);
+    } else if (item->snapshot) {
+        const record::Snapshot& table = *item->snapshot;
+        who = item->title;
+        what = QStringLiteral("%1 · ID %2 · ").arg(table.servo.model).arg(table.servo.id) +
+               (table.isTemplate ? tr("template, %1 rows").arg(table.registers.size())
+                                 : when(table.at));
+        tip << table.note << tr("firmware %1, on %2").arg(table.servo.firmware, table.port);
+    }
+    const QString path = item->path.isEmpty() && item->kept ? item->kept->file : item->path;
+    tip << QDir::toNativeSeparators(path);
+    tip.removeAll(QString());
+    row->setText(0, who + QLatin1Char('\n') + what);
+    row->setToolTip(0, QStringLiteral("%1\n%2\n%3").arg(who, what, tip.join(QLatin1Char('\n'))));
+}
+
+void SnapshotShelf::ask()
+{
+    record::HistoryFilter filter;
+    filter.most = mostRows;
+    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    if (m_whose->currentIndex() == ThisServo && entry != nullptr && entry->servo.profile) {
+        filter.id = entry->servo.id;
+        filter.model = entry->servo.profile->modelName;
+    }
+    const int mine = ++m_asked;
+    m_archive.snapshots(
+        filter, this, [this, mine](const base::Result<std::vector<record::HistorySnapshot>>& rows) {
+            if (mine != m_asked)
+                return;
+            if (rows)
+                fill(*rows);
+            else
+                Q_EMIT failed(rows.error());
+        });
+}
+
+namespace {
+bool fits(const QStringList& words, const record::HistorySnapshot& row)
+{
+    const QString all = QStringLiteral("%1 ID %2 %3 %4 %5 %6")
+                            .arg(row.model)
+                            .arg(row.servoId)
+                            .arg(row.label, row.note, row.file, reasonWord(row.reason));
+    return std::all_of(words.begin(), words.end(), [&](const QString& word) {
+        return all.contains(word, Qt::CaseInsensitive);
+    });
+}
+} // namespace
+
+/// Opened files stay on top; what was selected of the history stays selected while it is there.
+void SnapshotShelf::fill(const std::vector<record::HistorySnapshot>& rows)
+{
+    m_filling = true;
+    const Item* current = itemOf(m_tree->currentItem());
+    const std::int64_t wanted = m_wanted != 0              ? m_wanted
+                                : current && current->kept ? current->kept->number
+                                                           : 0;
+    const std::vector<std::int64_t> selected = chosenNumbers();
+    std::map<std::int64_t, session::SharedSnapshot> loaded;
+    for (int i = m_tree->topLevelItemCount(); i-- > 0;) {
+        const Item* item = itemOf(m_tree->topLevelItem(i));
+        if (!item->kept)
+            continue;
+        loaded[item->kept->number] = item->snapshot;
+        delete m_tree->takeTopLevelItem(i);
+    }
+    const QStringList words = m_search->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    for (const record::HistorySnapshot& row : rows) {
+        if (!fits(words, row))
+            continue;
+        auto item = std::make_shared<Item>();
+        item->kept = row;
+        if (const auto known = loaded.find(row.number); known != loaded.end())
+            item->snapshot = known->second;
+        auto* line = new Row(item);
+        m_tree->addTopLevelItem(line);
+        write(line);
+        if (row.number == wanted) {
+            m_tree->setCurrentItem(line);
+            m_wanted = 0;
+        }
+        if (std::find(selected.begin(), selected.end(), row.number) != selected.end())
+            line->setSelected(true);
+    }
+    m_nothing->setVisible(m_tree->topLevelItemCount() == 0);
+    m_filling = false;
+    selectionChanged();
+}
+
+void SnapshotShelf::add(const session::OpenedFile& file)
+{
+    addFile(file, QFileInfo(file.path).completeBaseName().section(QLatin1Char('.'), 0, 0));
+}
+
+void SnapshotShelf::add(session::SharedSnapshot snapshot, const QString& title)
+{
+    addFile({{}, std::move(snapshot), {}}, title);
+}
+
+/// A file opened again takes the place of its row.
+void SnapshotShelf::addFile(const session::OpenedFile& file, const QString& title)
+{
+    m_filling = true;
+    for (int i = m_tree->topLevelItemCount(); i-- > 0 && !file.path.isEmpty();) {
+        const Item* item = itemOf(m_tree->topLevelItem(i));
+        if (!item->kept && item->path == file.path)
+            delete m_tree->takeTopLevelItem(i);
+    }
+    const auto line = [this](const std::shared_ptr<Item>& item) {
+        auto* row = new Row(item);
+        write(row);
+        return row;
+    };
+    const record::Snapshot* table = file.snapshot.get();
+    const QString label = table != nullptr && !table->label.isEmpty()    ? table->label
+                          : file.bundle && !file.bundle->label.isEmpty() ? file.bundle->label
+                                                                         : title;
+    const auto item = std::make_shared<Item>();
+    item->snapshot = file.snapshot;
+    item->bundle = file.bundle;
+    item->path = file.path;
+    item->title = label;
+    QTreeWidgetItem* row = line(item);
+    m_tree->insertTopLevelItem(0, row);
+    for (const record::Snapshot& servo :
+         file.bundle ? file.bundle->servos : std::vector<record::Snapshot>{}) {
+        const auto child = std::make_shared<Item>();
+        child->snapshot = std::make_shared<const record::Snapshot>(servo);
+        child->path = file.path;
+        child->title =
+            servo.label.isEmpty() ? tr("%1, ID %2").arg(label).arg(servo.servo.id) : servo.label;
+        row->addChild(line(child));
+    }
+    row->setExpanded(true);
+    m_tree->clearSelection();
+    m_tree->setCurrentItem(row);
+    m_nothing->hide();
+    m_filling = false;
+    selectionChanged();
+}
+
+void SnapshotShelf::choose(std::int64_t number)
+{
+    m_whose->setCurrentIndex(Everything);
+    m_search->clear();
+    m_wanted = number;
+    m_ask.start();
+}
+
+void SnapshotShelf::forget(std::int64_t number)
+{
+    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
+        Item* item = itemOf(m_tree->topLevelItem(i));
+        if (item->kept && item->kept->number == number)
+            item->snapshot.reset();
+    }
+}
+
+/// What is selected of the history is loaded; chosen() has it when it is there.
+void SnapshotShelf::selectionChanged()
+{
+    if (m_filling)
+        return;
+    for (const QTreeWidgetItem* row : m_tree->selectedItems()) {
+        const std::shared_ptr<Item>& item = static_cast<const Row*>(row)->item;
+        if (item->kept && !item->snapshot && !item->loading)
+            load(item);
+    }
+    Q_EMIT chosenChanged();
+}
+
+void SnapshotShelf::load(const std::shared_ptr<Item>& item)
+{
+    item->loading = true;
+    m_archive.loadSnapshot(item->kept->number, this,
+                           [this, item](const base::Result<session::SharedSnapshot>& loaded) {
+                               item->loading = false;
+                               if (!loaded) {
+                                   Q_EMIT failed(loaded.error());
+                                   return;
+                               }
+                               item->snapshot = *loaded;
+                               Q_EMIT chosenChanged();
+                           });
+}
+
+std::vector<ShelfChoice> SnapshotShelf::chosen() const
+{
+    std::vector<ShelfChoice> all;
+    const auto take = [&](const QTreeWidgetItem* row) {
+        const Item* item = itemOf(row);
+        if (item == nullptr || !item->snapshot)
+            return;
+        const QString name = !item->kept                    ? item->title
+                             : !item->kept->label.isEmpty() ? item->kept->label
+                                                            : when(item->kept->at);
+        all.push_back({name, row->toolTip(0), item->snapshot, item->kept ? item->kept->number : 0,
+                       item->path});
+    };
+    const QTreeWidgetItem* current = m_tree->currentItem();
+    if (current != nullptr && current->isSelected())
+        take(current);
+    for (const QTreeWidgetItem* row : m_tree->selectedItems()) {
+        if (row != current)
+            take(row);
+    }
+    return all;
+}
+
+session::SharedBundle SnapshotShelf::bundle() const
+{
+    const QTreeWidgetItem* current = m_tree->currentItem();
+    const Item* item = current != nullptr && current->isSelected() ? itemOf(current) : nullptr;
+    return item != nullptr ? item->bundle : nullptr;
+}
+
+QString SnapshotShelf::bundlePath() const
+{
+    const Item* item = itemOf(m_tree->currentItem());
+    return item != nullptr ? item->path : QString();
+}
+
+std::vector<std::int64_t> SnapshotShelf::chosenNumbers() const
+{
+    std::vector<std::int64_t> numbers;
+    for (const QTreeWidgetItem* row : m_tree->selectedItems()) {
+        const Item* item = itemOf(row);
+        if (item != nullptr && item->kept)
+            numbers.push_back(item->kept->number);
+    }
+    return numbers;
+}
+
+void SnapshotShelf::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_tree != nullptr)
+        retranslate();
+}
+} // namespace ui

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What there is to compare with and to restore from: opened files, bundles with their servos, and
+// the snapshots of the history, newest first. Several may be selected; the current one is what
+// would be restored. Loads what is selected by itself, without waiting. Owned by the snapshots
+// page; main thread.
+#pragma once
+
+#include "session/snapshots.h"
+#include "ui/app/selection.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace ui {
+/// One table that was chosen.
+struct ShelfChoice {
+    QString title{}; ///< short: "reference, tested", "12 Nov 09:40"
+    QString tip{};
+    session::SharedSnapshot snapshot{};
+    std::int64_t number = 0; ///< in the history; 0: it is not there
+    QString path{};          ///< of the file; empty: none
+};
+
+class SnapshotShelf final : public QWidget {
+    Q_OBJECT
+
+public:
+    SnapshotShelf(session::Desk& desk, session::Archive& archive, Selection& selection,
+                  QWidget* parent);
+
+    /// The current one first, then the others that are selected; those that are loaded.
+    std::vector<ShelfChoice> chosen() const;
+    session::SharedBundle bundle() const; ///< the current row's; null: it is none
+    QString bundlePath() const;
+    std::vector<std::int64_t> chosenNumbers() const; ///< rows of the history
+
+    /// They become the current row.
+    void add(const session::OpenedFile& file);
+    void add(session::SharedSnapshot snapshot, const QString& title);
+    /// That row of the history, when the list has it.
+    void choose(std::int64_t number);
+    /// It has changed in the history and is loaded anew.
+    void forget(std::int64_t number);
+
+Q_SIGNALS:
+    void chosenChanged();
+    void failed(const base::Error& error);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Item;
+    struct Row;
+    void build();
+    void retranslate();
+    void ask();
+    void fill(const std::vector<record::HistorySnapshot>& rows);
+    void addFile(const session::OpenedFile& file, const QString& title);
+    void write(QTreeWidgetItem* row) const; ///< its words
+    void load(const std::shared_ptr<Item>& item);
+    void selectionChanged();
+    static Item* itemOf(const QTreeWidgetItem* row);
+
+    session::Desk& m_desk;
+    session::Archive& m_archive;
+    Selection& m_selection;
+    QLabel* m_title = nullptr;
+    QComboBox* m_whose = nullptr;
+    QLineEdit* m_search = nullptr;
+    QTreeWidget* m_tree = nullptr;
+    QLabel* m_nothing = nullptr;
+    QTimer m_ask; ///< several changes, one question
+    int m_asked = 0;
+    std::int64_t m_wanted = 0; ///< to become current when the list has it
+    bool m_filling = false;
+};
+} // namespace ui

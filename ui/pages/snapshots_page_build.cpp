@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the snapshots page consists of, and its words.
+#include "ui/pages/snapshot_pane.h"
+#include "ui/pages/snapshot_shelf.h"
+#include "ui/pages/snapshots_page.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/flow_layout.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+constexpr int leastShelf = 230;
+constexpr int shelfWidth = 280;
+constexpr auto refreshAfter = std::chrono::milliseconds(150);
+} // namespace
+
+void SnapshotsPage::build()
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 6, 0, 0);
+    m_banner = new Banner(this);
+    m_banner->setObjectName(QStringLiteral("snapshotsBanner"));
+    m_banner->clear();
+    auto* split = new QSplitter(Qt::Horizontal, this);
+    split->setObjectName(QStringLiteral("snapshotsSplit"));
+    split->setChildrenCollapsible(false);
+    split->addWidget(buildShelf());
+    auto* right = new QWidget(split);
+    auto* rows = new QVBoxLayout(right);
+    rows->setContentsMargins(6, 0, 0, 0);
+    m_pane = new SnapshotPane(right);
+    rows->addWidget(m_pane, 1);
+    rows->addWidget(buildDeeds());
+    split->addWidget(right);
+    split->setStretchFactor(0, 0);
+    split->setStretchFactor(1, 1);
+    split->setSizes({shelfWidth, 3 * shelfWidth});
+    column->addWidget(m_banner);
+    column->addWidget(split, 1);
+    m_columns = new QMenu(this);
+    m_columns->setObjectName(QStringLiteral("compareColumnsMenu"));
+    m_pane->columns()->setMenu(m_columns);
+    m_saveResult = new QAction(this);
+    m_refresh.setSingleShot(true);
+    m_refresh.setInterval(refreshAfter);
+}
+
+QWidget* SnapshotsPage::buildShelf()
+{
+    auto* box = new QWidget(this);
+    box->setMinimumWidth(leastShelf);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 6, 0);
+    m_shelf = new SnapshotShelf(m_desk, m_archive, m_selection, box);
+    auto* buttons = new FlowLayout(nullptr, 6);
+    m_take = new QPushButton(box);
+    m_take->setObjectName(QStringLiteral("snapshotTake"));
+    m_take->setProperty("mainAction", true);
+    m_open = new QPushButton(box);
+    m_open->setObjectName(QStringLiteral("snapshotOpen"));
+    m_more = new QToolButton(box);
+    m_more->setObjectName(QStringLiteral("snapshotMore"));
+    m_more->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(m_more);
+    const auto action = [menu](const char* name) {
+        QAction* made = menu->addAction(QString());
+        made->setObjectName(QString::fromLatin1(name));
+        return made;
+    };
+    m_saveCopy = action("snapshotSaveCopy");
+    m_note = action("snapshotNote");
+    m_bundle = action("snapshotBundle");
+    menu->addSeparator();
+    m_remove = action("snapshotRemove");
+    m_more->setMenu(menu);
+    buttons->addWidget(m_take);
+    buttons->addWidget(m_open);
+    buttons->addWidget(m_more);
+    column->addWidget(m_shelf, 1);
+    column->addLayout(buttons);
+    return box;
+}
+
+QWidget* SnapshotsPage::buildDeeds()
+{
+    auto* box = new QWidget(this);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins({});
+    auto* ticks = new FlowLayout(nullptr, 14);
+    const auto check = [&](const char* name) {
+        auto* made = new QCheckBox(box);
+        made->setObjectName(QString::fromLatin1(name));
+        ticks->addWidget(made);
+        return made;
+    };
+    m_identity = check("restoreIdentity");
+    m_rollBack = check("restoreRollBack");
+    auto* row = new FlowLayout(nullptr, 6);
+    const auto button = [&](const char* name) {
+        auto* made = new QPushButton(box);
+        made->setObjectName(QString::fromLatin1(name));
+        row->addWidget(made);
+        return made;
+    };
+    m_write = button("restoreWrite");
+    m_write->setProperty("mainAction", true);
+    m_dryRun = button("restoreDryRun");
+    m_several = button("restoreSeveral");
+    m_template = button("restoreTemplate");
+    m_order = new QLabel(box);
+    m_order->setObjectName(QStringLiteral("restoreOrder"));
+    m_order->setWordWrap(true);
+    column->addLayout(ticks);
+    column->addLayout(row);
+    column->addWidget(m_order);
+    return box;
+}
+
+void SnapshotsPage::connectAll()
+{
+    connect(&m_refresh, &QTimer::timeout, this, &SnapshotsPage::refresh);
+    connect(m_shelf, &SnapshotShelf::chosenChanged, this, &SnapshotsPage::refresh);
+    connect(m_shelf, &SnapshotShelf::failed, this, &SnapshotsPage::fail);
+    connect(&m_pane->model(), &CompareModel::ticksChanged, this, [this] {
+        rememberTicks();
+        if (!m_showing)
+            showState();
+    });
+    connect(m_columns, &QMenu::aboutToShow, this, &SnapshotsPage::fillColumns);
+    connect(m_identity, &QCheckBox::toggled, this,
+            [this](bool on) { m_pane->model().tickAll(jobs::RestoreReason::Identity, on); });
+    connect(m_take, &QPushButton::clicked, this, &SnapshotsPage::take);
+    connect(m_open, &QPushButton::clicked, this, &SnapshotsPage::openFiles);
+    connect(m_saveCopy, &QAction::triggered, this, &SnapshotsPage::saveCopy);
+    connect(m_note, &QAction::triggered, this, &SnapshotsPage::editNote);
+    connect(m_bundle, &QAction::triggered, this, &SnapshotsPage::saveBundle);
+    connect(m_remove, &QAction::triggered, this, &SnapshotsPage::removeKept);
+    connect(m_write, &QPushButton::clicked, this, &SnapshotsPage::write);
+    connect(m_dryRun, &QPushButton::clicked, this, &SnapshotsPage::dryRun);
+    connect(m_several, &QPushButton::clicked, this, &SnapshotsPage::applyToSeveral);
+    connect(m_template, &QPushButton::clicked, this, &SnapshotsPage::saveTemplate);
+    connect(m_saveResult, &QAction::triggered, this, &SnapshotsPage::askResultFile);
+
+    connect(&m_snapshots, &session::Snapshots::failed, this, &SnapshotsPage::fail);
+    connect(&m_snapshots, &session::Snapshots::saved, this, &SnapshotsPage::tellSaved);
+    connect(&m_snapshots, &session::Snapshots::takingChanged, this, &SnapshotsPage::showState);
+    connect(&m_snapshots, &session::Snapshots::opened, this,
+            [this](const session::OpenedFile& file) { m_shelf->add(file); });
+    connect(&m_snapshots, &session::Snapshots::bundled, this,
+            [this](const session::SharedBundle& bundle, const QString& path) {
+                m_shelf->add({path, {}, bundle});
+                tellSaved(path);
+            });
+
+    connect(&m_selection, &Selection::changed, this, &SnapshotsPage::servoChosen);
+    for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
+                              &session::Desk::servosCleared, &session::Desk::taskChanged})
+        connect(&m_desk, signal, this, &SnapshotsPage::refreshSoon);
+    const auto changed = [this](session::ServoRef ref) {
+        if (ref == m_selection.current() || m_others.count(ref) > 0)
+            refreshSoon();
+    };
+    connect(&m_desk, &session::Desk::servoChanged, this, changed);
+    connect(&m_desk, &session::Desk::tableChanged, this, changed);
+    connect(&m_desk, &session::Desk::servoRemoved, this,
+            [this](session::ServoRef ref) { m_others.erase(ref); });
+}
+
+void SnapshotsPage::retranslate()
+{
+    setAccessibleName(tr("Snapshots"));
+    const auto say = [](QAbstractButton* button, const QString& name, const QString& tip) {
+        button->setText(name);
+        button->setAccessibleName(name);
+        button->setToolTip(tip);
+    };
+    say(m_take, tr("Take snapshot"),
+        tr("Read the whole table of the selected servo and keep it in the history"));
+    say(m_open, tr("Open file…"), tr("Open snapshots, templates or bundles; or drop them here"));
+    say(m_more, tr("More"), tr("Save, label or delete a snapshot; save all servos"));
+    m_saveCopy->setText(tr("Save as file…"));
+    m_note->setText(tr("Label and note…"));
+    m_bundle->setText(tr("Save all servos as a bundle…"));
+    m_remove->setText(tr("Delete from the history…"));
+    say(m_identity, tr("ID and rate too"),
+        tr("Tick ID and baud rate as well: the servo then answers there. They are written at the "
+           "very end"));
+    say(m_rollBack, tr("If a row fails, put all back"),
+        tr("Otherwise writing ends at the row that fails, and what is written stays"));
+    say(m_write, m_write->text(), tr("Write the ticked rows that differ, and only those"));
+    say(m_dryRun, tr("Dry run…"), tr("Show exactly what would be written, in which order"));
+    say(m_several, m_several->text(), tr("Write the ticked rows to more than one servo"));
+    say(m_template, tr("Save template…"),
+        tr("Choose rows of this snapshot and save them as a file, for setting other servos"));
+    m_saveResult->setText(tr("Save result…"));
+}
+} // namespace ui
