@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What restoring would do, before it does: reasons and ticks of every kind of row, other models by
+// key, values that do not fit, and the order of the writes.
+#include "integration/restore_help.h"
+#include "jobs/snapshot.h"
+#include "record/factory_snapshot.h"
+#include "record/snapshot_template.h"
+#include "text/language.h"
+#include "text/restore_words.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include <cmath>
+
+using jobs::RestoreReason;
+using jobs::RestoreRow;
+using jobs::RestoreStage;
+using support::SimBench;
+
+namespace {
+QString word(const char* latin1)
+{
+    return QString::fromLatin1(latin1);
+}
+
+device::Servo servoOf(const char* servos, int baud)
+{
+    SimBench bench(word(servos), support::atBaud(baud));
+    return support::wholeServo(bench);
+}
+
+const device::Servo& sts()
+{
+    static const device::Servo servo = servoOf("sts3215@1", 1'000'000);
+    return servo;
+}
+
+/// A snapshot of `servo` in which every row has a value of its own choice.
+record::Snapshot shuffled(const device::Servo& servo, unsigned seed)
+{
+    record::Snapshot snapshot = jobs::snapshotOf(servo, word("test 1"));
+    for (const auto& [key, raw] : support::RandomTable(seed).make(servo)) {
+        for (record::SnapshotRegister& reg : snapshot.registers) {
+            if (reg.key != key)
+                continue;
+            reg.raw = raw;
+            reg.value = catalog::toPhysical(raw, servo.meaning(*servo.profile->find(key)));
+        }
+    }
+    return snapshot;
+}
+
+void setRaw(record::Snapshot& snapshot, const char* key, std::optional<std::int64_t> raw)
+{
+    for (record::SnapshotRegister& reg : snapshot.registers) {
+        if (reg.key == word(key))
+            reg.raw = raw;
+    }
+}
+
+bool has(const jobs::RestorePlan& plan, const char* key, RestoreReason reason)
+{
+    const RestoreRow* row = plan.find(word(key));
+    return row != nullptr && row->reasons.testFlag(reason);
+}
+
+QStringList unmappedKeys(const jobs::RestorePlan& plan)
+{
+    QStringList keys;
+    for (const RestoreRow* row : plan.unmapped())
+        keys << row->key;
+    return keys;
+}
+} // namespace
+
+class TestRestorePlan : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(word(".*"))); }
+
+    void everyRowSaysWhy();
+    void whatIsTheSameIsNotWritten();
+    void valuesThatDoNotFitAreNotWritten_data();
+    void valuesThatDoNotFitAreNotWritten();
+    void betweenFamiliesOnlyWhatMeansTheSame_data();
+    void betweenFamiliesOnlyWhatMeansTheSame();
+    void whatCannotBeMappedIsListed();
+    void theRateIsTranslatedBetweenFamilies();
+    void namingARowAsksForIt();
+    void aTemplateLeavesTheRestAlone();
+    void theOrderIsSafe_data();
+    void theOrderIsSafe();
+    void readOnlyServosAreNotWritten();
+    void everyReasonHasWords_data();
+    void everyReasonHasWords();
+};
+
+void TestRestorePlan::everyRowSaysWhy()
+{
+    record::Snapshot snapshot = shuffled(sts(), 3);
+    setRaw(snapshot, "position_p", std::nullopt);
+    setRaw(snapshot, "id", 9);
+    setRaw(snapshot, "acceleration", 33);
+    setRaw(snapshot, "goal_position", 99);
+    const auto plan = jobs::planRestore(sts(), snapshot);
+    QVERIFY(!plan.otherModel && !plan.otherFirmware && !plan.otherMap);
+    QVERIFY(has(plan, "firmware_major", RestoreReason::ReadOnly));
+    QVERIFY(has(plan, "max_speed_limit", RestoreReason::Factory));
+    QVERIFY(has(plan, "id", RestoreReason::Identity));
+    QVERIFY(has(plan, "goal_position", RestoreReason::Live));
+    QVERIFY(has(plan, "lock", RestoreReason::Live));
+    QVERIFY(has(plan, "acceleration", RestoreReason::OffUnlessAsked));
+    QVERIFY(has(plan, "position_offset", RestoreReason::MovesShaft));
+    QVERIFY(has(plan, "operating_mode", RestoreReason::NeedsConsent));
+    QVERIFY(has(plan, "position_p", RestoreReason::NoValue));
+    QVERIFY(plan.find(word("acceleration"))->mayTick);
+    QVERIFY(!plan.find(word("acceleration"))->ticked);
+    QVERIFY(!plan.find(word("goal_position"))->mayTick);
+    QVERIFY(!plan.find(word("position_p"))->mayTick);
+    QCOMPARE(unmappedKeys(plan), QStringList{word("position_p")});
+    // What may be written stands first.
+    bool possible = true;
+    for (const RestoreRow& row : plan.rows) {
+        QVERIFY(possible || !row.mayTick);
+        possible = possible && row.mayTick;
+    }
+}
+
+void TestRestorePlan::whatIsTheSameIsNotWritten()
+{
+    const auto plan = jobs::planRestore(sts(), jobs::snapshotOf(sts(), {}));
+    QVERIFY(jobs::writesOf(plan).empty());
+    QVERIFY(jobs::stepsOf(plan).empty());
+    QVERIFY(plan.unmapped().empty());
+    QVERIFY(has(plan, "position_p", RestoreReason::Same));
+}
+
+void TestRestorePlan::valuesThatDoNotFitAreNotWritten_data()
+{
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<qlonglong>("raw");
+    QTest::newRow("more than a byte") << word("position_p") << qlonglong(256);
+    QTest::newRow("far more") << word("max_torque") << qlonglong(4'294'967'296);
+    QTest::newRow("negative") << word("max_temperature") << qlonglong(-1);
+    QTest::newRow("beyond the sheet") << word("max_torque") << qlonglong(1001);
+    QTest::newRow("no such mode") << word("operating_mode") << qlonglong(77);
+    QTest::newRow("offset") << word("position_offset") << qlonglong(5000);
+}
+
+void TestRestorePlan::valuesThatDoNotFitAreNotWritten()
+{
+    QFETCH(const QString, key);
+    QFETCH(const qlonglong, raw);
+    record::Snapshot snapshot = jobs::snapshotOf(sts(), {});
+    setRaw(snapshot, qPrintable(key), raw);
+    jobs::RestoreChoice choice;
+    choice.dangerous = true;
+    const auto plan = jobs::planRestore(sts(), snapshot, choice);
+    QVERIFY(has(plan, qPrintable(key), RestoreReason::OutsideRange));
+    QVERIFY(jobs::writesOf(plan).empty());
+    QCOMPARE(unmappedKeys(plan), QStringList{key});
+}
+
+void TestRestorePlan::betweenFamiliesOnlyWhatMeansTheSame_data()
+{
+    QTest::addColumn<int>("from");
+    QTest::addColumn<int>("to");
+    for (std::size_t from = 0; from < support::restoreFamilies.size(); ++from) {
+        for (std::size_t to = 0; to < support::restoreFamilies.size(); ++to)
+            QTest::addRow("%s to %s", support::restoreFamilies[from].name,
+                          support::restoreFamilies[to].name)
+                << int(from) << int(to);
+    }
+}
+
+void TestRestorePlan::betweenFamiliesOnlyWhatMeansTheSame()
+{
+    QFETCH(const int, from);
+    QFETCH(const int, to);
+    const support::Family& source = support::restoreFamilies[std::size_t(from)];
+    const support::Family& target = support::restoreFamilies[std::size_t(to)];
+    const device::Servo donor = servoOf(source.servos, source.baud);
+    const device::Servo servo = servoOf(target.servos, target.baud);
+    jobs::RestoreChoice choice;
+    choice.dangerous = true;
+    choice.live = true;
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        const record::Snapshot snapshot = shuffled(donor, seed);
+        const auto plan = jobs::planRestore(servo, snapshot, choice);
+        QCOMPARE(plan.otherMap, donor.profile->mapKey != servo.profile->mapKey);
+        for (const jobs::RestoreWrite& write : jobs::writesOf(plan)) {
+            const catalog::Register& reg = *servo.profile->find(write.key);
+            const catalog::Meaning meaning = servo.meaning(reg);
+            const record::SnapshotRegister* file = snapshot.find(write.key);
+            QVERIFY2(!reg.identity && reg.writable(), qPrintable(write.key));
+            QVERIFY2(!plan.otherMap || !meaning.unit.isEmpty(), qPrintable(write.key));
+            QVERIFY2(file->unit == meaning.unit, qPrintable(write.key));
+            const double off = std::abs(catalog::toPhysical(write.to, meaning) - *file->value);
+            QVERIFY2(off <= 0.5001 * std::abs(meaning.scale), qPrintable(write.key));
+        }
+        // Nothing is lost from sight: what the file has is the same, possible, or has its reason.
+        for (const record::SnapshotRegister& file : snapshot.registers) {
+            const RestoreRow* row = plan.find(file.key);
+            QVERIFY2(row != nullptr && (row->mayTick || row->reasons != jobs::RestoreReasons()),
+                     qPrintable(file.key));
+        }
+    }
+}
+
+void TestRestorePlan::whatCannotBeMappedIsListed()
+{
+    const device::Servo scs = servoOf("scs15@1", 1'000'000);
+    record::Snapshot snapshot = shuffled(sts(), 1);
+    for (record::SnapshotRegister& reg : snapshot.registers) {
+        if (reg.key == word("max_torque"))
+            reg.unit = word("mNm"); // a file of other times, or of somebody else
+    }
+    const auto plan = jobs::planRestore(scs, snapshot);
+    QVERIFY(plan.otherModel && plan.otherMap);
+    const QStringList keys = unmappedKeys(plan);
+    QVERIFY(keys.contains(word("operating_mode"))); // by its limits there
+    QVERIFY(keys.contains(word("max_torque")));
+    QVERIFY(has(plan, "operating_mode", RestoreReason::NoSuchRegister));
+    QVERIFY(has(plan, "max_torque", RestoreReason::OtherMeaning));
+    QVERIFY(has(plan, "position_p", RestoreReason::PlainNumber));
+    QVERIFY(plan.find(word("position_p"))->mayTick && !plan.find(word("position_p"))->ticked);
+    QVERIFY(plan.find(word("max_temperature"))->ticked);
+    // The same angle, in this servo's steps.
+    QVERIFY(has(plan, "max_angle_limit", RestoreReason::Converted));
+    // The other way round: what only this servo has stays as it is.
+    const auto back = jobs::planRestore(sts(), jobs::snapshotOf(scs, {}));
+    QVERIFY(has(back, "operating_mode", RestoreReason::NotInFile));
+}
+
+void TestRestorePlan::theRateIsTranslatedBetweenFamilies()
+{
+    const device::Servo modbus = servoOf("smsmb@1", 115'200);
+    record::Snapshot snapshot = jobs::snapshotOf(sts(), {}); // 1 Mbaud: code 0
+    snapshot.baud = 38'400;
+    jobs::RestoreChoice choice;
+    choice.identity = true;
+    const auto plan = jobs::planRestore(modbus, snapshot, choice);
+    const RestoreRow* rate = plan.find(word("baud_rate"));
+    const catalog::Register* reg = modbus.profile->byRole(catalog::Role::BaudRate);
+    const auto named = std::find_if(reg->values.begin(), reg->values.end(),
+                                    [](const auto& value) { return value.key == word("38400"); });
+    QVERIFY(named != reg->values.end());
+    QCOMPARE(rate->wanted.value(), named->value);
+    snapshot.baud = 12'345;
+    QVERIFY(
+        has(jobs::planRestore(modbus, snapshot, choice), "baud_rate", RestoreReason::OtherMeaning));
+}
+
+void TestRestorePlan::namingARowAsksForIt()
+{
+    record::Snapshot snapshot = shuffled(sts(), 2);
+    setRaw(snapshot, "acceleration", 33);
+    jobs::RestoreChoice choice;
+    choice.only = QStringList{word("acceleration"), word("position_d"), word("position_offset")};
+    const auto plan = jobs::planRestore(sts(), snapshot, choice);
+    QStringList keys;
+    for (const jobs::RestoreWrite& write : jobs::writesOf(plan))
+        keys << write.key;
+    QCOMPARE(keys, (QStringList{word("position_d"), word("acceleration")}));
+    QVERIFY(has(plan, "position_p", RestoreReason::NotChosen));
+    QVERIFY(!plan.find(word("position_offset"))->ticked); // dangerous all the same
+}
+
+void TestRestorePlan::aTemplateLeavesTheRestAlone()
+{
+    const auto chosen =
+        record::makeTemplate(shuffled(sts(), 4), {word("position_p"), word("max_temperature")});
+    const auto plan = jobs::planRestore(sts(), *chosen);
+    QCOMPARE(plan.rows.size(), std::size_t(2));
+    QCOMPARE(jobs::writesOf(plan).size(), std::size_t(2));
+    QCOMPARE(plan.count(RestoreReason::NotInFile), 0);
+}
+
+void TestRestorePlan::theOrderIsSafe_data()
+{
+    QTest::addColumn<int>("family");
+    for (std::size_t i = 0; i < support::restoreFamilies.size(); ++i)
+        QTest::newRow(support::restoreFamilies[i].name) << int(i);
+}
+
+void TestRestorePlan::theOrderIsSafe()
+{
+    QFETCH(const int, family);
+    const support::Family& kind = support::restoreFamilies[std::size_t(family)];
+    const device::Servo servo = servoOf(kind.servos, kind.baud);
+    record::Snapshot snapshot = shuffled(servo, 7);
+    setRaw(snapshot, "id", 9);
+    if (const catalog::Register* rate = servo.profile->byRole(catalog::Role::BaudRate))
+        setRaw(snapshot, qPrintable(rate->key), servo.raw(*rate) == 1 ? 2 : 1);
+    jobs::RestoreChoice choice;
+    choice.dangerous = choice.identity = choice.live = true;
+    const auto plan = jobs::planRestore(servo, snapshot, choice);
+    const auto writes = jobs::writesOf(plan);
+    QVERIFY(writes.size() > 5);
+    int unlocks = 0;
+    int identity = 0;
+    std::optional<catalog::Area> area;
+    RestoreStage stage = RestoreStage::Limits;
+    for (const jobs::RestoreWrite& write : writes) {
+        const catalog::Register& reg = *servo.profile->find(write.key);
+        QVERIFY2(identity == 0 || reg.identity, "a register behind the ID");
+        identity += reg.identity ? 1 : 0;
+        if (reg.identity)
+            continue;
+        if (area != reg.area)
+            stage = RestoreStage::Limits;
+        unlocks += area != reg.area ? 1 : 0;
+        QVERIFY2(stage <= write.stage, qPrintable(write.key));
+        stage = write.stage;
+        area = reg.area;
+    }
+    QVERIFY(identity >= 1);
+    QVERIFY(unlocks <= 3); // one run an area
+    QCOMPARE(writes[writes.size() - std::size_t(identity)].stage, RestoreStage::Id);
+    // Every step of opening has its closing, and torque comes first.
+    const auto steps = jobs::stepsOf(plan);
+    QCOMPARE(steps.front().kind, jobs::RestoreStepKind::TorqueOff);
+    int open = 0;
+    for (const jobs::RestoreStep& step : steps) {
+        open += step.kind == jobs::RestoreStepKind::Unlock ? 1 : 0;
+        open -= step.kind == jobs::RestoreStepKind::Lock ? 1 : 0;
+        QVERIFY(open == 0 || open == 1);
+    }
+    QCOMPARE(open, 0);
+}
+
+void TestRestorePlan::readOnlyServosAreNotWritten()
+{
+    device::Servo unknown = sts();
+    catalog::Identity identity = sts().profile->identity;
+    identity.firmwareMajor = 99;
+    unknown.profile = support::builtInCatalog().resolve(identity);
+    QVERIFY(!unknown.profile->writable);
+    jobs::RestoreChoice choice;
+    choice.dangerous = choice.identity = choice.live = true;
+    const auto plan = jobs::planRestore(unknown, shuffled(sts(), 5), choice);
+    QVERIFY(jobs::writesOf(plan).empty());
+}
+
+void TestRestorePlan::everyReasonHasWords_data()
+{
+    QTest::addColumn<QString>("name");
+    for (std::uint32_t bit = 0; bit < 32; ++bit) {
+        const QString name = jobs::restoreReasonName(RestoreReason(1U << bit));
+        if (!name.isEmpty())
+            QTest::newRow(qPrintable(name)) << name;
+    }
+}
+
+void TestRestorePlan::everyReasonHasWords()
+{
+    QFETCH(const QString, name);
+    text::installTranslator(QStringLiteral("en"));
+    QVERIFY(!text::restoreReasonWords(name).isEmpty());
+    QVERIFY(name.contains(QLatin1Char('-')) ? text::restoreReasonWords(name) != name : true);
+    QVERIFY2(text::restoreReasonHelp(name).endsWith(QLatin1Char('.')), qPrintable(name));
+}
+
+QTEST_GUILESS_MAIN(TestRestorePlan)
+#include "tst_restore_plan.moc"
