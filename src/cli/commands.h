@@ -40,5 +40,11 @@ Command bundleSaveCommand();
 Command bundleRestoreCommand();
 Command templateMakeCommand();
 Command templateApplyCommand();
+Command commissionCommand();
+Command historyShowCommand();
+Command historyLabelCommand();
+Command historySnapshotCommand();
+Command historyTableCommand();
+Command historyCommand();
 Command tourCommand();
 } // namespace cli
