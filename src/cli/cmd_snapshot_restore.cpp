@@ -10,20 +10,6 @@
 
 namespace cli {
 namespace {
-/// The table as it is, before the first write; where it lies is said at once.
-jobs::BeforeWrite saveFirst(Run& run, QString& place)
-{
-    return [&run, &place](const device::Context& context,
-                          device::Servo& servo) -> base::Result<void> {
-        const auto saved = session::saveSafetySnapshot(context, servo);
-        if (!saved)
-            return tl::unexpected(saved.error());
-        place = *saved;
-        run.console().remark(translate("cli", "The present settings are saved in %1").arg(place));
-        return {};
-    };
-}
-
 Json head(const device::Servo& servo, const QString& file, bool dryRun)
 {
     return Json::object()
@@ -39,15 +25,14 @@ base::Result<Exit> carryOut(Run& run, const Values& values, device::Servo& servo
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
-    QString place;
     jobs::RestoreOptions options = restoreOptionsOf(values);
-    options.beforeWrite = saveFirst(run, place);
+    options.beforeWrite = [&run](const device::Context& with, device::Servo& which) {
+        return run.saveFirst(with, which);
+    };
     const auto outcome = jobs::restore(*context, servo, plan, options);
     if (!outcome)
         return tl::unexpected(outcome.error());
     addOutcome(document, *outcome);
-    if (!place.isEmpty())
-        document.add("snapshot", place);
     QString text = outcomeText(*outcome, servo);
     if (const auto file = values.option("--result")) {
         const auto result =

@@ -301,7 +301,7 @@ Exit exitCode(const jobs::RestoreOutcome& outcome)
     return code == Exit::Done ? Exit::NotDone : code;
 }
 
-Json jsonApplied(const jobs::Applied& applied, const QString& saved)
+Json jsonApplied(const jobs::Applied& applied)
 {
     Json json = Json::object();
     json.add("id", applied.id).add("verdict", jobs::verdictName(applied.verdict));
@@ -314,8 +314,6 @@ Json jsonApplied(const jobs::Applied& applied, const QString& saved)
         addOutcome(outcome, *applied.outcome);
         json.add("outcome", std::move(outcome));
     }
-    if (!saved.isEmpty())
-        json.add("snapshot", saved);
     if (applied.error)
         json.add("error", jsonError(*applied.error));
     return json;

@@ -34,7 +34,7 @@ QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& se
 Exit exitCode(const jobs::RestoreOutcome& outcome);
 
 /// Several servos: one line each, then the rows that did not go well.
-Json jsonApplied(const jobs::Applied& applied, const QString& saved);
+Json jsonApplied(const jobs::Applied& applied);
 QString appliedText(const std::vector<jobs::Applied>& all);
 Exit exitCode(const std::vector<jobs::Applied>& all);
 

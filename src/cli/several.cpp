@@ -18,13 +18,8 @@ jobs::ApplyOptions Several::options()
     jobs::ApplyOptions options;
     options.choice = choiceOf(m_values);
     options.restore = restoreOptionsOf(m_values);
-    options.restore.beforeWrite = [this](const device::Context& context,
-                                         device::Servo& servo) -> base::Result<void> {
-        const auto saved = session::saveSafetySnapshot(context, servo);
-        if (!saved)
-            return tl::unexpected(saved.error());
-        m_saved[servo.id] = *saved;
-        return {};
+    options.restore.beforeWrite = [this](const device::Context& context, device::Servo& servo) {
+        return m_run.saveFirst(context, servo);
     };
     options.dryRun = m_values.has("--dry-run");
     if (m_run.globals().protocol)
@@ -42,15 +37,8 @@ base::Result<Exit> Several::finish(const std::vector<jobs::Applied>& all, const 
     m_line.reset();
     Json::Array servos;
     QString text = appliedText(all);
-    for (const jobs::Applied& one : all) {
-        const auto saved = m_saved.find(one.id);
-        const QString place = saved == m_saved.end() ? QString() : saved->second;
-        servos.push_back(jsonApplied(one, place));
-        if (!place.isEmpty())
-            text += translate("cli", "The settings of servo %1 before are in %2")
-                        .arg(QString::number(one.id), place) +
-                    QLatin1Char('\n');
-    }
+    for (const jobs::Applied& one : all)
+        servos.push_back(jsonApplied(one));
     Json document = Json::object();
     document.add("file", file)
         .add("dry_run", m_values.has("--dry-run"))

@@ -7,8 +7,6 @@
 #include "cli/run.h"
 #include "jobs/restore_many.h"
 
-#include <map>
-
 namespace cli {
 class Several {
 public:
@@ -24,6 +22,5 @@ private:
     Run& m_run;
     const Values& m_values;
     std::optional<ProgressLine> m_line;
-    std::map<int, QString> m_saved; ///< where the table before lies, by ID
 };
 } // namespace cli
