@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record/server_socket.h"
 
+#include <QByteArray>
 #include <QLibrary>
 #include <QSqlDriver>
 #include <QVariant>
@@ -19,7 +20,8 @@ using SocketOf = int (*)(const void* connection);
 int socketOf(const QSqlDriver& driver)
 {
     const QVariant handle = driver.handle();
-    if (qstrcmp(handle.typeName(), "PGconn*") != 0)
+    const QByteArray type(handle.typeName());
+    if (type != "pg_conn*" && type != "PGconn*") // one type; Qt's versions name it differently
         return -1;
     QLibrary library(QStringLiteral("pq"), 5);
     const auto function = reinterpret_cast<SocketOf>(library.resolve("PQsocket"));
