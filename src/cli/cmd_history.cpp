@@ -3,6 +3,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/history_input.h"
+#include "cli/history_remote.h"
 #include "cli/run.h"
 #include "cli/table.h"
 #include "cli/translate.h"
@@ -186,8 +187,9 @@ base::Result<HistoryKind> kindOf(const Values& values)
     const QString word = values.option("--kind").value_or(QStringLiteral("writes"));
     const auto kind = record::historyKindFromName(word);
     if (!kind)
-        return badArgument(translate("cli", "--kind is writes, snapshots, alarms, recordings, runs "
-                                            "or servos"));
+        return badArgument(translate("cli",
+                                     "--kind is writes, snapshots, alarms, recordings, runs, "
+                                     "servos or, of a server, benches"));
     return *kind;
 }
 
@@ -243,8 +245,31 @@ base::Result<Exit> exportTo(Run& run, const record::History& history, HistoryKin
     return Exit::Done;
 }
 
+base::Result<Exit> showBenches(Run& run, const Values& values)
+{
+    const auto benches = listBenches(values);
+    if (!benches)
+        return tl::unexpected(benches.error());
+    Table table(
+        {translate("cli", "Bench"), translate("cli", "Last sent"), translate("cli", "Writes")});
+    table.right({2});
+    Json::Array list;
+    for (const record::HistoryBench& bench : *benches) {
+        table.add({bench.name, shownTime(bench.sent), shown(bench.writes)});
+        list.push_back(Json::object()
+                           .add("name", bench.name)
+                           .add("uuid", bench.uuid)
+                           .add("sent", bench.sent.toString(Qt::ISODateWithMs))
+                           .add("writes", bench.writes));
+    }
+    run.finish(Json::object().add("benches", std::move(list)), table.text());
+    return Exit::Done;
+}
+
 base::Result<Exit> runList(Run& run, const Values& values)
 {
+    if (values.option("--kind") == QStringLiteral("benches"))
+        return showBenches(run, values);
     const auto kind = kindOf(values);
     if (!kind)
         return tl::unexpected(kind.error());
@@ -252,7 +277,7 @@ base::Result<Exit> runList(Run& run, const Values& values)
     const auto json = values.option("--export");
     if (csv && json)
         return badArgument(translate("cli", "give --csv or --export, not both"));
-    const auto history = openHistory();
+    const auto history = openHistory(values);
     if (!history)
         return tl::unexpected(history.error());
     const auto filter = historyFilter(history->get(), values);
@@ -270,9 +295,12 @@ Command historyCommand()
 {
     std::vector<Option> options{
         {"--kind",
-         QT_TRANSLATE_NOOP("cli", "writes (usual), snapshots, alarms, recordings, runs or servos"),
+         QT_TRANSLATE_NOOP("cli", "writes (usual), snapshots, alarms, recordings, runs, servos; "
+                                  "of a server also benches"),
          "KIND"}};
     for (const Option& option : historyOptions())
+        options.push_back(option);
+    for (const Option& option : serverOptions())
         options.push_back(option);
     options.push_back(
         {"--csv", QT_TRANSLATE_NOOP("cli", "all that fits to a CSV file instead"), "FILE"});

@@ -3,6 +3,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/history_input.h"
+#include "cli/history_remote.h"
 #include "cli/run.h"
 #include "cli/table.h"
 #include "cli/translate.h"
@@ -10,9 +11,9 @@
 
 namespace cli {
 namespace {
-base::Result<std::unique_ptr<record::History>> needHistory()
+base::Result<std::unique_ptr<record::History>> needHistory(const Values& values)
 {
-    auto history = openHistory();
+    auto history = openHistory(values);
     if (history && !*history)
         return badArgument(translate("cli", "there is no history yet"));
     return history;
@@ -55,7 +56,7 @@ base::Result<Exit> runShow(Run& run, const Values& values)
     const auto number = parseNumber(values.word("WRITE"));
     if (!number)
         return tl::unexpected(number.error());
-    const auto history = needHistory();
+    const auto history = needHistory(values);
     if (!history)
         return tl::unexpected(history.error());
     const auto writes = together((*history)->log(), *number);
@@ -109,7 +110,7 @@ base::Result<Exit> runShow(Run& run, const Values& values)
 
 base::Result<Exit> runLabel(Run& run, const Values& values)
 {
-    const auto history = needHistory();
+    const auto history = needHistory(values);
     if (!history)
         return tl::unexpected(history.error());
     const record::HistoryLog log = (*history)->log();
@@ -147,7 +148,7 @@ base::Result<Exit> runSnapshot(Run& run, const Values& values)
     const auto number = parseNumber(values.word("SNAPSHOT"));
     if (!number)
         return tl::unexpected(number.error());
-    const auto history = needHistory();
+    const auto history = needHistory(values);
     if (!history)
         return tl::unexpected(history.error());
     const auto snapshot = (*history)->log().snapshot(*number);
@@ -172,7 +173,7 @@ base::Result<Exit> runTable(Run& run, const Values& values)
     const auto at = parseMoment(values.word("TIME"), QDateTime::currentDateTimeUtc());
     if (!at)
         return tl::unexpected(at.error());
-    const auto history = needHistory();
+    const auto history = needHistory(values);
     if (!history)
         return tl::unexpected(history.error());
     const auto servo = parseServo(**history, values.word("SERVO"));
@@ -213,7 +214,7 @@ Command historyShowCommand()
     return {"history show",
             QT_TRANSLATE_NOOP("cli", "show a write with all that was written together with it"),
             {{"WRITE", QT_TRANSLATE_NOOP("cli", "its number in \"history\"")}},
-            {},
+            serverOptions(),
             runShow};
 }
 
@@ -238,7 +239,7 @@ Command historySnapshotCommand()
                                      "snapshot restore"),
             {{"SNAPSHOT", QT_TRANSLATE_NOOP("cli", "its number in \"history --kind snapshots\"")},
              {"FILE", QT_TRANSLATE_NOOP("cli", "usually NAME.servo.json; replaced if it exists")}},
-            {},
+            serverOptions(),
             runSnapshot};
 }
 
@@ -252,7 +253,7 @@ Command historyTableCommand()
               QT_TRANSLATE_NOOP("cli", "its number in \"history --kind servos\", or its label")},
              {"TIME", QT_TRANSLATE_NOOP("cli", "2026-11-22T10:30, 10:30, or 90m, 2h, 3d, 1w ago")},
              {"FILE", QT_TRANSLATE_NOOP("cli", "usually NAME.servo.json; replaced if it exists")}},
-            {},
+            serverOptions(),
             runTable};
 }
 } // namespace cli

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/run.h"
 #include "cli/translate.h"
@@ -29,7 +30,7 @@ base::Result<SendProgress> send(Run& run, const session::HistoryServerChoice& ch
         if (run.stop().requested()) {
             sending->abort();
             thread.end(atTheEnd);
-            return base::fail(base::ErrorCode::Stopped, QStringLiteral("history-sync"));
+            return base::fail(base::ErrorCode::Stopped, QStringLiteral("history-server"));
         }
         if (sending->silence() > longestSilence)
             sending->hangUp();
@@ -45,9 +46,8 @@ base::Result<Exit> runSync(Run& run, const Values& values)
     choice.address = values.option("--server").value_or(choice.address);
     choice.bench = values.option("--bench").value_or(choice.bench).trimmed();
     if (choice.address.trimmed().isEmpty())
-        return base::fail(base::ErrorCode::BadArgument, QStringLiteral("arguments"),
-                          translate("cli", "no history server is set; name one with --server or "
-                                           "SERVODESK_HISTORY_SERVER"));
+        return badArgument(translate("cli", "no history server is set; name one with --server or "
+                                            "SERVODESK_HISTORY_SERVER"));
     const auto address = record::ServerAddress::parse(choice.address);
     if (!address)
         return tl::unexpected(address.error());
@@ -70,7 +70,7 @@ base::Result<Exit> runSync(Run& run, const Values& values)
 
 Command historySyncCommand()
 {
-    return {"history-sync",
+    return {"history sync",
             QT_TRANSLATE_NOOP("cli", "send what a history server (PostgreSQL) has missed; needs no "
                                      "port"),
             {},

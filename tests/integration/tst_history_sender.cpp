@@ -13,6 +13,7 @@
 #include "support/silent_server.h"
 #include "support/sim_bench.h"
 
+#include <QJsonArray>
 #include <QtTest>
 
 #include <atomic>
@@ -102,6 +103,7 @@ private Q_SLOTS:
     void theWindowBrowses();
     void browsingAHungServer();
     void theChoiceIsRemembered();
+    void theCommandLineSendsAndBrowses();
 };
 
 void TestHistorySender::offUntilAServerIsSet()
@@ -224,6 +226,7 @@ void TestHistorySender::aHungServerCountsAsTrouble()
 void TestHistorySender::servoWritesDoNotWait()
 {
     Bench bench;
+    history_example::write(bench.journal, 2, 1); // something to send from the beginning
     const support::SilentServer silent;
     HistorySender sender(bench.path, quick());
     sender.setServer(silent.address(), utf8("Bench 1"));
@@ -233,16 +236,17 @@ void TestHistorySender::servoWritesDoNotWait()
     const device::Context context{own.bus, own.catalog, bench.journal, own.stop, own.notices};
     device::Servo servo = wire.servo(1);
     for (int i = 0; i < 50; ++i) {
-        const auto report = device::write(context, servo, {{utf8("min_angle"), 100 + i}}, {});
+        const auto report =
+            device::write(context, servo, {{utf8("max_temperature"), 50 + i % 20}}, {});
         QVERIFY(report.has_value());
         QVERIFY(report->allGood());
         sender.poke();
         QCoreApplication::processEvents();
         QVERIFY(sender.state().phase != Phase::UpToDate);
     }
-    QCOMPARE(wire.raw(1, utf8("min_angle")), std::int64_t(149));
+    QCOMPARE(wire.raw(1, utf8("max_temperature")), std::int64_t(59));
     // The server has not said a word yet, and everything is done and written down.
-    QCOMPARE(history_example::writes(*bench.open()).size(), qsizetype(50));
+    QCOMPARE(history_example::writes(*bench.open()).size(), qsizetype(52));
     QVERIFY(bench.journal.open().value().empty());
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
     QCOMPARE(kindOf(*sender.state().error), utf8("hung"));
@@ -394,6 +398,54 @@ void TestHistorySender::theChoiceIsRemembered()
     QCOMPARE(overridden.address, utf8("host=elsewhere"));
     QVERIFY(overridden.fixed);
     QVERIFY(!session::historyServerChoice(settings).fixed);
+}
+
+void TestHistorySender::theCommandLineSendsAndBrowses()
+{
+    support::CliProgram cli;
+    cli.setPort(utf8("sim:sts3215@1"));
+    QCOMPARE(cli.run("write 1 max_temperature=61").exit, 0);
+    cli.setPort(QString());
+    QCOMPARE(cli.run("history sync").exit, 2); // no server is set
+    const QString address = m_pg.address(m_database);
+    const QStringList sync{utf8("history"), utf8("sync"),    utf8("--json"), utf8("--server"),
+                           address,         utf8("--bench"), utf8("Tor 3"),  utf8("--remember")};
+    const support::Ran sent = cli.run(sync);
+    QVERIFY2(sent.exit == 0, qPrintable(sent.err));
+    QVERIFY(sent.json().value(utf8("sent")).toInt() > 0);
+    QVERIFY(!(sent.out + sent.err).contains(m_pg.superuserPassword()));
+    const support::Ran again = cli.run("history sync --json"); // server and name are remembered
+    QCOMPARE(again.json().value(utf8("sent")).toInt(-1), 0);
+    QCOMPARE(again.json().value(utf8("bench")).toString(), utf8("Tor 3"));
+
+    const support::Ran local = cli.run("history --json");
+    const support::Ran copy = cli.run("history --json --server default");
+    QVERIFY2(copy.exit == 0, qPrintable(copy.err));
+    const auto keysOf = [](const support::Ran& ran) {
+        QStringList keys;
+        for (const QJsonValue row : ran.json().value(utf8("writes")).toArray())
+            keys << row.toObject().value(utf8("register")).toString() +
+                        row.toObject().value(utf8("new")).toVariant().toString();
+        return keys;
+    };
+    QCOMPARE(keysOf(copy), keysOf(local));
+    QVERIFY(!keysOf(copy).isEmpty());
+    const support::Ran benches = cli.run("history --kind benches --server default");
+    QVERIFY2(benches.out.contains(utf8("Tor 3")), qPrintable(benches.out + benches.err));
+    const support::Ran nobody = cli.run("history --bench nobody");
+    QCOMPARE(nobody.exit, 2);
+    QVERIFY2(nobody.err.contains(utf8("Tor 3")), qPrintable(nobody.err));
+    const QString file = cli.dataFolder() + utf8("/out.servo.json");
+    const support::Ran taken = cli.run(
+        {utf8("history"), utf8("snapshot"), utf8("1"), file, utf8("--server"), utf8("default")});
+    QVERIFY2(taken.exit == 0, qPrintable(taken.err));
+    QVERIFY(record::loadSnapshot(file).has_value());
+
+    m_pg.stop();
+    const support::Ran away = cli.run("history sync");
+    QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
+    QCOMPARE(away.exit, 3);
+    QVERIFY2(away.err.contains(utf8("history server")), qPrintable(away.err));
 }
 
 QTEST_GUILESS_MAIN(TestHistorySender)
