@@ -8,13 +8,22 @@
 #include "text/error_words.h"
 #include "text/notice_words.h"
 
+#include <algorithm>
+
 namespace cli {
 namespace {
 constexpr int shownUuid = 8; ///< enough to tell a handful of changes apart
 
-QString kindName(base::IntentKind kind)
+/// The values of a snapshot are known beforehand, those a servo restores itself are not.
+bool restoresSnapshot(const base::Intent& intent)
 {
-    switch (kind) {
+    return std::any_of(intent.items.begin(), intent.items.end(),
+                       [](const base::JournalItem& item) { return item.oldRaw != item.newRaw; });
+}
+
+QString kindName(const base::Intent& intent)
+{
+    switch (intent.kind) {
     case base::IntentKind::Write:
         return QStringLiteral("write");
     case base::IntentKind::SetId:
@@ -26,7 +35,8 @@ QString kindName(base::IntentKind kind)
     case base::IntentKind::Calibrate:
         return QStringLiteral("center");
     case base::IntentKind::Restore:
-        return QStringLiteral("restore-defaults");
+        return restoresSnapshot(intent) ? QStringLiteral("snapshot-restore")
+                                        : QStringLiteral("restore-defaults");
     case base::IntentKind::Identify:
         return QStringLiteral("identify");
     case base::IntentKind::Trial:
@@ -71,7 +81,7 @@ Json jsonRecovered(const jobs::Recovered& one)
     Json json = Json::object();
     json.add("uuid", intent.uuid)
         .add("at", intent.at.toString(Qt::ISODateWithMs))
-        .add("kind", kindName(intent.kind))
+        .add("kind", kindName(intent))
         .add("id", intent.servo.id)
         .add("port", intent.servo.port)
         .add("baud", intent.servo.baud)
@@ -113,7 +123,7 @@ Table recoveredTable(const std::vector<jobs::Recovered>& all)
         const base::Intent& intent = one.before.intent;
         table.add({intent.uuid.left(shownUuid),
                    intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-                   QString::number(intent.servo.id), kindName(intent.kind), changesOf(intent),
+                   QString::number(intent.servo.id), kindName(intent), changesOf(intent),
                    translate("cli", findingWord(one.before.finding).shown),
                    lockShown(one.before.lockOpen),
                    one.done ? translate("cli", "yes") : translate("cli", "no")});

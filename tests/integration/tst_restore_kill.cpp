@@ -236,8 +236,10 @@ void TestRestoreKill::killedAtEveryWrite()
         const bool lockOpen =
             listOf(lock, "registers").first().toObject()[QLatin1String("raw")].toInt(-1) == 0;
         QVERIFY2(!lockOpen || intents.size() == 1, where.constData());
-        for (const QJsonValue& intent : intents)
+        for (const QJsonValue& intent : intents) {
             QCOMPARE(intent[QLatin1String("items")].toArray().size(), 20);
+            QCOMPARE(intent[QLatin1String("kind")].toString(), QStringLiteral("snapshot-restore"));
+        }
 
         complete(bridge, cli, restore, at % 2 == 0 || intents.isEmpty(), !intents.isEmpty());
         const Ran left = bridge.run(cli, support::words("recover --json"));
