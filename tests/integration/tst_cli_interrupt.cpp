@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ctrl-C and SIGTERM at the built program: it ends soon, says what became of things, and leaves no
 // lock open.
+#include "record/history_journal.h"
 #include "support/cli_program.h"
 
 #include <QElapsedTimer>
@@ -20,10 +21,12 @@ using support::SimProgram;
 using support::words;
 
 namespace {
-bool journalHas(const CliProgram& cli, const char* text)
+/// A write has begun and not ended.
+bool hasOpenIntent(const CliProgram& cli)
 {
-    QFile file(cli.dataFolder() + QStringLiteral("/journal.jsonl"));
-    return file.open(QIODevice::ReadOnly) && file.readAll().contains(text);
+    const record::HistoryJournal journal(cli.dataFolder() + QStringLiteral("/history.sqlite"), {});
+    const auto open = journal.open();
+    return open && !open->empty();
 }
 /// A pipe that takes nothing any more and that nobody reads: who writes to it hangs.
 class FullPipe {
@@ -101,7 +104,7 @@ void TestCliInterrupt::writeStopsBetweenStepsAndLocks()
     cli.setPort(sim.port());
     cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 speed_p=20 "
                     "overload_torque=70 --json"));
-    QTRY_VERIFY_WITH_TIMEOUT(journalHas(cli, "begin"), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(hasOpenIntent(cli), 60'000);
     cli.signal(SIGINT);
     const Ran ran = cli.finish();
     QCOMPARE(ran.exit, 1);
@@ -179,7 +182,7 @@ void TestCliInterrupt::killedWriteIsRecovered_data()
 void TestCliInterrupt::killDuringWrite(CliProgram& cli)
 {
     cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70"));
-    QTRY_VERIFY_WITH_TIMEOUT(journalHas(cli, "begin"), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(hasOpenIntent(cli), 60'000);
     cli.signal(SIGKILL);
     QCOMPARE(cli.finish().exit, -1);
 }

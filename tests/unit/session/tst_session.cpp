@@ -64,7 +64,7 @@ void TestSession::dataFolderCanBeMoved()
 {
     QCOMPARE(session::dataFolder(), m_folder.path());
     Session session;
-    QCOMPARE(session.journal().path(), m_folder.filePath(QStringLiteral("journal.jsonl")));
+    QCOMPARE(session.journal().path(), m_folder.filePath(QStringLiteral("history.sqlite")));
     QVERIFY(session.warnings().empty());
 }
 
