@@ -96,35 +96,31 @@ struct News {
     std::int64_t number = 0; ///< 0: it is gone
 };
 
-/// The first `most` after `revision`, of all tables.
+/// The first `most` after `revision`, of all tables. One statement, so that it sees one state of
+/// the file: table by table, a row that comes meanwhile into one that was asked already would be
+/// passed over by a later one of another table.
 base::Result<std::vector<News>> newsAfter(const HistoryFile& file, std::int64_t revision, int most)
 {
-    std::vector<News> news;
-    const auto add = [&](const QString& sql) -> base::Result<void> {
-        const auto found = file.run(sql, {qint64(revision), most});
-        if (!found)
-            return tl::unexpected(found.error());
-        for (const QVariantList& row : found->rows)
-            news.push_back({row.value(0).toLongLong(), row.value(1).toString(),
-                            row.value(2).toString(), row.value(3).toLongLong()});
-        return {};
+    QStringList parts;
+    QVariantList values;
+    const auto add = [&](const QString& columns, const QString& table) {
+        parts.append(QStringLiteral("SELECT * FROM (SELECT %1 FROM %2 WHERE revision > ? "
+                                    "ORDER BY revision LIMIT ?)")
+                         .arg(columns, table));
+        values << qint64(revision) << most;
     };
-    for (const QString& table : copiedTables()) {
-        const auto added =
-            add(QStringLiteral("SELECT revision, '%1', uuid, number FROM %1 WHERE revision > ? "
-                               "ORDER BY revision LIMIT ?")
-                    .arg(table));
-        if (!added)
-            return tl::unexpected(added.error());
-    }
-    if (const auto added = add(QStringLiteral("SELECT revision, kind, uuid, 0 FROM removed WHERE "
-                                              "revision > ? ORDER BY revision LIMIT ?"));
-        !added)
-        return tl::unexpected(added.error());
-    std::sort(news.begin(), news.end(),
-              [](const News& a, const News& b) { return a.revision < b.revision; });
-    if (news.size() > std::size_t(std::max(most, 0)))
-        news.erase(news.begin() + std::max(most, 0), news.end());
+    for (const QString& table : copiedTables())
+        add(QStringLiteral("revision, '%1', uuid, number").arg(table), table);
+    add(QStringLiteral("revision, kind, uuid, 0"), QStringLiteral("removed"));
+    values << most;
+    const auto found = file.run(
+        parts.join(QStringLiteral(" UNION ALL ")) + QStringLiteral(" ORDER BY 1 LIMIT ?"), values);
+    if (!found)
+        return tl::unexpected(found.error());
+    std::vector<News> news;
+    for (const QVariantList& row : found->rows)
+        news.push_back({row.value(0).toLongLong(), row.value(1).toString(), row.value(2).toString(),
+                        row.value(3).toLongLong()});
     return news;
 }
 
