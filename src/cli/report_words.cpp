@@ -9,9 +9,11 @@
 namespace cli {
 namespace {
 /// What to type next, where the words of the text layer cannot know about commands.
-QString commandHint(base::ErrorCode code)
+QString commandHint(const base::Error& error)
 {
-    switch (code) {
+    if (error.operation == QLatin1String("history-server"))
+        return {}; // no servo is concerned
+    switch (error.code) {
     case base::ErrorCode::NoAnswer:
     case base::ErrorCode::Garbled:
         return QStringLiteral("servodesk-cli scan --bauds all");
@@ -186,7 +188,7 @@ Json jsonError(const base::Error& error)
         json.add("id", error.id);
     if (!error.registerKey.isEmpty())
         json.add("key", error.registerKey);
-    const QString hint = commandHint(error.code);
+    const QString hint = commandHint(error);
     if (!hint.isEmpty())
         json.add("try", hint);
     return json;
@@ -201,7 +203,7 @@ QString errorText(const base::Error& error)
         lines << translate("cli", "  Likely cause: %1").arg(words.cause)
               << translate("cli", "  Remedy: %1").arg(words.remedy);
     }
-    const QString hint = commandHint(error.code);
+    const QString hint = commandHint(error);
     if (!hint.isEmpty())
         lines << translate("cli", "  Try: %1").arg(hint);
     return lines.join(QLatin1Char('\n'));

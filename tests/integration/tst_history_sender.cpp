@@ -446,6 +446,7 @@ void TestHistorySender::theCommandLineSendsAndBrowses()
     QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
     QCOMPARE(away.exit, 3);
     QVERIFY2(away.err.contains(utf8("history server")), qPrintable(away.err));
+    QVERIFY(!away.err.contains(utf8("recover"))); // no servo is concerned
 }
 
 QTEST_GUILESS_MAIN(TestHistorySender)
