@@ -234,7 +234,10 @@ QString CommissionPage::detail() const
         return tr("Every servo is plugged in alone, gets template, ID and rate, is checked and "
                   "noted in the batch. Nothing moves.");
     QStringList parts;
-    if (!view.servo.model.isEmpty())
+    const bool done = view.step == CommissionStep::Unplug && view.newId >= 0;
+    if (done && !m_line.batch().rows.empty() && m_line.batch().rows.back().newId == view.newId)
+        parts.append(tr("Label: %1").arg(m_line.batch().rows.back().label));
+    else if (!view.servo.model.isEmpty())
         parts.append(
             tr("%1, ID %2 at %3 baud").arg(view.servo.model).arg(view.servo.id).arg(view.baud));
     for (const jobs::CommissionHeard& one : view.heard)

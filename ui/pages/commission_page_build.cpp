@@ -79,16 +79,17 @@ QWidget* CommissionPage::buildSetup()
         spin->setRange(0, 253);
         return spin;
     };
-    m_form->addRow(QString(), pathField(m_batch, m_browseBatch, "commissionBatch"));
-    m_form->addRow(QString(), pathField(m_template, m_browseTemplate, "commissionTemplate"));
-    m_form->addRow(QString(), m_firstId = number("commissionFirstId"));
-    m_form->addRow(QString(), m_lastId = number("commissionLastId"));
+    const auto row = [this](QWidget* field) { m_form->addRow(new QLabel(m_setup), field); };
+    row(pathField(m_batch, m_browseBatch, "commissionBatch"));
+    row(pathField(m_template, m_browseTemplate, "commissionTemplate"));
+    row(m_firstId = number("commissionFirstId"));
+    row(m_lastId = number("commissionLastId"));
     m_rate = new QComboBox(m_setup);
     m_rate->setObjectName(QStringLiteral("commissionRate"));
-    m_form->addRow(QString(), m_rate);
+    row(m_rate);
     m_label = new QLineEdit(m_setup);
     m_label->setObjectName(QStringLiteral("commissionLabel"));
-    m_form->addRow(QString(), m_label);
+    row(m_label);
     m_center = new QCheckBox(m_setup);
     m_center->setObjectName(QStringLiteral("commissionCenter"));
     m_form->addRow(m_center);
@@ -149,8 +150,9 @@ QWidget* CommissionPage::buildWork()
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setWordWrap(false);
-    m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(CommissionModel::Remarks,
+                                                      QHeaderView::Stretch);
     m_sum = new QLabel(right);
     m_sum->setObjectName(QStringLiteral("commissionSum"));
     m_copy = button("commissionCopy");
