@@ -40,6 +40,8 @@ for language in en zh_CN; do
         scene sts-position operate "$language" "$theme"
         scene sweep-bad sweep "$language" "$theme"
         scene step-trial step "$language" "$theme"
+        scene snapshots-compare snapshots "$language" "$theme"
+        scene history-writes history "$language" "$theme"
         step "$language" "$theme"
     done
 done

@@ -5,21 +5,13 @@
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "jobs/recover.h"
+#include "jobs/restore.h"
 #include "text/error_words.h"
 #include "text/notice_words.h"
-
-#include <algorithm>
 
 namespace cli {
 namespace {
 constexpr int shownUuid = 8; ///< enough to tell a handful of changes apart
-
-/// The values of a snapshot are known beforehand, those a servo restores itself are not.
-bool restoresSnapshot(const base::Intent& intent)
-{
-    return std::any_of(intent.items.begin(), intent.items.end(),
-                       [](const base::JournalItem& item) { return item.oldRaw != item.newRaw; });
-}
 
 QString kindName(const base::Intent& intent)
 {
@@ -35,8 +27,8 @@ QString kindName(const base::Intent& intent)
     case base::IntentKind::Calibrate:
         return QStringLiteral("center");
     case base::IntentKind::Restore:
-        return restoresSnapshot(intent) ? QStringLiteral("snapshot-restore")
-                                        : QStringLiteral("restore-defaults");
+        return jobs::restoresSnapshot(intent) ? QStringLiteral("snapshot-restore")
+                                              : QStringLiteral("restore-defaults");
     case base::IntentKind::Identify:
         return QStringLiteral("identify");
     case base::IntentKind::Trial:

@@ -329,4 +329,10 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
         progress({1.0});
     return outcome;
 }
+
+bool restoresSnapshot(const base::Intent& intent)
+{
+    return std::any_of(intent.items.begin(), intent.items.end(),
+                       [](const base::JournalItem& item) { return item.oldRaw != item.newRaw; });
+}
 } // namespace jobs

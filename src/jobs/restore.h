@@ -58,4 +58,8 @@ base::Result<RestoreOutcome> restore(const device::Context& context, device::Ser
 /// For saving (record::saveRestoreResults). `source`: file or name of the snapshot.
 record::RestoreResult resultOf(const RestoreOutcome& outcome, const device::Servo& servo,
                                const QString& source, const QString& program);
+
+/// Of an intent of the kind Restore: the values of a snapshot are known beforehand, those a servo
+/// restores itself (0x06) are not.
+bool restoresSnapshot(const base::Intent& intent);
 } // namespace jobs

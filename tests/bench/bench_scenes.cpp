@@ -9,9 +9,11 @@
 #include "ui/charts/trend_chart.h"
 
 #include <QAbstractButton>
+#include <QDialog>
 #include <QDir>
 #include <QSpinBox>
 #include <QTextStream>
+#include <QTreeWidget>
 
 using namespace std::chrono_literals;
 
@@ -177,6 +179,58 @@ void show(const StepScene& scene, const QString& language, session::Theme look, 
         QTextStream(stderr) << path << ": cannot be written\n";
 }
 
+/// A servo that was changed beside the table before, several tables side by side, and what the
+/// history tells of it; the page itself, or a dialog over it.
+struct ChangeScene {
+    const char* name;
+    const char* page;
+    const char* press; ///< empty: nothing
+};
+constexpr ChangeScene changeScenes[] = {{"snapshots-compare", "snapshots", ""},
+                                        {"snapshots-dry-run", "snapshots", "restoreDryRun"},
+                                        {"snapshots-several", "snapshots", "restoreSeveral"},
+                                        {"snapshots-template", "snapshots", "restoreTemplate"},
+                                        {"history-writes", "history", ""},
+                                        {"history-server", "history", "historyServer"}};
+
+void show(const ChangeScene& scene, const QString& language, session::Theme look, QSize size,
+          const QString& path)
+{
+    gui::WindowBench bench(language, look);
+    bench.page = QString::fromLatin1(scene.page);
+    bench.window->resize(size);
+    if (!bench.ready(1, QStringLiteral("sim:demo"))) {
+        QTextStream(stderr) << scene.name << ": no servo\n";
+        return;
+    }
+    const auto write = [&](const char* key, std::int64_t raw) {
+        bench.desk().write(bench.selection().current(), {{{QString::fromLatin1(key), raw}}});
+        bench.settled();
+    };
+    if (auto* take = bench.find<QAbstractButton>("snapshotTake"))
+        take->click();
+    bench.settled();
+    write("position_p", 40);
+    write("min_angle_limit", 300);
+    write("max_angle_limit", 3800);
+    write("position_d", 48);
+    letRun(1200);
+    if (auto* tree = bench.find<QTreeWidget>("shelfTree"); tree->topLevelItemCount() > 0)
+        tree->setCurrentItem(tree->topLevelItem(tree->topLevelItemCount() - 1));
+    letRun(800);
+    QWidget* shown = bench.window.get();
+    if (*scene.press != '\0') {
+        bench.find<QAbstractButton>(scene.press)->click();
+        letRun(400);
+        for (QDialog* dialog : bench.window->findChildren<QDialog*>()) {
+            if (dialog->isVisible())
+                shown = dialog;
+        }
+    }
+    if (!shown->grab().save(path, "PNG"))
+        QTextStream(stderr) << path << ": cannot be written\n";
+}
+
 /// Those whose names the filter lets through, in every language, theme and size.
 template <typename List>
 void showAll(const List& list, const QDir& folder, const QRegularExpression& filter)
@@ -219,5 +273,6 @@ int main(int argc, char* argv[])
     showAll(scenes, folder, filter);
     showAll(sweepScenes, folder, filter);
     showAll(stepScenes, folder, filter);
+    showAll(changeScenes, folder, filter);
     return 0;
 }

@@ -94,6 +94,8 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
      QT_TRANSLATE_NOOP("Commands", "Save, compare and restore what servos keep"), "", "Ctrl+5", Always},
     {Command::TakeSnapshot, QT_TRANSLATE_NOOP("Commands", "Take s&napshot"),
      QT_TRANSLATE_NOOP("Commands", "Read the whole table and keep it in the history"), "document-save", "Ctrl+S", Open | Known},
+    {Command::PageCommission, QT_TRANSLATE_NOOP("Commands", "&Commissioning"),
+     QT_TRANSLATE_NOOP("Commands", "Set up servos plugged in one after the other"), "", "Ctrl+6", Always},
     {Command::PageHistory, QT_TRANSLATE_NOOP("Commands", "&History"),
      QT_TRANSLATE_NOOP("Commands", "What was ever written, saved, tested and alarmed"), "", "Ctrl+7", Always},
     {Command::EarlierTests, QT_TRANSLATE_NOOP("Commands", "&Earlier tests…"),

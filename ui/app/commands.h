@@ -42,6 +42,7 @@ enum class Command : std::uint8_t {
     PageStep,
     PageSnapshots,
     TakeSnapshot,
+    PageCommission,
     PageHistory,
     EarlierTests,
     PauseTrend,

@@ -12,6 +12,7 @@
 #include "ui/dialogs/runs_dialog.h"
 #include "ui/dialogs/servo_tasks.h"
 #include "ui/dialogs/shortcut_list.h"
+#include "ui/pages/commission_page.h"
 #include "ui/pages/history_page.h"
 #include "ui/pages/memory_page.h"
 #include "ui/pages/operate_page.h"
@@ -84,7 +85,8 @@ void MainWindow::start(const Options& options)
     const std::map<QString, QWidget*> pages{
         {QStringLiteral("operate"), m_operate},     {QStringLiteral("memory"), m_memory},
         {QStringLiteral("sweep"), m_sweep},         {QStringLiteral("step"), m_step},
-        {QStringLiteral("snapshots"), m_snapshots}, {QStringLiteral("history"), m_history}};
+        {QStringLiteral("snapshots"), m_snapshots}, {QStringLiteral("commission"), m_commission},
+        {QStringLiteral("history"), m_history}};
     if (const auto page = pages.find(options.page); page != pages.end())
         m_pages->setCurrentWidget(page->second);
     m_pagesWanted = options.page == QLatin1StringView("snapshots") ||

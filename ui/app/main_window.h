@@ -26,6 +26,7 @@ class MessageLine;
 class MessageLog;
 class OperatePage;
 class HistoryPage;
+class CommissionPage;
 class SnapshotsPage;
 class StepPage;
 class SweepPage;
@@ -82,6 +83,7 @@ private:
     SweepPage* m_sweep = nullptr;
     StepPage* m_step = nullptr;
     SnapshotsPage* m_snapshots = nullptr;
+    CommissionPage* m_commission = nullptr;
     HistoryPage* m_history = nullptr;
     bool m_pagesWanted = false; ///< although no port was ever open
     QDockWidget* m_searchDock = nullptr;

@@ -6,6 +6,7 @@
 #include "ui/app/message_line.h"
 #include "ui/app/message_log.h"
 #include "ui/app/theme.h"
+#include "ui/pages/commission_page.h"
 #include "ui/pages/history_page.h"
 #include "ui/pages/memory_page.h"
 #include "ui/pages/operate_page.h"
@@ -80,9 +81,10 @@ QWidget* MainWindow::buildCentre()
     m_sweep = new SweepPage(m_bench, m_settings, m_pages);
     m_step = new StepPage(m_bench, m_settings, m_pages);
     m_snapshots = new SnapshotsPage(m_bench, m_settings, m_pages);
+    m_commission = new CommissionPage(m_bench, m_settings, m_pages);
     m_history = new HistoryPage(m_bench, m_settings, m_pages);
     for (QWidget* page : std::initializer_list<QWidget*>{m_operate, m_memory, m_sweep, m_step,
-                                                         m_snapshots, m_history})
+                                                         m_snapshots, m_commission, m_history})
         m_pages->addTab(page, QString());
     m_centre = new QStackedWidget(centre);
     m_centre->addWidget(new Welcome(m_commands, m_centre));
@@ -139,6 +141,9 @@ void MainWindow::retranslate()
     m_pages->setTabText(m_pages->indexOf(m_snapshots), tr("Snapshots"));
     m_pages->setTabToolTip(m_pages->indexOf(m_snapshots),
                            tr("Save, compare and restore what servos keep"));
+    m_pages->setTabText(m_pages->indexOf(m_commission), tr("Commissioning"));
+    m_pages->setTabToolTip(m_pages->indexOf(m_commission),
+                           tr("Set up servos plugged in one after the other"));
     m_pages->setTabText(m_pages->indexOf(m_history), tr("History"));
     m_pages->setTabToolTip(m_pages->indexOf(m_history),
                            tr("What was ever written, saved, tested and alarmed"));

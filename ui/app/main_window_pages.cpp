@@ -2,6 +2,7 @@
 // What leads from one page of the window to another.
 #include "session/history_server_choice.h"
 #include "ui/app/main_window.h"
+#include "ui/pages/commission_page.h"
 #include "ui/pages/history_page.h"
 #include "ui/pages/memory_page.h"
 #include "ui/pages/operate_page.h"
@@ -33,6 +34,7 @@ void MainWindow::connectPages()
         showCentre();
     };
     on(Command::PageSnapshots, m_snapshots, withoutPort);
+    on(Command::PageCommission, m_commission, nothing);
     on(Command::PageHistory, m_history, withoutPort);
     on(Command::TakeSnapshot, m_snapshots, [this] { m_snapshots->take(); });
     on(Command::PauseTrend, m_operate, [trend] { trend->toggleFollowing(); });

@@ -21,7 +21,7 @@ constexpr OptionRow rows[] = {
     {"protocol", QT_TRANSLATE_NOOP("Options", "auto, feetech, modbus or lx"), "NAME"},
     {"lang", QT_TRANSLATE_NOOP("Options", "language of the interface: en or zh_CN"), "LANGUAGE"},
     {"theme", QT_TRANSLATE_NOOP("Options", "system, light or dark"), "THEME"},
-    {"page", QT_TRANSLATE_NOOP("Options", "page to show: operate, memory, sweep, step, snapshots, history"), "PAGE"},
+    {"page", QT_TRANSLATE_NOOP("Options", "page to show: operate, memory, sweep, step, snapshots, commission, history"), "PAGE"},
     {"select", QT_TRANSLATE_NOOP("Options", "ID of the servo to select"), "ID"},
     {"screenshot", QT_TRANSLATE_NOOP("Options", "write the window to this PNG file and end"), "FILE"},
     {"size", QT_TRANSLATE_NOOP("Options", "size of the window, such as 1280x800"), "SIZE"},
@@ -119,6 +119,7 @@ ParsedOptions parseOptions(const QStringList& arguments)
                             QStringLiteral("sweep"),
                             QStringLiteral("step"),
                             QStringLiteral("snapshots"),
+                            QStringLiteral("commission"),
                             QStringLiteral("history"),
                             QString()};
     if (!pages.contains(options.page))

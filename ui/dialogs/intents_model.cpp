@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/intents_model.h"
 
+#include "jobs/restore.h"
 #include "text/language.h"
 #include "text/notice_words.h"
 #include "text/translate.h"
@@ -72,7 +73,7 @@ QString IntentsModel::cell(const jobs::Recovered& one, IntentColumn column) cons
     case IntentColumn::Servo:
         return servoWord(intent, *profile);
     case IntentColumn::What:
-        return intentWord(intent.kind);
+        return intentWord(intent);
     case IntentColumn::Change:
         return changesWord(intent, *profile);
     case IntentColumn::Found:
@@ -96,9 +97,9 @@ QString IntentsModel::everything(const jobs::Recovered& one) const
     return lines.join(QLatin1Char('\n'));
 }
 
-QString intentWord(IntentKind kind)
+QString intentWord(const base::Intent& intent)
 {
-    switch (kind) {
+    switch (intent.kind) {
     case IntentKind::Write:
         return translate("ServoTasks", "write");
     case IntentKind::SetId:
@@ -110,7 +111,8 @@ QString intentWord(IntentKind kind)
     case IntentKind::Calibrate:
         return translate("ServoTasks", "centre here");
     case IntentKind::Restore:
-        return translate("ServoTasks", "restore defaults");
+        return jobs::restoresSnapshot(intent) ? translate("ServoTasks", "restore a snapshot")
+                                              : translate("ServoTasks", "restore defaults");
     case IntentKind::Identify:
         return translate("ServoTasks", "identify");
     case IntentKind::Trial:

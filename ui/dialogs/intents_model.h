@@ -36,7 +36,7 @@ private:
 };
 
 /// "write", "set ID" …
-QString intentWord(base::IntentKind kind);
+QString intentWord(const base::Intent& intent);
 /// What stands in the servo now.
 QString findingWord(jobs::Finding finding);
 } // namespace ui

@@ -157,6 +157,8 @@ QString CompareModel::cellText(const CompareRow& row, std::size_t table) const
 
 QString CompareModel::stateText(const CompareRow& row) const
 {
+    if (m_tables.size() < 2)
+        return {}; // nothing to be different from
     const QString verdict = record::verdictName(row.verdict);
     const QString word =
         text::compareVerdictSign(verdict) + QLatin1Char(' ') + text::compareVerdictWord(verdict);

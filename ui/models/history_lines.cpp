@@ -29,7 +29,8 @@ QString who(const QString& model, int id, const QString& label)
     return label.isEmpty() ? name : name + dot + label;
 }
 
-QString intentWord(base::IntentKind kind, bool temporary)
+/// `same`: no new value was known beforehand, the servo took its own defaults.
+QString intentWord(base::IntentKind kind, bool temporary, bool same)
 {
     using base::IntentKind;
     switch (kind) {
@@ -44,7 +45,7 @@ QString intentWord(base::IntentKind kind, bool temporary)
     case IntentKind::Calibrate:
         return translate("History", "centre");
     case IntentKind::Restore:
-        return translate("History", "restore");
+        return same ? translate("History", "restore defaults") : translate("History", "restore");
     case IntentKind::Identify:
         return translate("History", "identify");
     case IntentKind::Trial:
@@ -212,7 +213,7 @@ HistoryLine HistoryWords::line(const record::HistoryWrite& row) const
                   QString::number(qint64(row.oldRaw)),
                   QString::number(qint64(row.newRaw)),
                   sign + endWord(row.outcome),
-                  intentWord(row.kind, row.temporary),
+                  intentWord(row.kind, row.temporary, row.oldRaw == row.newRaw),
                   row.port};
     line.tone = good ? Tone::Good : row.outcome.isEmpty() ? Tone::Warn : Tone::Bad;
     line.tip =

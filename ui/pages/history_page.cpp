@@ -15,6 +15,8 @@
 #include <QPushButton>
 #include <QTableView>
 
+#include <utility>
+
 namespace ui {
 using record::HistoryKind;
 
@@ -36,6 +38,7 @@ void refill(QComboBox* box, const std::vector<std::pair<QString, QVariant>>& ite
 
 HistoryPage::HistoryPage(Bench& bench, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
+    , m_desk(bench.desk)
     , m_local(bench.archive)
     , m_sender(bench.sender)
     , m_settings(settings)
@@ -179,6 +182,8 @@ std::optional<int> HistoryPage::current() const
 
 void HistoryPage::showState()
 {
+    if (std::exchange(m_unsized, m_table.rowCount() == 0) && m_table.rowCount() > 0)
+        m_view->resizeColumnsToContents();
     const HistoryKind kind = m_table.kind();
     const bool one = current().has_value();
     const bool writes = kind == HistoryKind::Writes;

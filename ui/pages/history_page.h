@@ -67,6 +67,7 @@ private:
     void setServer();
     void fail(const base::Error& error);
 
+    session::Desk& m_desk;
     session::Archive& m_local;
     session::HistorySender& m_sender;
     session::Settings& m_settings;
@@ -92,5 +93,6 @@ private:
     QPushButton* m_serverSet = nullptr;
     QTimer m_ask; ///< several changes, one question
     bool m_stale = true;
+    bool m_unsized = true; ///< the columns; until there are rows
 };
 } // namespace ui

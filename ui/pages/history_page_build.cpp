@@ -127,6 +127,13 @@ void HistoryPage::connectAll()
         if (!remote())
             askSoon();
     });
+    // Writes and the snapshots before them come there without the archive's help.
+    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
+        using Kind = session::Event::Kind;
+        if (!remote() && (event.kind == Kind::Written || event.kind == Kind::Task ||
+                          event.kind == Kind::TableSaved))
+            askSoon();
+    });
     connect(&m_local, &session::Archive::failed, this, &HistoryPage::fail);
     connect(&m_table, &HistoryTable::changed, this, &HistoryPage::showState);
     connect(&m_table, &HistoryTable::failed, this, &HistoryPage::fail);

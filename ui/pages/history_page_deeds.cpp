@@ -55,7 +55,7 @@ void HistoryPage::openKept(std::int64_t number)
 void HistoryPage::openMoment(const HistoryLine& line)
 {
     archive().tableAt(
-        m_catalog, line.servo, line.at, this,
+        m_catalog, line.servo, line.at.addMSecs(-1), this,
         [this, line](const base::Result<record::TablePoint>& point) {
             if (!point) {
                 fail(point.error());

@@ -76,6 +76,10 @@ SnapshotShelf::SnapshotShelf(session::Desk& desk, session::Archive& archive, Sel
     const auto soon = [this] { m_ask.start(); };
     connect(&m_archive, &session::Archive::changed, this, soon);
     connect(&m_selection, &Selection::changed, this, soon);
+    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
+        if (event.kind == session::Event::Kind::TableSaved)
+            m_ask.start();
+    });
     connect(m_whose, &QComboBox::currentIndexChanged, this, soon);
     connect(m_search, &QLineEdit::textChanged, this, soon);
     connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &SnapshotShelf::selectionChanged);
@@ -387,6 +391,12 @@ QString SnapshotShelf::bundlePath() const
 {
     const Item* item = itemOf(m_tree->currentItem());
     return item != nullptr ? item->path : QString();
+}
+
+std::optional<record::HistorySnapshot> SnapshotShelf::onlyKept() const
+{
+    const QList<QTreeWidgetItem*> rows = m_tree->selectedItems();
+    return rows.size() == 1 ? itemOf(rows.front())->kept : std::nullopt;
 }
 
 std::vector<std::int64_t> SnapshotShelf::chosenNumbers() const

@@ -39,6 +39,8 @@ public:
     session::SharedBundle bundle() const; ///< the current row's; null: it is none
     QString bundlePath() const;
     std::vector<std::int64_t> chosenNumbers() const; ///< rows of the history
+    /// The selected row, where it is one alone and of the history.
+    std::optional<record::HistorySnapshot> onlyKept() const;
 
     /// They become the current row.
     void add(const session::OpenedFile& file);

@@ -166,9 +166,11 @@ void SnapshotsPage::showState()
     m_take->setEnabled(open && entry() != nullptr && !m_snapshots.taking());
     m_bundle->setEnabled(open && !m_desk.servos().empty() && !m_snapshots.taking());
     m_saveCopy->setEnabled(!chosen.empty() && !bundle);
-    m_note->setEnabled(m_shelf->chosenNumbers().size() == 1);
+    m_note->setEnabled(m_shelf->onlyKept().has_value());
     m_remove->setEnabled(!m_shelf->chosenNumbers().empty());
-    m_write->setText(count == 1 ? tr("Write 1 ticked row") : tr("Write %1 ticked rows").arg(count));
+    m_write->setText(count == 0   ? tr("Write ticked rows")
+                     : count == 1 ? tr("Write 1 ticked row")
+                                  : tr("Write %1 ticked rows").arg(count));
     m_write->setAccessibleName(m_write->text());
     m_write->setEnabled(open && count > 0 && !m_writing);
     m_dryRun->setEnabled(now.has_value());

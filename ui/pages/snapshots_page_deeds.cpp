@@ -163,13 +163,11 @@ void SnapshotsPage::askTemplateFile(const session::SharedSnapshot& from, const Q
 
 void SnapshotsPage::editNote()
 {
-    const auto numbers = m_shelf->chosenNumbers();
-    const auto chosen = m_shelf->chosen();
-    if (numbers.size() != 1 || chosen.empty())
+    const auto kept = m_shelf->onlyKept();
+    if (!kept)
         return;
-    auto* dialog =
-        new NoteDialog(chosen.front().snapshot->label, chosen.front().snapshot->note, this);
-    connect(dialog, &NoteDialog::accepted, this, [this, dialog, number = numbers.front()] {
+    auto* dialog = new NoteDialog(kept->label, kept->note, this);
+    connect(dialog, &NoteDialog::accepted, this, [this, dialog, number = kept->number] {
         m_shelf->forget(number);
         m_archive.setSnapshotNote(number, dialog->label(), dialog->note());
     });

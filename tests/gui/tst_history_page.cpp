@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The history page: what was written at the bench is listed with its outcome, found by servo and
+// register, exported, and leads back to the table as it was. Everything from the real database.
+#include "gui/window_bench.h"
+#include "ui/models/compare_model.h"
+#include "ui/pages/history_page.h"
+#include "ui/pages/snapshots_page.h"
+
+#include <QAbstractItemModelTester>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateEdit>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTreeWidget>
+
+namespace {
+const QString two = QStringLiteral("sim:sts3215@1,sts3215@2");
+
+struct HistoryBench : gui::WindowBench {
+    explicit HistoryBench(const QString& language = QStringLiteral("en"))
+        : WindowBench(language)
+    {
+        page = QStringLiteral("history");
+    }
+    QTableView* table() { return find<QTableView>("historyTable"); }
+    int rows() { return table()->model()->rowCount(); }
+    QString cell(int row, int column)
+    {
+        return table()->model()->index(row, column).data().toString();
+    }
+    using WindowBench::choose;
+    void choose(const char* name, int index)
+    {
+        auto* box = find<QComboBox>(name);
+        QVERIFY(box != nullptr && index < box->count());
+        box->setCurrentIndex(index);
+        Q_EMIT box->activated(index);
+    }
+    void choose(const char* name, const QString& text)
+    {
+        const int index = find<QComboBox>(name)->findText(text, Qt::MatchContains);
+        QVERIFY2(index >= 0, qPrintable(text));
+        choose(name, index);
+    }
+    bool write(const char* key, std::int64_t value)
+    {
+        desk().write(selection().current(), {{{QString::fromLatin1(key), value}}});
+        return settled();
+    }
+};
+} // namespace
+
+class TestHistoryPage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { gui::failOnWarnings(); }
+
+    void writesAreListedWithTheirOutcome()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        const QAbstractItemModelTester tester(bench.table()->model());
+        QTRY_COMPARE(bench.find<QLabel>("historyCount")->text(), QStringLiteral("Nothing"));
+        QVERIFY(bench.write("position_p", 40));
+        QTRY_COMPARE(bench.rows(), 1);
+        QVERIFY(bench.cell(0, 1).contains(QStringLiteral("STS3215 · ID 1")));
+        QCOMPARE(bench.cell(0, 3), QStringLiteral("32"));
+        QCOMPARE(bench.cell(0, 4), QStringLiteral("40"));
+        QTRY_VERIFY(bench.cell(0, 5).startsWith(QStringLiteral("✔")));
+        QVERIFY(!bench.cell(0, 2).contains(QLatin1Char('_'))); // its name, not its key
+    }
+
+    void filteredByServoRegisterAndTime()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.write("position_p", 40));
+        QVERIFY(bench.write("position_d", 30));
+        QVERIFY(bench.choose(2));
+        QVERIFY(bench.write("position_p", 41));
+        QTRY_COMPARE(bench.rows(), 3);
+        QTRY_COMPARE(bench.find<QComboBox>("historyServo")->count(), 3);
+        bench.choose("historyServo", QStringLiteral("ID 1"));
+        QTRY_COMPARE(bench.rows(), 2);
+        bench.choose("historyRegister", QStringLiteral("position_d"));
+        QTRY_COMPARE(bench.rows(), 1);
+        bench.choose("historyServo", 0);
+        bench.choose("historyRegister", 0);
+        QTRY_COMPARE(bench.rows(), 3);
+        bench.choose("historyPeriod", bench.find<QComboBox>("historyPeriod")->count() - 1);
+        QTRY_VERIFY(bench.find<QDateEdit>("historyFrom")->isVisible());
+        bench.find<QDateEdit>("historyFrom")->setDate(QDate(2001, 1, 1));
+        bench.find<QDateEdit>("historyUntil")->setDate(QDate(2001, 1, 2));
+        QTRY_COMPARE(bench.rows(), 0);
+        bench.choose("historyPeriod", 1); // today
+        QTRY_COMPARE(bench.rows(), 3);
+        QTest::mouseClick(bench.find<QCheckBox>("historyTrouble"), Qt::LeftButton);
+        QTRY_COMPARE(bench.rows(), 0);
+    }
+
+    /// From a write back to the table before it, which can be restored.
+    void theTableAtAnyMomentCanBeRestored()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.write("position_p", 40));
+        QVERIFY(bench.write("position_p", 50));
+        QTRY_COMPARE(bench.rows(), 2);
+        bench.table()->selectRow(0);
+        QCOMPARE(bench.cell(0, 4), QStringLiteral("50"));
+        QTRY_VERIFY(bench.find<QPushButton>("historyOpen")->isEnabled());
+        QTest::mouseClick(bench.find<QPushButton>("historyOpen"), Qt::LeftButton);
+        QTRY_VERIFY(bench.find<ui::SnapshotsPage>("snapshotsPage")->isVisible());
+        auto* write = bench.find<QPushButton>("restoreWrite");
+        QTRY_COMPARE(write->text(), QStringLiteral("Write 1 ticked row"));
+        QTRY_VERIFY(write->isEnabled());
+        QTest::mouseClick(write, Qt::LeftButton);
+        QTRY_COMPARE(bench.raw("position_p"), 40);
+    }
+
+    void aServoGetsALabel()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.write("position_p", 40));
+        bench.choose("historyKind", QStringLiteral("Servos"));
+        QTRY_COMPARE(bench.rows(), 1);
+        bench.table()->selectRow(0);
+        QTRY_VERIFY(bench.find<QPushButton>("historyLabel")->isEnabled());
+        QTest::mouseClick(bench.find<QPushButton>("historyLabel"), Qt::LeftButton);
+        auto* label = bench.find<QLineEdit>("noteLabel");
+        QTRY_VERIFY(label != nullptr);
+        label->setText(QStringLiteral("left elbow"));
+        QTest::mouseClick(bench.find<QPushButton>("noteSave"), Qt::LeftButton);
+        QTRY_COMPARE(bench.cell(0, 2), QStringLiteral("left elbow"));
+        bench.choose("historyKind", QStringLiteral("Writes"));
+        QTRY_VERIFY(bench.cell(0, 1).contains(QLatin1String("left elbow")));
+    }
+
+    void snapshotsLeadToTheirPage()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.write("position_p", 40));
+        bench.choose("historyKind", QStringLiteral("Snapshots"));
+        QTRY_COMPARE(bench.rows(), 1);
+        bench.table()->selectRow(0);
+        QTest::mouseClick(bench.find<QPushButton>("historyOpen"), Qt::LeftButton);
+        QTRY_VERIFY(bench.find<ui::SnapshotsPage>("snapshotsPage")->isVisible());
+        QTRY_COMPARE(bench.find<QTreeWidget>("shelfTree")->selectedItems().size(), 1);
+        QTRY_COMPARE(bench.find<QPushButton>("restoreWrite")->text(),
+                     QStringLiteral("Write 1 ticked row"));
+    }
+
+    void theListIsExportedAsItIsFiltered()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.write("position_p", 40));
+        QVERIFY(bench.write("position_d", 30));
+        QTRY_COMPARE(bench.rows(), 2);
+        QTRY_VERIFY(bench.find<QComboBox>("historyRegister")->count() == 3);
+        bench.choose("historyRegister", QStringLiteral("position_d"));
+        QTRY_COMPARE(bench.rows(), 1);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("out.csv"));
+        QTest::mouseClick(bench.find<QPushButton>("historyExport"), Qt::LeftButton);
+        auto* dialog = bench.find<QFileDialog>("historyFileDialog");
+        QTRY_VERIFY(dialog != nullptr);
+        Q_EMIT dialog->fileSelected(path);
+        QTRY_VERIFY(QFile::exists(path));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray text = file.readAll();
+        QVERIFY(text.contains("position_d"));
+        QVERIFY(!text.contains("position_p"));
+    }
+
+    void itSaysThatServosHaveNoSerialNumber()
+    {
+        HistoryBench bench(QStringLiteral("zh_CN"));
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.find<QLabel>("historyHonest")->text().contains(QStringLiteral("序列号")));
+        QVERIFY(bench.write("position_p", 40));
+        QTRY_COMPARE(bench.rows(), 1);
+        static const QRegularExpression han(QStringLiteral("\\p{Han}"));
+        QTRY_VERIFY(bench.cell(0, 5).contains(han));
+        QVERIFY(bench.cell(0, 2).contains(han));
+    }
+};
+
+QTEST_MAIN(TestHistoryPage)
+#include "tst_history_page.moc"

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The snapshots page on a simulated bus: looking writes nothing, what differs is on top with a
+// tick, what is written is what was shown and is asked of the servo again, several servos get a
+// verdict each, and a file that is no snapshot is told about. The history is the real one.
+#include "gui/window_bench.h"
+#include "record/bundle.h"
+#include "record/snapshot_template.h"
+#include "ui/models/compare_model.h"
+#include "ui/pages/snapshots_page.h"
+#include "ui/widgets/banner.h"
+
+#include <QCheckBox>
+#include <QDialog>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QTreeWidget>
+
+namespace {
+struct SnapshotsBench : gui::WindowBench {
+    explicit SnapshotsBench(const QString& language = QStringLiteral("en"))
+        : WindowBench(language)
+    {
+        page = QStringLiteral("snapshots");
+    }
+    QTreeWidget* shelf() { return find<QTreeWidget>("shelfTree"); }
+    QTableView* table() { return find<QTableView>("compareTable"); }
+    QPushButton* button(const char* name) { return find<QPushButton>(name); }
+    void click(const char* name)
+    {
+        QVERIFY2(button(name) != nullptr, name);
+        QTRY_VERIFY2(button(name)->isEnabled(), name);
+        QTest::mouseClick(button(name), Qt::LeftButton);
+    }
+    /// Takes one and selects it.
+    bool taken()
+    {
+        const int before = shelf()->topLevelItemCount();
+        click("snapshotTake");
+        if (!QTest::qWaitFor([&] { return shelf()->topLevelItemCount() > before; }, 20'000))
+            return false;
+        select(shelf()->topLevelItem(0));
+        return true;
+    }
+    void select(QTreeWidgetItem* row)
+    {
+        shelf()->clearSelection();
+        shelf()->setCurrentItem(row);
+    }
+    bool write(const char* key, std::int64_t value, bool dangerous = false)
+    {
+        desk().write(selection().current(),
+                     {{{QString::fromLatin1(key), value}}, false, dangerous});
+        return settled();
+    }
+    /// The row of this register, -1: it is not shown.
+    int rowOf(const char* key)
+    {
+        for (int row = 0; row < table()->model()->rowCount(); ++row) {
+            if (table()->model()->index(row, 0).data(ui::CompareModel::KeyRole) ==
+                QString::fromLatin1(key))
+                return row;
+        }
+        return -1;
+    }
+    QModelIndex cell(const char* key, int column = 0)
+    {
+        return table()->model()->index(rowOf(key), column);
+    }
+    Qt::CheckState tick(const char* key)
+    {
+        return cell(key).data(Qt::CheckStateRole).value<Qt::CheckState>();
+    }
+    std::int64_t now(const char* key)
+    {
+        (void)settled();
+        desk().readTable(selection().current());
+        (void)settled();
+        return raw(key).value_or(-1);
+    }
+    QString bannerText()
+    {
+        QString all;
+        auto* banner = find<ui::Banner>("snapshotsBanner");
+        for (const QLabel* label : banner->findChildren<QLabel*>())
+            all += label->text();
+        return banner->isVisible() ? all : QString();
+    }
+    record::Snapshot file()
+    {
+        session::Snapshots snapshots(desk(), bench.archive);
+        return *snapshots.now(selection().current());
+    }
+    void drop(const QString& path)
+    {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        auto* page = find<ui::SnapshotsPage>("snapshotsPage");
+        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        QCoreApplication::sendEvent(page, &enter);
+        QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(page, &event);
+    }
+};
+
+const QString two = QStringLiteral("sim:sts3215@1,sts3215@2");
+} // namespace
+
+class TestSnapshotsPage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { gui::failOnWarnings(); }
+
+    void lookingWritesNothing()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(!bench.button("restoreWrite")->isEnabled());
+        QVERIFY(bench.taken());
+        QVERIFY(bench.shelf()->topLevelItem(0)->text(0).contains(QStringLiteral("STS3215 · ID 1")));
+        QTRY_VERIFY(bench.find<QLabel>("compareNothing")->isVisible());
+        QCOMPARE(bench.find<QLabel>("compareNothing")->text(),
+                 QStringLiteral("Nothing to set differs."));
+        bench.find<QToolButton>("compareAll")->click();
+        QTRY_VERIFY(bench.rowOf("position_p") >= 0);
+        QVERIFY(!bench.button("restoreWrite")->isEnabled());
+        const auto intents = bench.session.journal().entries();
+        QVERIFY(intents && intents->empty());
+    }
+
+    void whatDiffersIsShownAndWrittenBack()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        const std::int64_t before = bench.now("position_p");
+        QVERIFY(bench.taken());
+        QVERIFY(bench.write("position_p", before + 8));
+        QVERIFY(bench.write("max_angle_limit", 3800));
+        QTRY_COMPARE(bench.table()->model()->rowCount(), 2);
+        QTRY_COMPARE(bench.tick("position_p"), Qt::Checked);
+        QVERIFY(bench.cell("position_p", ui::CompareModel::FirstTable)
+                    .data()
+                    .toString()
+                    .contains(QString::number(before + 8)));
+        QTRY_COMPARE(bench.button("restoreWrite")->text(), QStringLiteral("Write 2 ticked rows"));
+
+        // Taken off by hand: it stays off while the servo is read again.
+        bench.table()->setCurrentIndex(bench.cell("max_angle_limit", 1));
+        QTest::keyClick(bench.table(), Qt::Key_Space);
+        QTRY_COMPARE(bench.button("restoreWrite")->text(), QStringLiteral("Write 1 ticked row"));
+        (void)bench.now("position_p");
+        QTest::qWait(400); // longer than the page takes to look again
+        QCOMPARE(bench.tick("max_angle_limit"), Qt::Unchecked);
+
+        bench.click("restoreDryRun");
+        auto* steps = bench.find<QTableWidget>("dryRunTable");
+        QTRY_VERIFY(steps != nullptr);
+        int writes = 0;
+        for (int row = 0; row < steps->rowCount(); ++row)
+            writes += steps->item(row, 3)->text().contains(QString::number(before)) ? 1 : 0;
+        QCOMPARE(writes, 1);
+        bench.click("dryRunClose");
+
+        bench.click("restoreWrite");
+        QTRY_VERIFY(bench.bannerText().contains(QLatin1String("1 row")));
+        QCOMPARE(bench.now("position_p"), before);
+        QCOMPARE(bench.raw("max_angle_limit"), 3800);
+        QTRY_VERIFY(!bench.button("restoreWrite")->isEnabled());
+        QVERIFY(bench.desk().nextUndo() != nullptr);
+        QCOMPARE(bench.desk().nextUndo()->after.front().raw, before);
+    }
+
+    /// The table was saved by itself before the first change, and can be chosen like any other.
+    void theTableBeforeTheFirstChangeIsThere()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        const std::int64_t before = bench.now("position_p");
+        QVERIFY(bench.write("position_p", before + 1));
+        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 1);
+        QVERIFY(bench.shelf()->topLevelItem(0)->text(0).contains(QLatin1String("before a change")));
+        bench.select(bench.shelf()->topLevelItem(0));
+        QTRY_VERIFY(bench.rowOf("position_p") == 0);
+        QCOMPARE(bench.entry().servo.raw(QStringLiteral("position_p")), before + 1);
+    }
+
+    void identityIsLeftAloneUnlessAsked()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        const QTemporaryDir folder;
+        record::Snapshot other = bench.file();
+        for (record::SnapshotRegister& row : other.registers) {
+            if (row.key == QLatin1String("id"))
+                row.raw = 7;
+        }
+        const QString path = folder.filePath(QStringLiteral("other.servo.json"));
+        QVERIFY(record::saveSnapshot(other, path));
+        bench.drop(path);
+        QTRY_VERIFY(bench.rowOf("id") >= 0);
+        QCOMPARE(bench.tick("id"), Qt::Unchecked);
+        QVERIFY(!bench.button("restoreWrite")->isEnabled());
+        QTest::mouseClick(bench.find<QCheckBox>("restoreIdentity"), Qt::LeftButton);
+        QTRY_COMPARE(bench.tick("id"), Qt::Checked);
+        bench.click("restoreWrite");
+        auto* yes = bench.find<QPushButton>("questionYes");
+        QTRY_VERIFY(yes != nullptr); // it answers elsewhere afterwards: asked
+        QTest::mouseClick(yes, Qt::LeftButton);
+        QTRY_COMPARE(bench.entry().servo.id, 7);
+        QTRY_VERIFY(!bench.bannerText().isEmpty());
+    }
+
+    void factoryAndOtherServosAreColumns()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.taken());
+        QTRY_VERIFY(bench.table()->model()->columnCount() >= 4);
+        const int before = bench.table()->model()->columnCount();
+        auto* menu = bench.find<QMenu>("compareColumnsMenu");
+        Q_EMIT menu->aboutToShow();
+        QCOMPARE(menu->actions().size(), 3); // factory, line, the other servo
+        menu->actions().front()->trigger();
+        QCOMPARE(bench.table()->model()->columnCount(), before + 1);
+        Q_EMIT menu->aboutToShow();
+        menu->actions().back()->trigger();
+        QTRY_COMPARE(bench.table()->model()->columnCount(), before + 2);
+        QTRY_VERIFY(bench.rowOf("id") >= 0); // the two have different ones
+    }
+
+    void brokenFilesAreTold_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("text") << QByteArray("shopping list");
+        QTest::newRow("other JSON") << QByteArray("{\"format\":\"playlist\",\"version\":1}");
+        QTest::newRow("newer") << QByteArray(
+            "{\"format\":\"servodesk-snapshot\",\"version\":99,\"servo\":{},\"registers\":[]}");
+    }
+    void brokenFilesAreTold()
+    {
+        QFETCH(QByteArray, content);
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("broken.servo.json"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+        file.close();
+        bench.drop(path);
+        QTRY_VERIFY(bench.bannerText().contains(QLatin1String("broken.servo.json")));
+        QCOMPARE(bench.shelf()->topLevelItemCount(), 0);
+    }
+
+    void aTemplateGoesToSeveral()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        const std::int64_t before = bench.now("position_p");
+        const QTemporaryDir folder;
+        record::Snapshot wanted = bench.file();
+        for (record::SnapshotRegister& row : wanted.registers) {
+            if (row.key == QLatin1String("position_p"))
+                row.raw = before + 5;
+        }
+        const auto chosen = record::makeTemplate(wanted, {QStringLiteral("position_p")});
+        QVERIFY(chosen);
+        const QString path = folder.filePath(QStringLiteral("gripper.servo.json"));
+        QVERIFY(record::saveSnapshot(*chosen, path));
+        bench.drop(path);
+        QTRY_COMPARE(bench.rowOf("position_p"), 0);
+        bench.click("restoreSeveral");
+        auto* servos = bench.find<QTableWidget>("applyTable");
+        QVERIFY(servos != nullptr);
+        QCOMPARE(servos->rowCount(), 2);
+        bench.click("applyDryRun");
+        QTRY_VERIFY(servos->item(1, 3)->text().startsWith(QStringLiteral("≠")));
+        QCOMPARE(bench.now("position_p"), before);
+        bench.click("applyWrite");
+        auto* yes = bench.find<QPushButton>("questionYes");
+        QTRY_VERIFY(yes != nullptr);
+        QTest::mouseClick(yes, Qt::LeftButton);
+        for (int row = 0; row < 2; ++row)
+            QTRY_VERIFY_WITH_TIMEOUT(servos->item(row, 3)->text().startsWith(QStringLiteral("✔")),
+                                     20'000);
+        QTRY_VERIFY(bench.button("applySave")->isEnabled());
+        for (const session::ServoRef ref : bench.desk().servos()) {
+            bench.selection().select(ref);
+            QCOMPARE(bench.now("position_p"), before + 5);
+            QVERIFY(bench.desk().servo(ref)->snapshotPath.contains(QLatin1String("STS3215")));
+        }
+        QVERIFY(bench.desk().nextUndo() != nullptr);
+    }
+
+    void aBundleGoesBackById()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(2, two));
+        const std::int64_t before = bench.now("position_p");
+        const QTemporaryDir folder;
+        record::Bundle bundle;
+        bundle.program = QStringLiteral("servodesk");
+        bundle.at = QDateTime::currentDateTimeUtc();
+        bundle.servos = {bench.file()};
+        const QString path = folder.filePath(QStringLiteral("arm.bundle.json"));
+        QVERIFY(record::saveBundle(bundle, path));
+        QVERIFY(bench.write("position_p", before + 3));
+        bench.drop(path);
+        QTRY_COMPARE(bench.button("restoreSeveral")->text(), QStringLiteral("Restore the bundle…"));
+        QTreeWidgetItem* row = bench.shelf()->topLevelItem(0);
+        QCOMPARE(row->childCount(), 1);
+        bench.select(row->child(0));
+        QTRY_COMPARE(bench.rowOf("position_p"), 0);
+        bench.select(row);
+        bench.click("restoreSeveral");
+        auto* servos = bench.find<QTableWidget>("applyTable");
+        QCOMPARE(servos->rowCount(), 1);
+        bench.click("applyWrite");
+        QTRY_VERIFY(bench.find<QPushButton>("questionYes") != nullptr);
+        QTest::mouseClick(bench.find<QPushButton>("questionYes"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(servos->item(0, 3)->text().startsWith(QStringLiteral("✔")),
+                                 20'000);
+        QCOMPARE(bench.now("position_p"), before);
+    }
+
+    void filesAreLookedAtWithoutAPort()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("kept.servo.json"));
+        {
+            SnapshotsBench bench;
+            QVERIFY(bench.ready(1, two));
+            QVERIFY(record::saveSnapshot(bench.file(), path));
+        }
+        SnapshotsBench bench;
+        bench.action(ui::Command::PageSnapshots)->trigger();
+        QVERIFY(bench.find<ui::SnapshotsPage>("snapshotsPage")->isVisible());
+        bench.drop(path);
+        QTRY_VERIFY(bench.table()->isVisible());
+        QVERIFY(bench.rowOf("position_p") >= 0);
+        QVERIFY(!bench.button("restoreWrite")->isEnabled());
+        QVERIFY(!bench.button("snapshotTake")->isEnabled());
+    }
+
+    void aNoteIsKept()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.taken());
+        auto* note = bench.window->findChild<QAction*>(QStringLiteral("snapshotNote"));
+        QTRY_VERIFY(note->isEnabled());
+        QTRY_VERIFY(bench.table() != nullptr);
+        bench.find<QToolButton>("compareAll")->setChecked(true);
+        QTRY_VERIFY(bench.rowOf("position_p") >= 0); // it is loaded
+        note->trigger();
+        auto* label = bench.find<QLineEdit>("noteLabel");
+        QTRY_VERIFY(label != nullptr);
+        label->setFocus();
+        QTest::keyClicks(label, QStringLiteral("reference, tested"));
+        bench.find<QPlainTextEdit>("noteText")->setPlainText(QStringLiteral("gear changed"));
+        bench.click("noteSave");
+        QTRY_VERIFY(
+            bench.shelf()->topLevelItem(0)->text(0).contains(QLatin1String("reference, tested")));
+        bench.find<QLineEdit>("shelfSearch")->setText(QStringLiteral("gear"));
+        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 1);
+        bench.find<QLineEdit>("shelfSearch")->setText(QStringLiteral("nothing like it"));
+        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 0);
+    }
+
+    void itSpeaksChinese()
+    {
+        SnapshotsBench bench(QStringLiteral("zh_CN"));
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.taken());
+        static const QRegularExpression han(QStringLiteral("\\p{Han}"));
+        auto* page = bench.find<ui::SnapshotsPage>("snapshotsPage");
+        for (const QAbstractButton* button : page->findChildren<QAbstractButton*>()) {
+            if (button->isVisible() && !button->text().isEmpty())
+                QVERIFY2(button->text().contains(han), qPrintable(button->text()));
+        }
+    }
+};
+
+QTEST_MAIN(TestSnapshotsPage)
+#include "tst_snapshots_page.moc"
