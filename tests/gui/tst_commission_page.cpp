@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commissioning page on a simulated bag of servos: opening and starting
+// write nothing, one click sets a servo up, the batch grows and can be gone on
+// with, labels are copied. What a servo holds is asked of the simulation.
+#include "gui/window_bench.h"
+#include "sim/sim_link.h"
+#include "ui/pages/commission_page.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableView>
+
+namespace {
+constexpr int longTime = 60'000;
+
+struct LineBench {
+    explicit LineBench(const QString& language = QStringLiteral("en"))
+    {
+        ui::initProgram();
+        languages.apply(language);
+        bench.commands.retranslate(); // the program speaks the language before it
+                                      // has commands
+        themes.apply(session::Theme::Light);
+        page = std::make_unique<ui::CommissionPage>(bench, settings);
+        page->resize(1000, 640);
+        page->show();
+    }
+    session::Desk& desk() { return bench.desk; }
+    bool open()
+    {
+        desk().connectTo({.name = QStringLiteral("sim:line")});
+        return QTest::qWaitFor([this] { return desk().state() == session::LinkState::Open; },
+                               longTime);
+    }
+    template <typename Widget>
+    Widget* own(const char* name)
+    {
+        return page->findChild<Widget*>(QString::fromLatin1(name));
+    }
+    void click(const char* name)
+    {
+        auto* button = own<QPushButton>(name);
+        QVERIFY2(button != nullptr, name);
+        QTRY_VERIFY2_WITH_TIMEOUT(button->isVisible() && button->isEnabled(), name, longTime);
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    QString headline() { return own<QLabel>("commissionHeadline")->text(); }
+    int rows() { return own<QTableView>("commissionTable")->model()->rowCount(); }
+    QString cell(int row, int column)
+    {
+        return own<QTableView>("commissionTable")->model()->index(row, column).data().toString();
+    }
+    QString batchFile() const { return files.filePath(QStringLiteral("batch.csv")); }
+    void fill(int firstId)
+    {
+        own<QLineEdit>("commissionBatch")->setText(batchFile());
+        own<QSpinBox>("commissionFirstId")->setValue(firstId);
+    }
+    bool ends()
+    {
+        return QTest::qWaitFor([this] { return !page->line().running(); }, longTime);
+    }
+    int idOf(std::size_t place)
+    {
+        return desk().connection()->simulation()->with(
+            [place](sim::VirtualBus& wire) { return wire.servos()[place]->id(); });
+    }
+
+    support::OwnDataFolder place;
+    QTemporaryDir files;
+    session::Settings settings{files.filePath(QStringLiteral("servodesk.ini"))};
+    ui::LanguageSwitch languages;
+    ui::ThemeSwitch themes;
+    session::Session session;
+    ui::Bench bench{session};
+    std::unique_ptr<ui::CommissionPage> page; ///< goes first
+};
+} // namespace
+
+class TestCommissionPage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { gui::failOnWarnings(); }
+
+    void saysWhyItCannotBegin()
+    {
+        LineBench bench;
+        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
+        QVERIFY(!bench.own<QLabel>("commissionWhy")->text().isEmpty());
+        QVERIFY(!bench.own<QPushButton>("commissionPlug")->isVisible());
+        QVERIFY(bench.open());
+        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled()); // no file yet
+        bench.fill(7);
+        QTRY_VERIFY(bench.own<QPushButton>("commissionStart")->isEnabled());
+        bench.own<QSpinBox>("commissionLastId")->setValue(3);
+        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
+    }
+
+    void oneClickSetsAServoUp()
+    {
+        LineBench bench;
+        QVERIFY(bench.open());
+        bench.fill(7);
+        bench.click("commissionStart");
+        QTRY_VERIFY(bench.headline().contains(QStringLiteral("next servo")));
+        QVERIFY(!bench.own<QSpinBox>("commissionFirstId")->isEnabled());
+        bench.click("commissionPlug");
+        QTRY_VERIFY_WITH_TIMEOUT(bench.own<QPushButton>("commissionContinue")->isVisible(),
+                                 longTime);
+        QCOMPARE(bench.idOf(0), 1); // nothing before the click
+        QCOMPARE(bench.rows(), 0);
+        bench.click("commissionContinue");
+        QTRY_COMPARE_WITH_TIMEOUT(bench.rows(), 1, longTime);
+        QCOMPARE(bench.idOf(0), 7);
+        QTRY_VERIFY(bench.headline().contains(QStringLiteral("Unplug: ID 7")));
+        QVERIFY(bench.cell(0, 0).startsWith(QChar(0x2714)));
+        bench.click("commissionCopy");
+        QCOMPARE(QGuiApplication::clipboard()->text(), QString::fromUtf8("STS3215 · ID 7 · 1 M"));
+        bench.click("commissionUnplug");
+        QTRY_VERIFY_WITH_TIMEOUT(bench.headline().contains(QStringLiteral("next servo")), longTime);
+        bench.click("commissionStop");
+        QVERIFY(bench.ends());
+        QVERIFY(bench.own<QSpinBox>("commissionFirstId")->isEnabled());
+
+        // Gone on with: ID 7 is known to be given, the next one is set aside by
+        // hand.
+        bench.click("commissionStart");
+        QTRY_COMPARE(bench.rows(), 1);
+        bench.click("commissionPlug");
+        QTRY_VERIFY_WITH_TIMEOUT(bench.own<QPushButton>("commissionContinue")->isVisible(),
+                                 longTime);
+        QVERIFY(bench.own<QPushButton>("commissionContinue")->text().contains(QStringLiteral("8")));
+        bench.click("commissionAside");
+        QTRY_COMPARE_WITH_TIMEOUT(bench.rows(), 2, longTime);
+        QCOMPARE(bench.idOf(1), 1);
+        bench.click("commissionStop");
+        QVERIFY(bench.ends());
+    }
+
+    void aBadTemplateIsToldBeforeAnythingIsWritten()
+    {
+        LineBench bench;
+        QVERIFY(bench.open());
+        bench.fill(7);
+        bench.own<QLineEdit>("commissionTemplate")->setText(QStringLiteral("/nowhere/t.json"));
+        bench.click("commissionStart");
+        QVERIFY(bench.ends());
+        QTRY_VERIFY(bench.own<QFrame>("commissionBanner")->isVisible());
+        QVERIFY(!QFile::exists(bench.batchFile()));
+    }
+
+    void closingThePortEndsTheLine()
+    {
+        LineBench bench;
+        QVERIFY(bench.open());
+        bench.fill(7);
+        bench.own<QCheckBox>("commissionAutomatic")->setChecked(true);
+        bench.click("commissionStart");
+        QTRY_VERIFY(bench.headline().contains(QStringLiteral("next servo")));
+        bench.desk().disconnectFrom();
+        QVERIFY(bench.ends());
+    }
+
+    void everyFieldHasItsName()
+    {
+        LineBench bench;
+        for (const char* name : {"commissionBatch", "commissionTemplate", "commissionLabel"}) {
+            auto* field = bench.own<QLineEdit>(name);
+            QVERIFY(!field->accessibleName().isEmpty() && !field->toolTip().isEmpty());
+            const QString words = field->accessibleName();
+            const auto labels = bench.page->findChildren<QLabel*>();
+            const auto shown = [&](const QLabel* one) { return one->text() == words; };
+            QVERIFY2(std::any_of(labels.begin(), labels.end(), shown), name);
+        }
+    }
+};
+
+QTEST_MAIN(TestCommissionPage)
+#include "tst_commission_page.moc"
