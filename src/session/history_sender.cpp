@@ -24,18 +24,18 @@ HistorySender::HistorySender(QString path, Times times, QObject* parent)
 
 HistorySender::~HistorySender()
 {
-    leave();
+    leave(m_times.end);
 }
 
 /// A thread that hangs is left to itself; it holds nothing of ours but its own connection.
-void HistorySender::leave()
+void HistorySender::leave(std::chrono::milliseconds grace)
 {
     if (m_sending)
         m_sending->abort();
     if (m_post)
         m_post->close();
     if (m_thread)
-        m_thread->end(m_times.end, [sending = m_sending] { sending->disconnect(); });
+        m_thread->end(grace, [sending = m_sending] { sending->disconnect(); });
     m_thread.reset();
     m_sending.reset();
     m_post.reset();
@@ -54,7 +54,7 @@ void HistorySender::set(SendState state)
 
 void HistorySender::setServer(const QString& address, const QString& bench)
 {
-    leave();
+    leave({}); // the window waits for nobody
     SendState state;
     if (address.trimmed().isEmpty()) {
         set(state);

@@ -62,7 +62,7 @@ private:
     void advanced(const SendProgress& progress);
     void ended(const base::Result<SendProgress>& sent, std::optional<std::int64_t> waiting);
     void watch();
-    void leave();
+    void leave(std::chrono::milliseconds grace);
     void set(SendState state);
 
     const QString m_path;

@@ -8,7 +8,8 @@ namespace session {
 namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto watchEvery = std::chrono::milliseconds(500);
-constexpr auto atTheEnd = std::chrono::milliseconds(900);
+/// Enough for whoever waits for an answer: hanging up ends that. Only connecting takes longer.
+constexpr auto atTheEnd = std::chrono::milliseconds(100);
 } // namespace
 
 /// The connection, with what both threads need to know of it.

@@ -2,7 +2,7 @@
 // The copies on a history server, for session::Archive: reads only, of all benches or one. The
 // connection is made by the first question and kept; after one that failed it is made anew. A
 // server that is silent for longer than `patience` counts as hung; the destructor waits for a
-// second at most. Main thread; see session/archive_source.h.
+// tenth of a second at most. Main thread; see session/archive_source.h.
 #pragma once
 
 #include "record/history_server.h"
