@@ -12,13 +12,14 @@
 
 namespace record {
 namespace {
-const QString alike = QStringLiteral(
-    "id = ? AND protocol = ? AND model_major = ? AND model_minor = ? AND firmware_major = ? AND "
-    "firmware_minor = ? AND map = ?");
+const QString alike = QStringLiteral("id = ? AND simulated = ? AND protocol = ? AND model_major = "
+                                     "? AND model_minor = ? AND firmware_major = ? AND "
+                                     "firmware_minor = ? AND map = ?");
 
 QVariantList valuesOf(const base::ServoIdentity& who)
 {
     return {who.id,
+            int(isSimulated(who)),
             base::protocolName(who.protocol),
             who.modelMajor,
             who.modelMinor,
@@ -39,9 +40,10 @@ base::Result<std::int64_t> insertServo(const HistoryFile& file, const base::Serv
     values += valuesOf(who);
     values += {notNull(label), notNull(who.model)};
     const auto added =
-        file.run(QStringLiteral("INSERT INTO servos (uuid, id, protocol, model_major, model_minor, "
-                                "firmware_major, firmware_minor, map, label, model, current) "
-                                "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 1)"),
+        file.run(QStringLiteral(
+                     "INSERT INTO servos (uuid, id, simulated, protocol, model_major, model_minor, "
+                     "firmware_major, firmware_minor, map, label, model, current) "
+                     "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 1)"),
                  values);
     if (!added)
         return tl::unexpected(added.error());
@@ -77,18 +79,19 @@ base::Result<void> endWrites(const HistoryFile& file, std::int64_t intent,
 /// The label goes with the servo to its new ID.
 base::Result<void> followLabel(const HistoryFile& file, std::int64_t intent)
 {
-    const auto moved =
-        file.run(QStringLiteral("SELECT %1, w.new FROM intents i JOIN servos s ON s.number = "
-                                "i.servo JOIN writes w ON w.intent = i.number AND w.place = 0 "
-                                "WHERE i.number = ? AND i.kind = 'set-id' AND s.label <> ''")
-                     .arg(servoColumns()),
-                 {qint64(intent)});
+    const auto moved = file.run(
+        QStringLiteral("SELECT %1, w.new, i.port FROM intents i JOIN servos s ON s.number = "
+                       "i.servo JOIN writes w ON w.intent = i.number AND w.place = 0 "
+                       "WHERE i.number = ? AND i.kind = 'set-id' AND s.label <> ''")
+            .arg(servoColumns()),
+        {qint64(intent)});
     if (!moved)
         return tl::unexpected(moved.error());
     if (moved->rows.empty())
         return {};
     HistoryServo servo = servoIn(moved->rows.front());
     servo.who.id = moved->rows.front().value(servoColumnCount).toInt();
+    servo.who.port = moved->rows.front().value(servoColumnCount + 1).toString();
     const auto there = preferServo(file, servo.who, servo.label);
     return there ? base::Result<void>() : tl::unexpected(there.error());
 }
@@ -117,6 +120,11 @@ std::optional<std::int64_t> numberIn(const QVariant& value)
     return value.isNull() ? std::nullopt : std::optional<std::int64_t>(value.toLongLong());
 }
 } // namespace
+
+bool isSimulated(const base::ServoIdentity& who)
+{
+    return who.port.startsWith(QLatin1String("sim:"));
+}
 
 base::Result<std::int64_t> meetServo(const HistoryFile& file, const base::ServoIdentity& who)
 {
@@ -317,7 +325,7 @@ entriesOfServo(const HistoryFile& file, const base::ServoIdentity& servo, int mo
                              alike + QStringLiteral(")");
     // Those on the way to this ID carry another one, so only the kind tells them.
     const QString sameKind = QStringLiteral("(SELECT number FROM servos WHERE ") +
-                             alike.mid(alike.indexOf(QLatin1String("protocol"))) +
+                             alike.mid(alike.indexOf(QLatin1String("simulated"))) +
                              QStringLiteral(")");
     QVariantList values = valuesOf(servo);
     values << most;

@@ -52,8 +52,9 @@ QStringList bookkeeping()
     };
 }
 
-/// Of those alike in all but the label, one is current. A fact belongs to a servo, not to a place
-/// in a list, so that another servo under the same ID does not inherit it.
+/// Of those alike in all but the label, one is current. A simulated servo is never a real one. A
+/// fact belongs to a servo, not to a place in a list, so that another servo under the same ID does
+/// not inherit it.
 QStringList servos()
 {
     return {
@@ -63,7 +64,8 @@ QStringList servos()
             "model_major INTEGER NOT NULL, model_minor INTEGER NOT NULL, "
             "firmware_major INTEGER NOT NULL, firmware_minor INTEGER NOT NULL, "
             "map TEXT NOT NULL, id INTEGER NOT NULL, label TEXT NOT NULL, model TEXT NOT NULL, "
-            "current INTEGER NOT NULL, UNIQUE (id, protocol, model_major, model_minor, "
+            "simulated INTEGER NOT NULL, current INTEGER NOT NULL, UNIQUE (id, simulated, "
+            "protocol, model_major, model_minor, "
             "firmware_major, firmware_minor, map, label))"),
         QStringLiteral(
             "CREATE TABLE facts (number INTEGER PRIMARY KEY AUTOINCREMENT, uuid TEXT NOT NULL "

@@ -70,11 +70,12 @@ base::Result<std::optional<HistoryServo>> HistoryLog::of(const base::ServoIdenti
 {
     auto found =
         read(m_file,
-             QStringLiteral("WHERE s.current = 1 AND s.id = ? AND s.protocol = ? AND "
-                            "s.model_major = ? AND s.model_minor = ? AND s.firmware_major = ? AND "
-                            "s.firmware_minor = ? AND s.map = ?"),
-             {who.id, base::protocolName(who.protocol), who.modelMajor, who.modelMinor,
-              who.firmwareMajor, who.firmwareMinor, notNull(who.map)});
+             QStringLiteral(
+                 "WHERE s.current = 1 AND s.id = ? AND s.simulated = ? AND s.protocol = ? AND "
+                 "s.model_major = ? AND s.model_minor = ? AND s.firmware_major = ? AND "
+                 "s.firmware_minor = ? AND s.map = ?"),
+             {who.id, int(isSimulated(who)), base::protocolName(who.protocol), who.modelMajor,
+              who.modelMinor, who.firmwareMajor, who.firmwareMinor, notNull(who.map)});
     if (!found)
         return tl::unexpected(found.error());
     if (found->empty())
@@ -104,7 +105,8 @@ base::Result<void> HistoryLog::setLabel(std::int64_t number, const QString& labe
             QStringLiteral(
                 "UPDATE servos SET label = ? WHERE number = ? AND NOT EXISTS (SELECT 1 FROM servos "
                 "AS o WHERE o.number <> servos.number AND o.label = ? AND o.id = servos.id AND "
-                "o.protocol = servos.protocol AND o.model_major = servos.model_major AND "
+                "o.simulated = servos.simulated AND o.protocol = servos.protocol AND o.model_major "
+                "= servos.model_major AND "
                 "o.model_minor = servos.model_minor AND o.firmware_major = servos.firmware_major "
                 "AND o.firmware_minor = servos.firmware_minor AND o.map = servos.map)"),
             {notNull(label), qint64(number), notNull(label)});
@@ -124,9 +126,18 @@ base::Result<HistoryServo> HistoryLog::another(std::int64_t number, const QStrin
 {
     std::int64_t other = 0;
     const auto done = m_file.together([&]() -> base::Result<void> {
-        const auto former = readOne(m_file, number);
+        auto former = readOne(m_file, number);
         if (!former)
             return tl::unexpected(former.error());
+        if (former->who.port.isEmpty()) { // never written to
+            const auto port = m_file.run(
+                QStringLiteral("SELECT CASE simulated WHEN 1 THEN 'sim:' ELSE '' END FROM servos "
+                               "WHERE number = ?"),
+                {qint64(number)});
+            if (!port)
+                return tl::unexpected(port.error());
+            former->who.port = port->rows.front().value(0).toString();
+        }
         const auto found = preferServo(m_file, former->who, label);
         if (!found)
             return tl::unexpected(found.error());

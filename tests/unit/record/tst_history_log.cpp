@@ -127,6 +127,7 @@ private Q_SLOTS:
     void pagesJoin();
     void aServoIsWhatItsLabelSays();
     void theLabelFollowsToTheNewId();
+    void aSimulatedServoIsNoRealOne();
     void snapshotsComeBack();
     void alarmsComeAndGo();
     void recordingsAreFound();
@@ -255,6 +256,37 @@ void TestHistoryLog::theLabelFollowsToTheNewId()
     QCOMPARE(log.of(someServo(7)).value()->label, text("wrist"));
     write(7, "id", 7, 9, "mismatch", IntentKind::SetId);
     QVERIFY(!log.of(someServo(9)).value());
+}
+
+void TestHistoryLog::aSimulatedServoIsNoRealOne()
+{
+    const QString limits = text("limits");
+    base::ServoIdentity played = someServo(1);
+    played.port = text("sim:demo");
+    record::HistoryJournal journal(m_path, program);
+    QVERIFY(journal.keep(played, limits, {1, 2}));
+    QVERIFY(!journal.kept(someServo(1), limits).value());
+    base::Intent intent = intentOf(1, "position_p", 32, 40);
+    intent.servo = played;
+    journal.begin(intent).value();
+    QVERIFY(journal.entriesOf(someServo(1), 10).value().empty());
+    write(1, "position_p", 32, 41);
+    const auto history = open();
+    const auto log = history->log();
+    const auto one = log.of(played).value().value();
+    const auto other = log.of(someServo(1)).value().value();
+    QVERIFY(one.number != other.number);
+    QVERIFY(log.setLabel(one.number, text("same")));
+    QVERIFY(log.setLabel(other.number, text("same")));
+    record::Snapshot snapshot = snapshotOf(1);
+    snapshot.port = text("sim:demo");
+    log.addSnapshot(snapshot, SnapshotReason::Automatic).value();
+    const auto catalog = catalog::Catalog::load().catalog;
+    QVERIFY(record::tableAt(history->file(), catalog, one.number, pass()));
+    QVERIFY(!record::tableAt(history->file(), catalog, other.number, pass()));
+    QVERIFY(log.another(one.number, text("new")));
+    QCOMPARE(log.of(played).value()->label, text("new"));
+    QCOMPARE(log.of(someServo(1)).value()->label, text("same"));
 }
 
 void TestHistoryLog::snapshotsComeBack()
