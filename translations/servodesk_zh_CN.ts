@@ -342,6 +342,30 @@
         <source>Look at kept tests, compare two, choose a reference</source>
         <translation>查看已保存的测试，比较两次测试，选定参考舵机</translation>
     </message>
+    <message>
+        <source>S&amp;napshots</source>
+        <translation>快照(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Save, compare and restore what servos keep</source>
+        <translation>保存、比较和恢复舵机里的设置</translation>
+    </message>
+    <message>
+        <source>Take s&amp;napshot</source>
+        <translation>保存快照(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Read the whole table and keep it in the history</source>
+        <translation>读取整个内存表并存入历史记录</translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation>历史记录(&amp;H)</translation>
+    </message>
+    <message>
+        <source>What was ever written, saved, tested and alarmed</source>
+        <translation>所有写入、快照、测试和报警的记录</translation>
+    </message>
 </context>
 <context>
     <name>ControlWords</name>
@@ -666,6 +690,213 @@
     </message>
 </context>
 <context>
+    <name>History</name>
+    <message>
+        <source>temporary write</source>
+        <translation>临时写入</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>change ID</source>
+        <translation>修改 ID</translation>
+    </message>
+    <message>
+        <source>change rate</source>
+        <translation>修改波特率</translation>
+    </message>
+    <message>
+        <source>switch mode</source>
+        <translation>切换模式</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>校准中位</translation>
+    </message>
+    <message>
+        <source>restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>identify</source>
+        <translation>闪灯识别</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>试用</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>已撤销</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>left as it was</source>
+        <translation>保持原样</translation>
+    </message>
+    <message>
+        <source>before a change</source>
+        <translation>修改之前</translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation>手动保存</translation>
+    </message>
+    <message>
+        <source>with all servos</source>
+        <translation>整组保存</translation>
+    </message>
+    <message>
+        <source>when set up</source>
+        <translation>设置完成时</translation>
+    </message>
+    <message>
+        <source>Writes</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>快照</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Servos</source>
+        <translation>舵机</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>舵机</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>改为</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>Occasion</source>
+        <translation>来由</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>结论</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作员</translation>
+    </message>
+    <message>
+        <source>Came</source>
+        <translation>出现</translation>
+    </message>
+    <message>
+        <source>Went</source>
+        <translation>消失</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>固件</translation>
+    </message>
+    <message>
+        <source>Last write</source>
+        <translation>最近写入</translation>
+    </message>
+    <message>
+        <source>read back: %1</source>
+        <translation>回读：%1</translation>
+    </message>
+    <message>
+        <source>not seen to go</source>
+        <translation>未见消失</translation>
+    </message>
+    <message>
+        <source>worked out from the limits, not reported by the servo</source>
+        <translation>由限值推算，并非舵机上报</translation>
+    </message>
+    <message>
+        <source>step response</source>
+        <translation>阶跃响应</translation>
+    </message>
+    <message>
+        <source>sweep test</source>
+        <translation>扫描测试</translation>
+    </message>
+</context>
+<context>
     <name>MemorySheet</name>
     <message>
         <source>Memory table of %1, ID %2</source>
@@ -942,8 +1173,8 @@
         <translation>--page：没有“%1”</translation>
     </message>
     <message>
-        <source>page to show: operate, memory, sweep, step</source>
-        <translation>要显示的页面：operate、memory、sweep、step</translation>
+        <source>page to show: operate, memory, sweep, step, snapshots, history</source>
+        <translation>要显示的页面：operate、memory、sweep、step、snapshots、history</translation>
     </message>
 </context>
 <context>
@@ -2248,10 +2479,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>改变的寄存器：%1</translation>
     </message>
     <message>
-        <source>The settings before are in %1</source>
-        <translation>之前的参数保存在 %1</translation>
-    </message>
-    <message>
         <source>The present settings are saved in %1</source>
         <translation>当前参数已保存到 %1</translation>
     </message>
@@ -3200,6 +3427,614 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Servo %1: the delay is shorter than the longest way takes, so it turns round before it arrives; %2 ms are enough.</source>
         <translation>舵机 %1：延时短于最长行程所需时间，未到达就会折返；%2 毫秒足够。</translation>
+    </message>
+    <message>
+        <source>Servos saved to %1: %2</source>
+        <translation>保存到 %1 的舵机数：%2</translation>
+    </message>
+    <message>
+        <source>save all servos of the bus to one file</source>
+        <translation>把总线上所有舵机保存到一个文件</translation>
+    </message>
+    <message>
+        <source>usually NAME.bundle.json; replaced if it exists</source>
+        <translation>通常为 NAME.bundle.json；已存在则替换</translation>
+    </message>
+    <message>
+        <source>only these: 1, 1-6 or 1,3,5</source>
+        <translation>仅限这些：1、1-6 或 1,3,5</translation>
+    </message>
+    <message>
+        <source>a name for it</source>
+        <translation>它的名称</translation>
+    </message>
+    <message>
+        <source>a remark</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>write a saved bus back, each servo by its ID</source>
+        <translation>把保存的总线写回，每台舵机按其 ID</translation>
+    </message>
+    <message>
+        <source>a file made by bundle save</source>
+        <translation>由 bundle save 生成的文件</translation>
+    </message>
+    <message>
+        <source>also where another model has the ID now</source>
+        <translation>即使现在该 ID 是另一型号</translation>
+    </message>
+    <message>
+        <source>give --first-id or --id-list, not both</source>
+        <translation>--first-id 与 --id-list 只能给一个</translation>
+    </message>
+    <message>
+        <source>name the file of the batch with --batch FILE.csv</source>
+        <translation>请用 --batch FILE.csv 指定批次文件</translation>
+    </message>
+    <message>
+        <source>%1, ID %2 at %3 baud, gets ID %4.</source>
+        <translation>%1，ID %2，波特率 %3，将设为 ID %4。</translation>
+    </message>
+    <message>
+        <source>Beware: %1.</source>
+        <translation>注意：%1。</translation>
+    </message>
+    <message>
+        <source>If it is the one that was to have ID %1, press s and Enter.</source>
+        <translation>如果它就是原定 ID %1 的舵机，请按 s 再按回车。</translation>
+    </message>
+    <message>
+        <source>Enter: go on; a and Enter: set it aside.</source>
+        <translation>回车：继续；a 加回车：剔除。</translation>
+    </message>
+    <message>
+        <source>The servo went away in the middle; plug it in again (ID %1).</source>
+        <translation>舵机中途断开；请重新接上（ID %1）。</translation>
+    </message>
+    <message>
+        <source>No ID is left; an unfinished servo is awaited.</source>
+        <translation>ID 已用完；等待未完成的舵机。</translation>
+    </message>
+    <message>
+        <source>Connect the next servo (it gets ID %1).</source>
+        <translation>请接上下一个舵机（将设为 ID %1）。</translation>
+    </message>
+    <message>
+        <source>Several servos answer; leave one: nothing is written.</source>
+        <translation>有多个舵机应答，请只留一个：未写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Two servos answer under ID %1; leave one: nothing is written.</source>
+        <translation>两个舵机都以 ID %1 应答，请只留一个：未写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Somebody answers, but cannot be recognised.</source>
+        <translation>有应答，但无法识别。</translation>
+    </message>
+    <message>
+        <source>Unplug it.</source>
+        <translation>请拔下。</translation>
+    </message>
+    <message>
+        <source>Unplug: ID %1 is done.</source>
+        <translation>请拔下：ID %1 已完成。</translation>
+    </message>
+    <message>
+        <source>%1 set up, %2 failed, %3 set aside; %4 unfinished. Batch: %5</source>
+        <translation>完成 %1，失败 %2，剔除 %3；未完成 %4。批次：%5</translation>
+    </message>
+    <message>
+        <source>All IDs have been given.</source>
+        <translation>ID 已全部分配。</translation>
+    </message>
+    <message>
+        <source>set up servos plugged in one after the other: template, ID, rate</source>
+        <translation>逐个设置依次接上的舵机：模板、ID、波特率</translation>
+    </message>
+    <message>
+        <source>the list of the batch; one that exists is gone on with</source>
+        <translation>批次清单；已有的文件将继续</translation>
+    </message>
+    <message>
+        <source>the first ID to give (usual: 1)</source>
+        <translation>起始 ID（默认 1）</translation>
+    </message>
+    <message>
+        <source>the IDs to give, in this order: 4-9,12</source>
+        <translation>按此顺序分配的 ID：4-9,12</translation>
+    </message>
+    <message>
+        <source>end after so many servos of the batch</source>
+        <translation>批次达到此数量后结束</translation>
+    </message>
+    <message>
+        <source>the rate to give (else each keeps its own)</source>
+        <translation>要写入的波特率（否则保持不变）</translation>
+    </message>
+    <message>
+        <source>a snapshot or template to write</source>
+        <translation>要写入的快照或模板</translation>
+    </message>
+    <message>
+        <source>also write its dangerous rows</source>
+        <translation>也写入其中的危险项</translation>
+    </message>
+    <message>
+        <source>set up each servo without asking; what has an alarm or does not fit is set aside</source>
+        <translation>自动设置，不逐个确认；有报警或不符的舵机会被剔除</translation>
+    </message>
+    <message>
+        <source>text of the labels, with {model} {id} {rate} {baud} {firmware} {date} {was_id}</source>
+        <translation>标签文字，可含 {model} {id} {rate} {baud} {firmware} {date} {was_id}</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>舵机</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>当前值</translation>
+    </message>
+    <message>
+        <source>Last write</source>
+        <translation>最近写入</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>快照</translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>保存原因</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>寄存器数</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>before a change</source>
+        <translation>修改之前</translation>
+    </message>
+    <message>
+        <source>on request</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>Gone</source>
+        <translation>消失</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>正在记录</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Nothing in the history fits.</source>
+        <translation>历史中没有符合的内容。</translation>
+    </message>
+    <message>
+        <source>Servos carry no serial number: those alike in model, firmware, ID and label are one here.</source>
+        <translation>舵机没有序列号：型号、固件、ID 和标签都相同的，在这里算作同一个。</translation>
+    </message>
+    <message>
+        <source>--kind is writes, snapshots, alarms, recordings, runs, servos or, of a server, benches</source>
+        <translation>--kind 可为 writes、snapshots、alarms、recordings、runs、servos;查看服务器时还可为 benches</translation>
+    </message>
+    <message>
+        <source>Rows written to %1: %2</source>
+        <translation>写入 %1 的行数：%2</translation>
+    </message>
+    <message>
+        <source>Bench</source>
+        <translation>工位</translation>
+    </message>
+    <message>
+        <source>Last sent</source>
+        <translation>上次发送</translation>
+    </message>
+    <message>
+        <source>Writes</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>give --csv or --export, not both</source>
+        <translation>--csv 和 --export 只能给一个</translation>
+    </message>
+    <message>
+        <source>there is no history yet</source>
+        <translation>还没有历史</translation>
+    </message>
+    <message>
+        <source>writes (usual), snapshots, alarms, recordings, runs, servos; of a server also benches</source>
+        <translation>writes(默认)、snapshots、alarms、recordings、runs、servos;服务器还可用 benches</translation>
+    </message>
+    <message>
+        <source>all that fits to a CSV file instead</source>
+        <translation>改为把所有符合的写入 CSV 文件</translation>
+    </message>
+    <message>
+        <source>all that fits to a JSON file instead</source>
+        <translation>改为把所有符合的写入 JSON 文件</translation>
+    </message>
+    <message>
+        <source>list what was written to servos and happened to them; needs no port</source>
+        <translation>列出对舵机的写入及其经历；不需要端口</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number of a row</source>
+        <translation>“%1”不是行的编号</translation>
+    </message>
+    <message>
+        <source>%1, servo %2 %3, on %4 at %5 baud, by %6</source>
+        <translation>%1，舵机 %2 %3，端口 %4，波特率 %5，程序 %6</translation>
+    </message>
+    <message>
+        <source>an earlier version</source>
+        <translation>较早的版本</translation>
+    </message>
+    <message>
+        <source>The %1 that answers to ID %2 is now servo %3, &quot;%4&quot;</source>
+        <translation>应答 ID %2 的 %1 现在是舵机 %3，“%4”</translation>
+    </message>
+    <message>
+        <source>The %1 with ID %2, servo %3, is called &quot;%4&quot;</source>
+        <translation>ID %2 的 %1（舵机 %3）名为“%4”</translation>
+    </message>
+    <message>
+        <source>Registers saved to %1: %2</source>
+        <translation>保存到 %1 的寄存器数：%2</translation>
+    </message>
+    <message>
+        <source>From snapshot %1 of %2; written since then: %3</source>
+        <translation>来自快照 %1（%2）；此后写入：%3</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Changed in a way nobody recorded, so without a value: %1</source>
+        <translation>以未被记录的方式改变，因此没有值：%1</translation>
+    </message>
+    <message>
+        <source>show a write with all that was written together with it</source>
+        <translation>显示一次写入以及同时写入的全部内容</translation>
+    </message>
+    <message>
+        <source>its number in &quot;history&quot;</source>
+        <translation>它在 &quot;history&quot; 中的编号</translation>
+    </message>
+    <message>
+        <source>give a servo of the history a name, as servos carry no serial number</source>
+        <translation>给历史中的舵机起名，因为舵机没有序列号</translation>
+    </message>
+    <message>
+        <source>its number in &quot;history --kind servos&quot;, or its label</source>
+        <translation>它在 &quot;history --kind servos&quot; 中的编号，或它的标签</translation>
+    </message>
+    <message>
+        <source>the name; &quot;&quot; takes it away</source>
+        <translation>名称；&quot;&quot; 表示去掉</translation>
+    </message>
+    <message>
+        <source>what answers like this from now on is another servo, the one with this label; the past stays with the former</source>
+        <translation>从现在起这样应答的是另一个舵机，即带此标签的那个；过去的记录留给原来的舵机</translation>
+    </message>
+    <message>
+        <source>take a snapshot out of the history again, as a file for snapshot restore</source>
+        <translation>从历史中取出快照，存为供 snapshot restore 使用的文件</translation>
+    </message>
+    <message>
+        <source>its number in &quot;history --kind snapshots&quot;</source>
+        <translation>它在 &quot;history --kind snapshots&quot; 中的编号</translation>
+    </message>
+    <message>
+        <source>a servo&apos;s table as it was at a moment, as a file for snapshot restore: the last snapshot before it and the writes since</source>
+        <translation>某一时刻舵机的内存表，存为供 snapshot restore 使用的文件：此前最后一个快照加上此后的写入</translation>
+    </message>
+    <message>
+        <source>2026-11-22T10:30, 10:30, or 90m, 2h, 3d, 1w ago</source>
+        <translation>2026-11-22T10:30、10:30，或 90m、2h、3d、1w 之前</translation>
+    </message>
+    <message>
+        <source>no history server is set; name one with --server or SERVODESK_HISTORY_SERVER</source>
+        <translation>未设置历史服务器;请用 --server 或 SERVODESK_HISTORY_SERVER 指定</translation>
+    </message>
+    <message>
+        <source>Rows sent to %1 as %2: %3; it has everything now</source>
+        <translation>已以 %2 的名义向 %1 发送 %3 行;服务器数据已齐全</translation>
+    </message>
+    <message>
+        <source>send what a history server (PostgreSQL) has missed; needs no port</source>
+        <translation>向历史服务器(PostgreSQL)补发其缺少的数据;不需要端口</translation>
+    </message>
+    <message>
+        <source>its connection string, such as postgresql://USER@HOST/DATABASE; else the one remembered</source>
+        <translation>连接字符串,例如 postgresql://USER@HOST/DATABASE;不填则用已记住的</translation>
+    </message>
+    <message>
+        <source>what this bench is called there</source>
+        <translation>本工位在服务器上的名称</translation>
+    </message>
+    <message>
+        <source>use server and name from now on, in the window too</source>
+        <translation>从现在起使用此服务器和名称,窗口程序也一样</translation>
+    </message>
+    <message>
+        <source>Label: %1</source>
+        <translation>标签：%1</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>备注：%1</translation>
+    </message>
+    <message>
+        <source>the name of this servo</source>
+        <translation>这台舵机的名称</translation>
+    </message>
+    <message>
+        <source>as CSV, for spreadsheets</source>
+        <translation>以 CSV 输出，用于电子表格</translation>
+    </message>
+    <message>
+        <source>&quot;default&quot; needs a servo, or a file of a known model, beside it</source>
+        <translation>“default” 旁边需要有舵机，或已知型号的文件</translation>
+    </message>
+    <message>
+        <source>Factory</source>
+        <translation>出厂</translation>
+    </message>
+    <message>
+        <source>%1 different, %2 missing, %3 unknown, %4 identical, %5 read-only</source>
+        <translation>不同 %1，缺少 %2，未知 %3，相同 %4，只读 %5</translation>
+    </message>
+    <message>
+        <source>give at least two of: a file, an ID, default</source>
+        <translation>至少给出两项：文件、ID 或 default</translation>
+    </message>
+    <message>
+        <source>compare tables side by side: files, servos, factory default</source>
+        <translation>并排比较参数表：文件、舵机、出厂默认值</translation>
+    </message>
+    <message>
+        <source>two or more: a file, an ID (the servo is read), or default; ./5 is a file called 5</source>
+        <translation>两项或更多：文件、ID（读取该舵机）或 default；./5 表示名为 5 的文件</translation>
+    </message>
+    <message>
+        <source>also rows that are identical, unknown or read-only</source>
+        <translation>也显示相同、未知或只读的行</translation>
+    </message>
+    <message>
+        <source>The result is in %1</source>
+        <translation>结果保存在 %1</translation>
+    </message>
+    <message>
+        <source>write a saved file back to a servo: only what differs, torque off first, each row read back</source>
+        <translation>把保存的文件写回舵机：只写不同的行，先关闭扭矩，每行回读</translation>
+    </message>
+    <message>
+        <source>a snapshot or template, also of another servo</source>
+        <translation>快照或模板，也可来自另一台舵机</translation>
+    </message>
+    <message>
+        <source>also ID and baud rate, at the very end</source>
+        <translation>也包括 ID 和波特率，放在最后</translation>
+    </message>
+    <message>
+        <source>%1 makes a servo this servo; a template has it only with --identity</source>
+        <translation>%1 决定舵机的身份；模板仅在使用 --identity 时包含它</translation>
+    </message>
+    <message>
+        <source>%1 can only be read</source>
+        <translation>%1 只读</translation>
+    </message>
+    <message>
+        <source>%1 has no value there</source>
+        <translation>%1 在那里没有值</translation>
+    </message>
+    <message>
+        <source>save chosen registers for giving them to other servos</source>
+        <translation>保存选定的寄存器，用于写给其他舵机</translation>
+    </message>
+    <message>
+        <source>a snapshot file, or an ID (the servo is read)</source>
+        <translation>快照文件，或 ID（读取该舵机）</translation>
+    </message>
+    <message>
+        <source>the registers</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>ID and baud rate may be among them</source>
+        <translation>其中可以有 ID 和波特率</translation>
+    </message>
+    <message>
+        <source>write a template or snapshot to several servos, one verdict each; never ID or baud rate</source>
+        <translation>把模板或快照写给多台舵机，每台给出结论；从不写 ID 或波特率</translation>
+    </message>
+    <message>
+        <source>a template or snapshot</source>
+        <translation>模板或快照</translation>
+    </message>
+    <message>
+        <source>the servos: 1, 1-6 or 1,3,5</source>
+        <translation>舵机：1、1-6 或 1,3,5</translation>
+    </message>
+    <message>
+        <source>only this one: its number in &quot;history --kind servos&quot;, or its label</source>
+        <translation>只要这一个：它在 &quot;history --kind servos&quot; 中的编号，或它的标签</translation>
+    </message>
+    <message>
+        <source>only with this label</source>
+        <translation>只要这个标签</translation>
+    </message>
+    <message>
+        <source>only from then on: 2026-11-22, 2026-11-22T10:30, 10:30, or 90m, 2h, 3d, 1w ago</source>
+        <translation>只要此后的：2026-11-22、2026-11-22T10:30、10:30，或 90m、2h、3d、1w 之前</translation>
+    </message>
+    <message>
+        <source>only before then</source>
+        <translation>只要此前的</translation>
+    </message>
+    <message>
+        <source>only writes to this register</source>
+        <translation>只要对这个寄存器的写入</translation>
+    </message>
+    <message>
+        <source>only writes that did not end well, alarms that have not gone</source>
+        <translation>只要没有成功的写入、尚未消失的报警</translation>
+    </message>
+    <message>
+        <source>so many rows, the newest (usual: 200)</source>
+        <translation>最新的若干行（通常 200 行）</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no time: 2026-11-22, 2026-11-22T10:30, 10:30, or 90m, 2h, 3d, 1w ago</source>
+        <translation>“%1”不是时间：请写 2026-11-22、2026-11-22T10:30、10:30，或 90m、2h、3d、1w 之前</translation>
+    </message>
+    <message>
+        <source>the history knows no servo &quot;%1&quot;; &quot;history --kind servos&quot; lists them</source>
+        <translation>历史中没有舵机“%1”；用 &quot;history --kind servos&quot; 列出</translation>
+    </message>
+    <message>
+        <source>several servos have the label &quot;%1&quot;; give the number of one: &quot;history --kind servos&quot; lists them</source>
+        <translation>有几个舵机的标签都是“%1”；请给出其中一个的编号：用 &quot;history --kind servos&quot; 列出</translation>
+    </message>
+    <message>
+        <source>interrupted, open</source>
+        <translation>中断，未了结</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>已撤销</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>given up</source>
+        <translation>已放弃</translation>
+    </message>
+    <message>
+        <source>no bench called %1 sends there; these do: %2</source>
+        <translation>没有名为 %1 的工位向其发送数据;现有:%2</translation>
+    </message>
+    <message>
+        <source>look at the copies on a history server: its connection string, or &quot;default&quot; for the one that is set</source>
+        <translation>查看历史服务器上的副本:填连接字符串,或用 &quot;default&quot; 表示已设置的服务器</translation>
+    </message>
+    <message>
+        <source>only what this bench has sent to the server</source>
+        <translation>仅显示该工位发送到服务器的数据</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>未写入</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>The file is of another model: rows are matched by their key.</source>
+        <translation>文件来自另一型号：按键名对应各行。</translation>
+    </message>
+    <message>
+        <source>The file is of another firmware: rows are matched by their key.</source>
+        <translation>文件来自另一固件：按键名对应各行。</translation>
+    </message>
+    <message>
+        <source>%1, put back</source>
+        <translation>%1，已退回</translation>
+    </message>
+    <message>
+        <source>these registers only: KEY,KEY</source>
+        <translation>仅限这些寄存器：KEY,KEY</translation>
+    </message>
+    <message>
+        <source>also what is lost at power-off (acceleration, torque limit)</source>
+        <translation>也包括掉电丢失的值（加速度、扭矩限制）</translation>
+    </message>
+    <message>
+        <source>yes, also registers that can make the servo unreachable or turn it</source>
+        <translation>同意，也包括可能使舵机失联或转动的寄存器</translation>
+    </message>
+    <message>
+        <source>at the first failure put everything back; otherwise it stops there</source>
+        <translation>首次失败时全部退回；否则就此停止</translation>
+    </message>
+    <message>
+        <source>show the writes to come, write nothing</source>
+        <translation>显示将要写入的内容，不写入</translation>
+    </message>
+    <message>
+        <source>save what became of each row (.csv or .json)</source>
+        <translation>保存每一行的结果（.csv 或 .json）</translation>
+    </message>
+    <message>
+        <source>--only names no register</source>
+        <translation>--only 没有指定寄存器</translation>
+    </message>
+    <message>
+        <source>Nothing to write.</source>
+        <translation>无需写入。</translation>
+    </message>
+    <message>
+        <source>Will be</source>
+        <translation>将变为</translation>
+    </message>
+    <message>
+        <source>Nothing had to be written.</source>
+        <translation>无需写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Result: %1</source>
+        <translation>结果：%1</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>rows left out: %1</source>
+        <translation>未写入的行：%1</translation>
+    </message>
+    <message>
+        <source>The settings of servo %1 could not be saved first, so nothing is written to it.</source>
+        <translation>未能先保存舵机 %1 的设置，因此不向它写入任何内容。</translation>
     </message>
 </context>
 <context>
@@ -4553,6 +5388,495 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Look at plug and supply, then run the step again.</source>
         <translation>请检查插头和供电，然后重新运行阶跃测试。</translation>
     </message>
+    <message>
+        <source>an earlier register did not take its value</source>
+        <translation>前面的寄存器未接受其值</translation>
+    </message>
+    <message>
+        <source>the history was written by a newer version of this program</source>
+        <translation>历史由本程序的较新版本写成</translation>
+    </message>
+    <message>
+        <source>An older one cannot keep in it what it is about to change, so nothing is written to a servo.</source>
+        <translation>较旧的版本无法把将要更改的内容记在其中，因此不向舵机写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Use the newer version, or another data folder (SERVODESK_DATA_DIR).</source>
+        <translation>请使用较新的版本，或另一个数据文件夹（SERVODESK_DATA_DIR）。</translation>
+    </message>
+    <message>
+        <source>the history is in use for too long</source>
+        <translation>历史被占用过久</translation>
+    </message>
+    <message>
+        <source>Another program keeps it locked, or it lies on a network drive that does not answer. Nothing is written to a servo without it.</source>
+        <translation>另一个程序一直锁着它，或者它所在的网络盘没有应答。没有它就不向舵机写入。</translation>
+    </message>
+    <message>
+        <source>Close other programs that have history.sqlite open, and try again.</source>
+        <translation>关闭打开了 history.sqlite 的其他程序，然后重试。</translation>
+    </message>
+    <message>
+        <source>the history database is damaged</source>
+        <translation>历史数据库已损坏</translation>
+    </message>
+    <message>
+        <source>The disk lost part of it, or the file is something else. Nothing is written to a servo without it.</source>
+        <translation>磁盘丢失了其中一部分，或者文件是别的东西。没有它就不向舵机写入。</translation>
+    </message>
+    <message>
+        <source>Close the program and move history.sqlite, with the files history.sqlite-wal and -shm, to a safe place; a new one is begun. &quot;sqlite3 history.sqlite .recover&quot; gets out of the old one what can be read.</source>
+        <translation>关闭程序，把 history.sqlite 连同 history.sqlite-wal 和 -shm 移到安全的地方；程序会建立新的历史。&quot;sqlite3 history.sqlite .recover&quot; 可取出旧历史中还能读的内容。</translation>
+    </message>
+    <message>
+        <source>the history cannot be written</source>
+        <translation>历史无法写入</translation>
+    </message>
+    <message>
+        <source>Its file or folder is read-only or belongs to somebody else. Nothing is written to a servo without it.</source>
+        <translation>它的文件或文件夹是只读的，或属于别人。没有它就不向舵机写入。</translation>
+    </message>
+    <message>
+        <source>Give yourself the right to write to both, or use another data folder (SERVODESK_DATA_DIR).</source>
+        <translation>请取得两者的写权限，或使用另一个数据文件夹（SERVODESK_DATA_DIR）。</translation>
+    </message>
+    <message>
+        <source>the journal of an earlier version cannot be read</source>
+        <translation>较早版本的日志无法读取</translation>
+    </message>
+    <message>
+        <source>It may hold a change that was interrupted, so nothing is written to a servo before it is in the history.</source>
+        <translation>其中可能有被中断的更改，因此在它进入历史之前不向舵机写入。</translation>
+    </message>
+    <message>
+        <source>Give yourself the right to read it, or move it away if you know that it is of no use.</source>
+        <translation>请取得读取它的权限；如果确知它没有用处，请把它移走。</translation>
+    </message>
+    <message>
+        <source>another servo has this label</source>
+        <translation>另一个舵机已有此标签</translation>
+    </message>
+    <message>
+        <source>It is alike in model, firmware and ID, and only the label tells the two apart.</source>
+        <translation>两者型号、固件和 ID 相同，只有标签能区分。</translation>
+    </message>
+    <message>
+        <source>Choose another label, or say that the servo that answers now is that one.</source>
+        <translation>请换一个标签，或说明现在应答的舵机就是那一个。</translation>
+    </message>
+    <message>
+        <source>no snapshot was taken by then</source>
+        <translation>到那时还没有保存过快照</translation>
+    </message>
+    <message>
+        <source>A table of the past is the last snapshot before it with the writes since then.</source>
+        <translation>过去的内存表由此前最后一个快照加上此后的写入得出。</translation>
+    </message>
+    <message>
+        <source>Choose a later time.</source>
+        <translation>请选择较晚的时间。</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>The servo has this value already; nothing is written.</source>
+        <translation>舵机已是此值，不写入。</translation>
+    </message>
+    <message>
+        <source>identity: off unless you ask</source>
+        <translation>身份参数：需明确要求才写</translation>
+    </message>
+    <message>
+        <source>ID and baud rate make this servo this servo. Written on request only, at the very end.</source>
+        <translation>ID 和波特率决定这台舵机的身份。仅在要求时写入，且放在最后。</translation>
+    </message>
+    <message>
+        <source>of the moment: never restored</source>
+        <translation>瞬时值：从不恢复</translation>
+    </message>
+    <message>
+        <source>Torque, goals and the lock are saved for the record. Writing them back could turn the shaft.</source>
+        <translation>扭矩、目标和锁只作记录保存。写回可能使舵机轴转动。</translation>
+    </message>
+    <message>
+        <source>lost at power-off: off unless you ask</source>
+        <translation>掉电丢失：需明确要求才写</translation>
+    </message>
+    <message>
+        <source>The servo sets it anew each time it is switched on.</source>
+        <translation>舵机每次上电都会重新设定它。</translation>
+    </message>
+    <message>
+        <source>shifts where the shaft&apos;s zero is</source>
+        <translation>会移动轴的零点</translation>
+    </message>
+    <message>
+        <source>After writing it the same goal is another place: the shaft may turn at once or when torque goes on.</source>
+        <translation>写入后同一目标对应另一位置：轴可能立即转动，或在打开扭矩时转动。</translation>
+    </message>
+    <message>
+        <source>can only be read</source>
+        <translation>只读</translation>
+    </message>
+    <message>
+        <source>Set by the factory or by the servo itself.</source>
+        <translation>由厂家或舵机自身设定。</translation>
+    </message>
+    <message>
+        <source>factory value</source>
+        <translation>出厂值</translation>
+    </message>
+    <message>
+        <source>It belongs to the values the factory has set for this very servo.</source>
+        <translation>属于厂家为这台舵机设定的值。</translation>
+    </message>
+    <message>
+        <source>dangerous: needs your consent</source>
+        <translation>危险：需要您同意</translation>
+    </message>
+    <message>
+        <source>this servo has no such register</source>
+        <translation>此舵机没有该寄存器</translation>
+    </message>
+    <message>
+        <source>The file is of another model or firmware; this row cannot be written here.</source>
+        <translation>文件来自另一型号或固件；此行无法写入这台舵机。</translation>
+    </message>
+    <message>
+        <source>not in the file</source>
+        <translation>文件中没有</translation>
+    </message>
+    <message>
+        <source>The file is of another model or firmware; this row stays as it is.</source>
+        <translation>文件来自另一型号或固件；此行保持不变。</translation>
+    </message>
+    <message>
+        <source>no value in the file</source>
+        <translation>文件中没有值</translation>
+    </message>
+    <message>
+        <source>It could not be read when the file was made.</source>
+        <translation>保存文件时未能读出。</translation>
+    </message>
+    <message>
+        <source>could not be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>What cannot be read cannot be proved, and is not written.</source>
+        <translation>读不出的值无法验证，因此不写入。</translation>
+    </message>
+    <message>
+        <source>outside this model&apos;s range</source>
+        <translation>超出此型号的范围</translation>
+    </message>
+    <message>
+        <source>This servo does not take the value in the file.</source>
+        <translation>此舵机不接受文件中的值。</translation>
+    </message>
+    <message>
+        <source>means something else here</source>
+        <translation>在此舵机上含义不同</translation>
+    </message>
+    <message>
+        <source>Unit or kind of number differ between the file&apos;s servo and this one.</source>
+        <translation>文件中的舵机与这台舵机的单位或数值种类不同。</translation>
+    </message>
+    <message>
+        <source>converted to this servo&apos;s steps</source>
+        <translation>已换算为此舵机的步数</translation>
+    </message>
+    <message>
+        <source>The same physical value; the raw number differs.</source>
+        <translation>物理值相同，原始值不同。</translation>
+    </message>
+    <message>
+        <source>a plain number of another family</source>
+        <translation>另一系列的无单位数值</translation>
+    </message>
+    <message>
+        <source>Without a unit nobody can say that it means the same here. Off unless you ask.</source>
+        <translation>没有单位，无法确认在这里含义相同。需明确要求才写。</translation>
+    </message>
+    <message>
+        <source>not chosen</source>
+        <translation>未选择</translation>
+    </message>
+    <message>
+        <source>Only some rows were asked for.</source>
+        <translation>只要求了部分行。</translation>
+    </message>
+    <message>
+        <source>torque off; it stays off</source>
+        <translation>关闭扭矩，并保持关闭</translation>
+    </message>
+    <message>
+        <source>open the lock</source>
+        <translation>解锁</translation>
+    </message>
+    <message>
+        <source>write and read back</source>
+        <translation>写入并回读</translation>
+    </message>
+    <message>
+        <source>bring to rest in the new mode</source>
+        <translation>在新模式下归零静止</translation>
+    </message>
+    <message>
+        <source>close the lock, prove it</source>
+        <translation>上锁并验证</translation>
+    </message>
+    <message>
+        <source>change the ID</source>
+        <translation>修改 ID</translation>
+    </message>
+    <message>
+        <source>change the baud rate</source>
+        <translation>修改波特率</translation>
+    </message>
+    <message>
+        <source>nothing to write</source>
+        <translation>无需写入</translation>
+    </message>
+    <message>
+        <source>restored</source>
+        <translation>已恢复</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>failed; everything is as before</source>
+        <translation>失败；一切保持原样</translation>
+    </message>
+    <message>
+        <source>would be written</source>
+        <translation>将会写入</translation>
+    </message>
+    <message>
+        <source>another servo; left alone</source>
+        <translation>是另一台舵机；未作改动</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>无法执行</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺少</translation>
+    </message>
+    <message>
+        <source>identical</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>read-only</source>
+        <translation>只读</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <comment>between reasons</comment>
+        <translation>； </translation>
+    </message>
+    <message>
+        <source>the history server cannot be reached</source>
+        <translation>无法连接历史服务器</translation>
+    </message>
+    <message>
+        <source>It is switched off or restarting, the network is down, or its name or port is misspelt.</source>
+        <translation>服务器已关机或正在重启、网络中断,或主机名或端口写错。</translation>
+    </message>
+    <message>
+        <source>Nothing is lost: what it missed is sent when it is back. Check host and port of the connection string.</source>
+        <translation>没有丢失任何数据:服务器恢复后会补发。请检查连接字符串中的主机和端口。</translation>
+    </message>
+    <message>
+        <source>the history server does not answer</source>
+        <translation>历史服务器没有应答</translation>
+    </message>
+    <message>
+        <source>Something takes connections there and says nothing: a server that hangs, a firewall, or no PostgreSQL.</source>
+        <translation>对方接受连接但不应答:服务器卡死、防火墙拦截,或对方不是 PostgreSQL。</translation>
+    </message>
+    <message>
+        <source>Nothing is lost: what it missed is sent when it answers again. Check the server, host and port.</source>
+        <translation>没有丢失任何数据:服务器恢复应答后会补发。请检查服务器、主机和端口。</translation>
+    </message>
+    <message>
+        <source>the history server does not take this password</source>
+        <translation>历史服务器不接受该密码</translation>
+    </message>
+    <message>
+        <source>The password is wrong or missing, or there is no such user.</source>
+        <translation>密码错误或缺失,或没有该用户。</translation>
+    </message>
+    <message>
+        <source>Check the user in the connection string, and the password in ~/.pgpass, PGPASSWORD or the string.</source>
+        <translation>请检查连接字符串中的用户,以及 ~/.pgpass、PGPASSWORD 或字符串中的密码。</translation>
+    </message>
+    <message>
+        <source>the history server has no such database</source>
+        <translation>历史服务器上没有该数据库</translation>
+    </message>
+    <message>
+        <source>Its name is misspelt, or nobody has made it yet.</source>
+        <translation>名称写错,或尚未创建。</translation>
+    </message>
+    <message>
+        <source>Have it made on the server: &quot;createdb -E UTF8 -O USER DATABASE&quot;.</source>
+        <translation>请在服务器上创建:&quot;createdb -E UTF8 -O USER DATABASE&quot;。</translation>
+    </message>
+    <message>
+        <source>the history server does not permit this</source>
+        <translation>历史服务器不允许此操作</translation>
+    </message>
+    <message>
+        <source>This user may not log in from here, or may only read, or may not make tables in this database.</source>
+        <translation>该用户不能从此处登录、只能读取,或不能在该数据库中建表。</translation>
+    </message>
+    <message>
+        <source>Have the database&apos;s owner permit it (GRANT, pg_hba.conf), or use another user.</source>
+        <translation>请数据库所有者授权(GRANT、pg_hba.conf),或换用其他用户。</translation>
+    </message>
+    <message>
+        <source>the history server and this bench cannot agree on encryption</source>
+        <translation>历史服务器与本工位的加密设置不一致</translation>
+    </message>
+    <message>
+        <source>One of them asks for TLS and the other has none, or the certificate is not trusted.</source>
+        <translation>一方要求 TLS 而另一方没有,或证书不受信任。</translation>
+    </message>
+    <message>
+        <source>Check sslmode and sslrootcert in the connection string, and the server&apos;s certificate.</source>
+        <translation>请检查连接字符串中的 sslmode 和 sslrootcert,以及服务器的证书。</translation>
+    </message>
+    <message>
+        <source>the history server lets nobody in</source>
+        <translation>历史服务器拒绝登录</translation>
+    </message>
+    <message>
+        <source>It gives its reason in its own language.</source>
+        <translation>服务器用自己的语言说明了原因。</translation>
+    </message>
+    <message>
+        <source>Check user, password and database of the connection string, and the server&apos;s log.</source>
+        <translation>请检查连接字符串中的用户、密码和数据库,以及服务器日志。</translation>
+    </message>
+    <message>
+        <source>this computer cannot talk to PostgreSQL servers</source>
+        <translation>本机无法与 PostgreSQL 服务器通信</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s driver for them is not installed.</source>
+        <translation>未安装 Qt 的 PostgreSQL 驱动。</translation>
+    </message>
+    <message>
+        <source>Install it, on Debian with &quot;sudo apt install libqt6sql6-psql&quot;, then start the program again.</source>
+        <translation>请安装驱动(Debian:&quot;sudo apt install libqt6sql6-psql&quot;),然后重新启动程序。</translation>
+    </message>
+    <message>
+        <source>the history server belongs to a newer version of this program</source>
+        <translation>历史服务器属于本程序的更新版本</translation>
+    </message>
+    <message>
+        <source>Another bench has been brought up to date, and has changed the tables there.</source>
+        <translation>另一工位已升级,并更改了服务器上的表。</translation>
+    </message>
+    <message>
+        <source>Bring this program up to date as well. Until then everything is kept on this computer.</source>
+        <translation>请同样升级本程序。在此之前,所有数据都保存在本机。</translation>
+    </message>
+    <message>
+        <source>the history server belongs to an older version of this program</source>
+        <translation>历史服务器属于本程序的较旧版本</translation>
+    </message>
+    <message>
+        <source>Its tables are brought up to date by the first bench of this version that sends something.</source>
+        <translation>第一个用此版本发送数据的工位会升级服务器上的表。</translation>
+    </message>
+    <message>
+        <source>Let a bench with this version send its history there.</source>
+        <translation>请让一个使用此版本的工位向其发送历史。</translation>
+    </message>
+    <message>
+        <source>nothing has ever been sent to this history server</source>
+        <translation>尚未向该历史服务器发送过任何数据</translation>
+    </message>
+    <message>
+        <source>No bench uses this database yet, or this is another one.</source>
+        <translation>还没有工位使用该数据库,或连接到了别的数据库。</translation>
+    </message>
+    <message>
+        <source>Set the connection string at the benches, then look again.</source>
+        <translation>请在各工位设置连接字符串,然后再查看。</translation>
+    </message>
+    <message>
+        <source>this database cannot keep every language</source>
+        <translation>该数据库不能保存所有语言的文字</translation>
+    </message>
+    <message>
+        <source>Its encoding is not UTF8.</source>
+        <translation>其编码不是 UTF8。</translation>
+    </message>
+    <message>
+        <source>Make another one: &quot;createdb -E UTF8 -T template0 DATABASE&quot;.</source>
+        <translation>请另建一个:&quot;createdb -E UTF8 -T template0 DATABASE&quot;。</translation>
+    </message>
+    <message>
+        <source>the history server is too busy</source>
+        <translation>历史服务器太忙</translation>
+    </message>
+    <message>
+        <source>It has as many connections as it allows, or somebody holds the tables.</source>
+        <translation>连接数已达上限,或有人锁住了表。</translation>
+    </message>
+    <message>
+        <source>Nothing is lost, and it is tried again by itself. If it stays so, look at the server.</source>
+        <translation>没有丢失任何数据,程序会自动重试。若一直如此,请检查服务器。</translation>
+    </message>
+    <message>
+        <source>the disk of the history server is full</source>
+        <translation>历史服务器的磁盘已满</translation>
+    </message>
+    <message>
+        <source>There is no room left for its tables.</source>
+        <translation>没有空间存放其数据表。</translation>
+    </message>
+    <message>
+        <source>Make room there. Until then everything is kept on this computer, and sent afterwards.</source>
+        <translation>请在服务器上腾出空间。在此之前数据保存在本机,之后补发。</translation>
+    </message>
+    <message>
+        <source>this is no connection string of PostgreSQL</source>
+        <translation>这不是 PostgreSQL 的连接字符串</translation>
+    </message>
+    <message>
+        <source>It is neither postgresql://USER@HOST/DATABASE nor host=HOST dbname=DATABASE user=USER, or has a part that is not known.</source>
+        <translation>它既不是 postgresql://USER@HOST/DATABASE,也不是 host=HOST dbname=DATABASE user=USER,或含有无法识别的部分。</translation>
+    </message>
+    <message>
+        <source>Correct it; PostgreSQL&apos;s manual describes it under &quot;Connection Strings&quot;.</source>
+        <translation>请更正;PostgreSQL 手册的 &quot;Connection Strings&quot; 一节有说明。</translation>
+    </message>
+    <message>
+        <source>the history server reports an error</source>
+        <translation>历史服务器报告错误</translation>
+    </message>
+    <message>
+        <source>Something there is not as this program expects it.</source>
+        <translation>服务器上的某些内容与本程序的预期不符。</translation>
+    </message>
+    <message>
+        <source>Nothing is lost, and it is tried again by itself. If it stays so, look at the server&apos;s log.</source>
+        <translation>没有丢失任何数据,程序会自动重试。若一直如此,请查看服务器日志。</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -4586,6 +5910,141 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Your own servo models (JSON files): %1</source>
         <translation>自定义舵机型号（JSON 文件）：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ApplyDialog</name>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>Restore a bundle</source>
+        <translation>恢复整组快照</translation>
+    </message>
+    <message>
+        <source>Apply to several servos</source>
+        <translation>应用到多个舵机</translation>
+    </message>
+    <message>
+        <source>“%1”: each servo gets its own snapshot, by its ID. IDs and rates are never written here.</source>
+        <translation>“%1”：按 ID 把各自的快照写回每个舵机。这里绝不写入 ID 和波特率。</translation>
+    </message>
+    <message>
+        <source>“%1”: each ticked servo is read and gets the rows that differ. IDs and rates are never written here.</source>
+        <translation>“%1”：逐个读取已勾选的舵机，只写入不同的行。这里绝不写入 ID 和波特率。</translation>
+    </message>
+    <message>
+        <source>Servos</source>
+        <translation>舵机</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>舵机</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>结论</translation>
+    </message>
+    <message>
+        <source>If a row fails, put this servo back as it was</source>
+        <translation>若有一行失败，把该舵机恢复原样</translation>
+    </message>
+    <message>
+        <source>Otherwise writing to this servo ends at the row that fails, and what is written stays</source>
+        <translation>否则在失败的那一行停止写入该舵机，已写入的保留</translation>
+    </message>
+    <message>
+        <source>Also where another model has the ID now</source>
+        <translation>该 ID 现在是其他型号时也写入</translation>
+    </message>
+    <message>
+        <source>By register name; what cannot be mapped is left out and listed</source>
+        <translation>按寄存器名称对应；无法对应的会跳过并列出</translation>
+    </message>
+    <message>
+        <source>Dry run</source>
+        <translation>预演</translation>
+    </message>
+    <message>
+        <source>Read the servos and show what would be written to each</source>
+        <translation>读取各舵机并显示将要写入的内容</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>Write the rows that differ to each ticked servo</source>
+        <translation>向每个已勾选的舵机写入不同的行</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stop after the servo that is being written to</source>
+        <translation>写完当前舵机后停止</translation>
+    </message>
+    <message>
+        <source>Save result…</source>
+        <translation>保存结果…</translation>
+    </message>
+    <message>
+        <source>Save what became of each row as a file</source>
+        <translation>把每一行的结果保存为文件</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>关闭此窗口</translation>
+    </message>
+    <message>
+        <source>Write to %1 servos?</source>
+        <translation>写入 %1 个舵机？</translation>
+    </message>
+    <message>
+        <source>Torque goes off at each servo that is written to, and stays off.</source>
+        <translation>被写入的舵机会关闭扭矩，并保持关闭。</translation>
+    </message>
+    <message>
+        <source>Dangerous rows are among those that are ticked: a wrong value can make a servo unreachable.</source>
+        <translation>已勾选的行中有危险项：错误的值可能使舵机无法连接。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 servos did not come to it; the tooltip of each says why.</source>
+        <translation>%2 个舵机中有 %1 个未成功；原因见各行提示。</translation>
+    </message>
+    <message>
+        <source>Nothing was written. The tooltip of each servo lists its rows.</source>
+        <translation>没有写入任何内容。各舵机的行见其提示。</translation>
+    </message>
+    <message>
+        <source>All %1 servos are as the snapshot says.</source>
+        <translation>全部 %1 个舵机已与快照一致。</translation>
+    </message>
+    <message>
+        <source>Save the result</source>
+        <translation>保存结果</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Data (*.json)</source>
+        <translation>数据 (*.json)</translation>
     </message>
 </context>
 <context>
@@ -4725,6 +6184,308 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
 </context>
 <context>
+    <name>ui::CommissionModel</name>
+    <message>
+        <source>Verdict</source>
+        <translation>结论</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>Was (ID, rate)</source>
+        <translation>原 ID、波特率</translation>
+    </message>
+    <message>
+        <source>Is (ID, rate)</source>
+        <translation>现 ID、波特率</translation>
+    </message>
+    <message>
+        <source>Rows written</source>
+        <translation>写入项数</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>电压</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>备注</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CommissionPage</name>
+    <message>
+        <source>Template</source>
+        <translation>模板</translation>
+    </message>
+    <message>
+        <source>Snapshots and templates (*.json)</source>
+        <translation>快照和模板 (*.json)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>批次</translation>
+    </message>
+    <message>
+        <source>Lists (*.csv)</source>
+        <translation>清单 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Connect first.</source>
+        <translation>请先连接。</translation>
+    </message>
+    <message>
+        <source>Say which file keeps the list of the batch.</source>
+        <translation>请指定批次清单文件。</translation>
+    </message>
+    <message>
+        <source>The last ID is below the first one.</source>
+        <translation>末尾 ID 小于起始 ID。</translation>
+    </message>
+    <message>
+        <source>The search goes on; the line can be started when it has ended.</source>
+        <translation>正在搜索，结束后即可开始。</translation>
+    </message>
+    <message>
+        <source>A test runs.</source>
+        <translation>正在进行测试。</translation>
+    </message>
+    <message>
+        <source>One servo after the other</source>
+        <translation>逐个设置舵机</translation>
+    </message>
+    <message>
+        <source>The line has ended</source>
+        <translation>已结束</translation>
+    </message>
+    <message>
+        <source>Connect the same servo again</source>
+        <translation>请重新接上同一个舵机</translation>
+    </message>
+    <message>
+        <source>Connect the next servo</source>
+        <translation>请接上下一个舵机</translation>
+    </message>
+    <message>
+        <source>Several servos answer: leave one</source>
+        <translation>有多个舵机应答：请只留一个</translation>
+    </message>
+    <message>
+        <source>Two servos under one ID: leave one</source>
+        <translation>两个舵机 ID 相同：请只留一个</translation>
+    </message>
+    <message>
+        <source>Somebody answers, but cannot be recognised</source>
+        <translation>有应答，但无法识别</translation>
+    </message>
+    <message>
+        <source>Set up as ID %1?</source>
+        <translation>设为 ID %1？</translation>
+    </message>
+    <message>
+        <source>Unplug it</source>
+        <translation>请拔下</translation>
+    </message>
+    <message>
+        <source>Unplug: ID %1 is done</source>
+        <translation>请拔下：ID %1 已完成</translation>
+    </message>
+    <message>
+        <source>Looking who is there …</source>
+        <translation>正在检查总线 …</translation>
+    </message>
+    <message>
+        <source>Setting up ID %1 …</source>
+        <translation>正在设置 ID %1 …</translation>
+    </message>
+    <message>
+        <source>Every servo is plugged in alone, gets template, ID and rate, is checked and noted in the batch. Nothing moves.</source>
+        <translation>每次只接一个舵机，写入模板、ID 和波特率，检查后记入批次。舵机不会转动。</translation>
+    </message>
+    <message>
+        <source>Label: %1</source>
+        <translation>标签：%1</translation>
+    </message>
+    <message>
+        <source>%1, ID %2 at %3 baud</source>
+        <translation>%1，ID %2，波特率 %3</translation>
+    </message>
+    <message>
+        <source>%1 at ID %2, %3 baud</source>
+        <translation>%1：ID %2，波特率 %3</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>未识别</translation>
+    </message>
+    <message>
+        <source>It gets ID %1.</source>
+        <translation>将设为 ID %1。</translation>
+    </message>
+    <message>
+        <source>It was begun before and is finished now.</source>
+        <translation>先前未完成，现在继续。</translation>
+    </message>
+    <message>
+        <source>Give it ID %1</source>
+        <translation>设为 ID %1</translation>
+    </message>
+    <message>
+        <source>Template, ID and rate are written; its table is saved first</source>
+        <translation>写入模板、ID 和波特率；先保存其参数表</translation>
+    </message>
+    <message>
+        <source>%1 done, %2 failed, %3 set aside, %4 unfinished</source>
+        <translation>完成 %1，失败 %2，剔除 %3，未完成 %4</translation>
+    </message>
+    <message>
+        <source>Commissioning</source>
+        <translation>批量设置</translation>
+    </message>
+    <message>
+        <source>The list of the batch (CSV); one that exists is gone on with</source>
+        <translation>批次清单（CSV）；已有的文件将继续</translation>
+    </message>
+    <message>
+        <source>Snapshot or template that every servo gets; empty: none</source>
+        <translation>写入每个舵机的快照或模板；留空表示不写</translation>
+    </message>
+    <message>
+        <source>First ID</source>
+        <translation>起始 ID</translation>
+    </message>
+    <message>
+        <source>The ID of the first servo; the next ones count on</source>
+        <translation>第一个舵机的 ID，之后依次递增</translation>
+    </message>
+    <message>
+        <source>Last ID</source>
+        <translation>末尾 ID</translation>
+    </message>
+    <message>
+        <source>The line ends when this ID has been given</source>
+        <translation>分配完此 ID 后结束</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>The baud rate every servo gets</source>
+        <translation>写入每个舵机的波特率</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Text of the labels: {model} {id} {rate} {baud} {firmware} {date} {was_id}</source>
+        <translation>标签文字：{model} {id} {rate} {baud} {firmware} {date} {was_id}</translation>
+    </message>
+    <message>
+        <source>Choose the file of the batch</source>
+        <translation>选择批次文件</translation>
+    </message>
+    <message>
+        <source>Choose the template</source>
+        <translation>选择模板</translation>
+    </message>
+    <message>
+        <source>as each has it</source>
+        <translation>保持不变</translation>
+    </message>
+    <message>
+        <source>Make the present position the middle</source>
+        <translation>将当前位置校为中位</translation>
+    </message>
+    <message>
+        <source>For servos with a centring command: put the horn where it belongs first</source>
+        <translation>适用于有校中指令的舵机：请先将舵盘摆到位</translation>
+    </message>
+    <message>
+        <source>Set up without asking</source>
+        <translation>自动设置，不逐个确认</translation>
+    </message>
+    <message>
+        <source>No click: what has an alarm or does not fit is set aside</source>
+        <translation>无需点击：有报警或不符的舵机会被剔除</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Wait for the first servo, or go on with the batch</source>
+        <translation>等待第一个舵机，或继续该批次</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>End the line; the batch can be gone on with at any time</source>
+        <translation>结束；之后可随时继续该批次</translation>
+    </message>
+    <message>
+        <source>Plug in the next servo</source>
+        <translation>插入下一个舵机</translation>
+    </message>
+    <message>
+        <source>Simulated servos: takes the next one of the bag</source>
+        <translation>模拟舵机：取出下一个</translation>
+    </message>
+    <message>
+        <source>Unplug</source>
+        <translation>拔下</translation>
+    </message>
+    <message>
+        <source>Simulated servos: takes it off the wire</source>
+        <translation>模拟舵机：从总线上拔下</translation>
+    </message>
+    <message>
+        <source>The same servo</source>
+        <translation>是同一个舵机</translation>
+    </message>
+    <message>
+        <source>It is the one that was begun; it gets the ID it was to have</source>
+        <translation>这是先前未完成的舵机，使用原定 ID</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translation>剔除</translation>
+    </message>
+    <message>
+        <source>Write nothing to this servo, and note it in the batch</source>
+        <translation>不写入此舵机，并记入批次</translation>
+    </message>
+    <message>
+        <source>Copy labels</source>
+        <translation>复制标签</translation>
+    </message>
+    <message>
+        <source>Labels of the selected servos, or of all, one a line</source>
+        <translation>复制所选（或全部）舵机的标签，每行一个</translation>
+    </message>
+    <message>
+        <source>Servos of the batch</source>
+        <translation>批次中的舵机</translation>
+    </message>
+    <message>
+        <source>One line a servo, as in the file of the batch</source>
+        <translation>每个舵机一行，与批次文件一致</translation>
+    </message>
+</context>
+<context>
     <name>ui::CompareDialog</name>
     <message>
         <source>Save as page…</source>
@@ -4789,6 +6550,33 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Saved: %1</source>
         <translation>已保存：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CompareModel</name>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>no such register</source>
+        <translation>没有此寄存器</translation>
+    </message>
+    <message>
+        <source>left alone</source>
+        <translation>不改动</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
     </message>
 </context>
 <context>
@@ -5298,6 +7086,57 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::DryRunDialog</name>
+    <message>
+        <source>What would be written</source>
+        <translation>将要写入的内容</translation>
+    </message>
+    <message>
+        <source>ID %1: nothing. Every ticked row is already so.</source>
+        <translation>ID %1：无需写入。已勾选的行都已一致。</translation>
+    </message>
+    <message>
+        <source>ID %1, in this order. Every row is read back; nothing has been written yet.</source>
+        <translation>ID %1，按此顺序写入，每一行都会回读；目前尚未写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>改为</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copy the steps as text</source>
+        <translation>把步骤复制为文本</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close; nothing is written</source>
+        <translation>关闭，不写入任何内容</translation>
+    </message>
+</context>
+<context>
     <name>ui::EnumEditor</name>
     <message>
         <source>not documented</source>
@@ -5374,6 +7213,241 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::HistoryPage</name>
+    <message>
+        <source>This computer</source>
+        <translation>本机</translation>
+    </message>
+    <message>
+        <source>Server: all benches</source>
+        <translation>服务器：所有工位</translation>
+    </message>
+    <message>
+        <source>All servos</source>
+        <translation>所有舵机</translation>
+    </message>
+    <message>
+        <source>All registers</source>
+        <translation>所有寄存器</translation>
+    </message>
+    <message>
+        <source>Server: %1</source>
+        <translation>服务器：%1</translation>
+    </message>
+    <message>
+        <source>Table at this moment</source>
+        <translation>此刻的内存表</translation>
+    </message>
+    <message>
+        <source>Earlier tests…</source>
+        <translation>以往测试…</translation>
+    </message>
+    <message>
+        <source>Open snapshot</source>
+        <translation>打开快照</translation>
+    </message>
+    <message>
+        <source>The servo&apos;s table as it was just before this write, to compare and restore</source>
+        <translation>此次写入之前舵机的内存表，可比较和恢复</translation>
+    </message>
+    <message>
+        <source>Reports and comparisons of kept tests</source>
+        <translation>以往测试的报告与比较</translation>
+    </message>
+    <message>
+        <source>Compare it and restore from it</source>
+        <translation>与之比较并从中恢复</translation>
+    </message>
+    <message>
+        <source>Asking…</source>
+        <translation>正在查询…</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>没有记录</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 行</translation>
+    </message>
+    <message>
+        <source>%1 rows and more</source>
+        <translation>%1 行以上</translation>
+    </message>
+    <message>
+        <source>%1: sending %2 rows</source>
+        <translation>%1：正在发送 %2 行</translation>
+    </message>
+    <message>
+        <source>%1: sending</source>
+        <translation>%1：正在发送</translation>
+    </message>
+    <message>
+        <source>✔ %1 is up to date</source>
+        <translation>✔ %1 已是最新</translation>
+    </message>
+    <message>
+        <source>⚠ %1 is away; what it misses is sent later</source>
+        <translation>⚠ %1 连接不上；缺少的内容稍后发送</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史记录</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>The history of this computer, or the copies on the server</source>
+        <translation>本机的历史记录，或服务器上的副本</translation>
+    </message>
+    <message>
+        <source>What is listed</source>
+        <translation>列出的内容</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>列表</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>舵机</translation>
+    </message>
+    <message>
+        <source>Only what concerns this servo</source>
+        <translation>只看这个舵机</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>Only writes to this register</source>
+        <translation>只看写入此寄存器的记录</translation>
+    </message>
+    <message>
+        <source>Any time</source>
+        <translation>全部时间</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>今天</translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation>最近 7 天</translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation>最近 30 天</translation>
+    </message>
+    <message>
+        <source>Last year</source>
+        <translation>最近一年</translation>
+    </message>
+    <message>
+        <source>From … until …</source>
+        <translation>自定义时间段</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Only what happened in this time</source>
+        <translation>只看这段时间</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>The first day</source>
+        <translation>第一天</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>The last day</source>
+        <translation>最后一天</translation>
+    </message>
+    <message>
+        <source>Only trouble</source>
+        <translation>只看问题</translation>
+    </message>
+    <message>
+        <source>Writes that did not end well, alarms that are not over</source>
+        <translation>未成功的写入、尚未消失的报警</translation>
+    </message>
+    <message>
+        <source>Servos carry no serial number. What belongs together is told by model, firmware, ID and the label you give: two alike without a label cannot be told apart.</source>
+        <translation>舵机没有序列号。只能凭型号、固件、ID 和您给的标签判断是否同一个舵机：两个相同且没有标签的舵机无法区分。</translation>
+    </message>
+    <message>
+        <source>Label…</source>
+        <translation>标签…</translation>
+    </message>
+    <message>
+        <source>Give the servo or the snapshot a name</source>
+        <translation>给舵机或快照起名</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Save the list, as it is filtered, as CSV or JSON</source>
+        <translation>把筛选后的列表保存为 CSV 或 JSON</translation>
+    </message>
+    <message>
+        <source>Server…</source>
+        <translation>服务器…</translation>
+    </message>
+    <message>
+        <source>Send copies of the history to a PostgreSQL server, and look at those of all benches</source>
+        <translation>把历史记录副本发送到 PostgreSQL 服务器，并查看所有工位的记录</translation>
+    </message>
+    <message>
+        <source>from the server</source>
+        <translation>来自服务器</translation>
+    </message>
+    <message>
+        <source>before %1</source>
+        <translation>%1 之前</translation>
+    </message>
+    <message>
+        <source>Some registers are not known for that moment.</source>
+        <translation>那一刻有些寄存器的值未知。</translation>
+    </message>
+    <message>
+        <source>What changed them was not recorded: %1.</source>
+        <translation>改变它们的操作没有记录：%1。</translation>
+    </message>
+    <message>
+        <source>They are left alone when the table is restored.</source>
+        <translation>恢复时不改动它们。</translation>
+    </message>
+    <message>
+        <source>Export the history</source>
+        <translation>导出历史记录</translation>
+    </message>
+    <message>
+        <source>Table for spreadsheets (*.csv)</source>
+        <translation>电子表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Data (*.json)</source>
+        <translation>数据 (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 rows saved: %2</source>
+        <translation>已保存 %1 行：%2</translation>
+    </message>
+</context>
+<context>
     <name>ui::HistoryPanel</name>
     <message>
         <source>History of this servo</source>
@@ -5386,6 +7460,65 @@ Asked more than once: %9</source>
     <message>
         <source>Writes to a servo of this model, firmware and ID, newest first</source>
         <translation>向这个型号、固件和 ID 的舵机写入的记录，最新的在前</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HistoryServerDialog</name>
+    <message>
+        <source>History server</source>
+        <translation>历史记录服务器</translation>
+    </message>
+    <message>
+        <source>Writes, snapshots, labels and tests of this bench are copied to a PostgreSQL server, where all benches can be looked at together. This computer keeps everything itself; a server that is away never stops a write.</source>
+        <translation>本工位的写入、快照、标签和测试会复制到 PostgreSQL 服务器，可在那里一起查看所有工位。本机自己保存全部内容；服务器连接不上绝不影响写入。</translation>
+    </message>
+    <message>
+        <source>&amp;Server</source>
+        <translation>服务器(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>服务器</translation>
+    </message>
+    <message>
+        <source>Connection string of PostgreSQL; empty: no copies are sent</source>
+        <translation>PostgreSQL 的连接字符串；留空则不发送副本</translation>
+    </message>
+    <message>
+        <source>&amp;Name of this bench</source>
+        <translation>本工位名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Name of this bench</source>
+        <translation>本工位名称</translation>
+    </message>
+    <message>
+        <source>How others find its history on the server</source>
+        <translation>他人在服务器上凭此名称找到本工位的记录</translation>
+    </message>
+    <message>
+        <source>A password in the string is kept in the settings as it is; better leave it to PostgreSQL&apos;s own password file.</source>
+        <translation>字符串中的密码会原样存入设置；最好使用 PostgreSQL 自己的密码文件。</translation>
+    </message>
+    <message>
+        <source>The server is set by SERVODESK_HISTORY_SERVER.</source>
+        <translation>服务器由环境变量 SERVODESK_HISTORY_SERVER 指定。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Keep this and begin to send</source>
+        <translation>保存并开始发送</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>不作更改</translation>
     </message>
 </context>
 <context>
@@ -5785,6 +7918,22 @@ Asked more than once: %9</source>
         <source>See how a servo answers a step, and try other gains</source>
         <translation>查看舵机对阶跃的响应，并试用其他增益</translation>
     </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>快照</translation>
+    </message>
+    <message>
+        <source>Save, compare and restore what servos keep</source>
+        <translation>保存、比较和恢复舵机里的设置</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史记录</translation>
+    </message>
+    <message>
+        <source>What was ever written, saved, tested and alarmed</source>
+        <translation>所有写入、快照、测试和报警的记录</translation>
+    </message>
 </context>
 <context>
     <name>ui::MemoryOutput</name>
@@ -5994,6 +8143,53 @@ Asked more than once: %9</source>
     <message>
         <source>Nothing has happened yet.</source>
         <translation>尚无消息。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NoteDialog</name>
+    <message>
+        <source>Label and note</source>
+        <translation>标签和备注</translation>
+    </message>
+    <message>
+        <source>&amp;Label</source>
+        <translation>标签(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>A short name, shown in lists: “reference, tested”</source>
+        <translation>列表中显示的简短名称，例如“参考，已测试”</translation>
+    </message>
+    <message>
+        <source>&amp;Note</source>
+        <translation>备注(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Anything worth knowing later</source>
+        <translation>以后值得知道的任何内容</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Keep label and note</source>
+        <translation>保存标签和备注</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>不作更改</translation>
     </message>
 </context>
 <context>
@@ -6842,6 +9038,403 @@ Asked more than once: %9</source>
     <message>
         <source>Takes torque off the whole bus at once, whatever is open</source>
         <translation>无论打开了什么，立即让整条总线卸力</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SnapshotPane</name>
+    <message>
+        <source>≠ %1 differ</source>
+        <translation>≠ %1 项不同</translation>
+    </message>
+    <message>
+        <source>= no setting differs</source>
+        <translation>= 没有不同的设置</translation>
+    </message>
+    <message>
+        <source>= %1 the same</source>
+        <translation>= %1 项相同</translation>
+    </message>
+    <message>
+        <source>%1 read-only, %2 missing, %3 not known</source>
+        <translation>%1 项只读，%2 项缺少，%3 项未知</translation>
+    </message>
+    <message>
+        <source>%1 others</source>
+        <translation>其他 %1 项</translation>
+    </message>
+    <message>
+        <source>Nothing to set differs.</source>
+        <translation>没有不同的设置。</translation>
+    </message>
+    <message>
+        <source>All rows</source>
+        <translation>所有行</translation>
+    </message>
+    <message>
+        <source>Show the rows that are the same, too, and those that are only read</source>
+        <translation>也显示相同的行和只读的行</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>对比列</translation>
+    </message>
+    <message>
+        <source>Compare with the factory default and with other servos, too. More snapshots: hold Ctrl while clicking them</source>
+        <translation>同时与出厂默认值和其他舵机比较。按住 Ctrl 点击可选择更多快照</translation>
+    </message>
+    <message>
+        <source>Tables side by side</source>
+        <translation>并排的内存表</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SnapshotShelf</name>
+    <message>
+        <source>before a change</source>
+        <translation>修改之前</translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation>手动保存</translation>
+    </message>
+    <message>
+        <source>with all servos</source>
+        <translation>整组保存</translation>
+    </message>
+    <message>
+        <source>when set up</source>
+        <translation>设置完成时</translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>快照</translation>
+    </message>
+    <message>
+        <source>This servo</source>
+        <translation>此舵机</translation>
+    </message>
+    <message>
+        <source>All servos</source>
+        <translation>所有舵机</translation>
+    </message>
+    <message>
+        <source>Whose snapshots</source>
+        <translation>哪个舵机的快照</translation>
+    </message>
+    <message>
+        <source>Snapshots of servos like the selected one with its ID, or all there are. Servos carry no serial number: model, firmware and ID are all that can be known</source>
+        <translation>与所选舵机型号和 ID 相同的快照，或全部快照。舵机没有序列号：能知道的只有型号、固件和 ID</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Search snapshots</source>
+        <translation>搜索快照</translation>
+    </message>
+    <message>
+        <source>Words in model, label, note or file name</source>
+        <translation>型号、标签、备注或文件名中的文字</translation>
+    </message>
+    <message>
+        <source>There is none yet. One is taken by itself before the first change to a servo.</source>
+        <translation>还没有快照。第一次修改舵机之前会自动保存一份。</translation>
+    </message>
+    <message>
+        <source>%1 servos</source>
+        <translation>%1 个舵机</translation>
+    </message>
+    <message>
+        <source>firmware %1, on %2</source>
+        <translation>固件 %1，端口 %2</translation>
+    </message>
+    <message>
+        <source>template, %1 rows</source>
+        <translation>模板，%1 行</translation>
+    </message>
+    <message>
+        <source>%1, ID %2</source>
+        <translation>%1，ID %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SnapshotsPage</name>
+    <message>
+        <source>ID %1 now</source>
+        <translation>ID %1 当前</translation>
+    </message>
+    <message>
+        <source>Factory</source>
+        <translation>出厂</translation>
+    </message>
+    <message>
+        <source>Default of this model, as far as it is known</source>
+        <translation>此型号已知的出厂默认值</translation>
+    </message>
+    <message>
+        <source>Choose a servo in the list, or a snapshot at the left.</source>
+        <translation>请在列表中选择舵机，或在左侧选择快照。</translation>
+    </message>
+    <message>
+        <source>The servo&apos;s table is being read.</source>
+        <translation>正在读取舵机的内存表。</translation>
+    </message>
+    <message>
+        <source>Choose a snapshot at the left to compare the servo with, or open a file.</source>
+        <translation>请在左侧选择要与舵机比较的快照，或打开文件。</translation>
+    </message>
+    <message>
+        <source>Bundle with %1 servos; choose one of them to compare it</source>
+        <translation>含 %1 个舵机的整组快照；选择其中一个进行比较</translation>
+    </message>
+    <message>
+        <source>%1 against %2</source>
+        <translation>%1 对比 %2</translation>
+    </message>
+    <message>
+        <source>Write ticked rows</source>
+        <translation>写入勾选的行</translation>
+    </message>
+    <message>
+        <source>Write 1 ticked row</source>
+        <translation>写入勾选的 1 行</translation>
+    </message>
+    <message>
+        <source>Write %1 ticked rows</source>
+        <translation>写入勾选的 %1 行</translation>
+    </message>
+    <message>
+        <source>Restore the bundle…</source>
+        <translation>恢复整组快照…</translation>
+    </message>
+    <message>
+        <source>Several servos…</source>
+        <translation>多个舵机…</translation>
+    </message>
+    <message>
+        <source>Torque goes off first and stays off. Limits, mode, gains; the lock last. Every row is read back; Undo stays possible.</source>
+        <translation>先关闭扭矩并保持关闭。顺序：限值、模式、增益，最后上锁。每一行都会回读；之后仍可撤销。</translation>
+    </message>
+    <message>
+        <source>Limits, mode, gains; the lock last. Every row is read back; Undo stays possible.</source>
+        <translation>顺序：限值、模式、增益，最后上锁。每一行都会回读；之后仍可撤销。</translation>
+    </message>
+    <message>
+        <source>Factory default</source>
+        <translation>出厂默认值</translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>快照</translation>
+    </message>
+    <message>
+        <source>Take snapshot</source>
+        <translation>保存快照</translation>
+    </message>
+    <message>
+        <source>Read the whole table of the selected servo and keep it in the history</source>
+        <translation>读取所选舵机的整个内存表并存入历史记录</translation>
+    </message>
+    <message>
+        <source>Open file…</source>
+        <translation>打开文件…</translation>
+    </message>
+    <message>
+        <source>Open snapshots, templates or bundles; or drop them here</source>
+        <translation>打开快照、模板或整组快照；也可拖放到这里</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>Save, label or delete a snapshot; save all servos</source>
+        <translation>保存、标注或删除快照；保存所有舵机</translation>
+    </message>
+    <message>
+        <source>Save as file…</source>
+        <translation>另存为文件…</translation>
+    </message>
+    <message>
+        <source>Label and note…</source>
+        <translation>标签和备注…</translation>
+    </message>
+    <message>
+        <source>Save all servos as a bundle…</source>
+        <translation>把所有舵机保存为整组快照…</translation>
+    </message>
+    <message>
+        <source>Delete from the history…</source>
+        <translation>从历史记录中删除…</translation>
+    </message>
+    <message>
+        <source>ID and rate too</source>
+        <translation>包括 ID 和波特率</translation>
+    </message>
+    <message>
+        <source>Tick ID and baud rate as well: the servo then answers there. They are written at the very end</source>
+        <translation>同时勾选 ID 和波特率：之后舵机在新地址应答。它们最后写入</translation>
+    </message>
+    <message>
+        <source>If a row fails, put all back</source>
+        <translation>若有一行失败，全部恢复原值</translation>
+    </message>
+    <message>
+        <source>Otherwise writing ends at the row that fails, and what is written stays</source>
+        <translation>否则在失败的那一行停止，已写入的保留</translation>
+    </message>
+    <message>
+        <source>Write the ticked rows that differ, and only those</source>
+        <translation>只写入已勾选且不同的行</translation>
+    </message>
+    <message>
+        <source>Dry run…</source>
+        <translation>预演…</translation>
+    </message>
+    <message>
+        <source>Show exactly what would be written, in which order</source>
+        <translation>准确显示将按什么顺序写入什么</translation>
+    </message>
+    <message>
+        <source>Write the ticked rows to more than one servo</source>
+        <translation>把勾选的行写入多个舵机</translation>
+    </message>
+    <message>
+        <source>Save template…</source>
+        <translation>保存模板…</translation>
+    </message>
+    <message>
+        <source>Choose rows of this snapshot and save them as a file, for setting other servos</source>
+        <translation>选择此快照中的若干行保存为文件，用于设置其他舵机</translation>
+    </message>
+    <message>
+        <source>Save result…</source>
+        <translation>保存结果…</translation>
+    </message>
+    <message>
+        <source>Open snapshots</source>
+        <translation>打开快照</translation>
+    </message>
+    <message>
+        <source>Snapshots and bundles (*.servo.json *.bundle.json)</source>
+        <translation>快照和整组快照 (*.servo.json *.bundle.json)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Save the snapshot</source>
+        <translation>保存快照</translation>
+    </message>
+    <message>
+        <source>Snapshot (*.servo.json)</source>
+        <translation>快照 (*.servo.json)</translation>
+    </message>
+    <message>
+        <source>Table for spreadsheets (*.csv)</source>
+        <translation>电子表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save all servos</source>
+        <translation>保存所有舵机</translation>
+    </message>
+    <message>
+        <source>Bundle (*.bundle.json)</source>
+        <translation>整组快照 (*.bundle.json)</translation>
+    </message>
+    <message>
+        <source>Save the template</source>
+        <translation>保存模板</translation>
+    </message>
+    <message>
+        <source>Template (*.servo.json)</source>
+        <translation>模板 (*.servo.json)</translation>
+    </message>
+    <message>
+        <source>Delete this snapshot?</source>
+        <translation>删除此快照？</translation>
+    </message>
+    <message>
+        <source>Delete %1 snapshots?</source>
+        <translation>删除 %1 份快照？</translation>
+    </message>
+    <message>
+        <source>They leave the history of this computer. Files stay where they are.</source>
+        <translation>将从本机的历史记录中删除。文件保留在原处。</translation>
+    </message>
+    <message>
+        <source>This cannot be undone.</source>
+        <translation>此操作无法撤销。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>%1: a wrong value can make the servo unreachable or dangerous.</source>
+        <translation>%1：错误的值可能使舵机无法连接或产生危险。</translation>
+    </message>
+    <message>
+        <source>%1 shifts where the servo believes it is.</source>
+        <translation>%1 会改变舵机认定的位置。</translation>
+    </message>
+    <message>
+        <source>%1 changes from %2 to %3: the servo answers there afterwards.</source>
+        <translation>%1 从 %2 改为 %3：之后舵机在新地址应答。</translation>
+    </message>
+    <message>
+        <source>Write to ID %1?</source>
+        <translation>写入 ID %1？</translation>
+    </message>
+    <message>
+        <source>Torque is on: it goes off first and stays off. What the servo holds may drop.</source>
+        <translation>扭矩已打开：会先关闭并保持关闭。舵机托住的东西可能掉落。</translation>
+    </message>
+    <message>
+        <source>Write anyway</source>
+        <translation>仍然写入</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>1 row written and read back</source>
+        <translation>已写入并回读 1 行</translation>
+    </message>
+    <message>
+        <source>%1 rows written and read back</source>
+        <translation>已写入并回读 %1 行</translation>
+    </message>
+    <message>
+        <source>Not as wanted: %1.</source>
+        <translation>与要求不符：%1。</translation>
+    </message>
+    <message>
+        <source>The EPROM lock is open.</source>
+        <translation>EPROM 未上锁。</translation>
+    </message>
+    <message>
+        <source>Read the table and write the rest again; the journal knows what was to be written.</source>
+        <translation>请重新读取内存表并再写入其余的行；日志里有要写入的内容。</translation>
+    </message>
+    <message>
+        <source>Save the result</source>
+        <translation>保存结果</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Data (*.json)</source>
+        <translation>数据 (*.json)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
     </message>
 </context>
 <context>
@@ -7744,6 +10337,53 @@ Asked more than once: %9</source>
     <message>
         <source>no limit</source>
         <translation>无限值</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TemplateDialog</name>
+    <message>
+        <source>Save 1 row…</source>
+        <translation>保存 1 行…</translation>
+    </message>
+    <message>
+        <source>Save %1 rows…</source>
+        <translation>保存 %1 行…</translation>
+    </message>
+    <message>
+        <source>Make a template</source>
+        <translation>制作模板</translation>
+    </message>
+    <message>
+        <source>Tick what other servos are to be given. ID and rate are never part of a template. Ticked at first is what differs from the factory default.</source>
+        <translation>勾选要写入其他舵机的内容。模板绝不包含 ID 和波特率。与出厂默认值不同的行已预先勾选。</translation>
+    </message>
+    <message>
+        <source>Rows of the template</source>
+        <translation>模板的行</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>含义</translation>
+    </message>
+    <message>
+        <source>Save the ticked rows as a file</source>
+        <translation>把勾选的行保存为文件</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Save nothing</source>
+        <translation>不保存</translation>
     </message>
 </context>
 <context>
