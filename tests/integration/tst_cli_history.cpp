@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The history as a user of servodesk-cli sees it: every command that writes saves the table first
+// and shows where, and all of it is found again, labelled, exported and taken out.
+#include "support/cli_program.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <csignal>
+
+using support::CliProgram;
+using support::Ran;
+using support::SimProgram;
+using support::words;
+
+namespace {
+QString text(const char* utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+QStringList savedTables(const CliProgram& cli)
+{
+    return QDir(cli.dataFolder() + text("/snapshots")).entryList({text("*.servo.json")});
+}
+
+QJsonArray rows(CliProgram& cli, const char* kind, const char* more = "")
+{
+    const Ran ran = cli.run(words("history --json --kind") << text(kind) << words(more));
+    return ran.json()[text(kind)].toArray();
+}
+} // namespace
+
+class TestCliHistory : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void whoeverWritesSavesFirst_data();
+    void whoeverWritesSavesFirst();
+    void whoeverOnlyLooksSavesNothing_data();
+    void whoeverOnlyLooksSavesNothing();
+    void whoeverSettlesSavesFirst();
+    void anAlarmIsNoReasonNotToSave();
+    void whatCannotBeSavedIsNotWritten();
+    void listedLabelledAndTakenOut();
+    void exported();
+    void lookingMakesNoHistory();
+    void mistakesAreNamed_data();
+    void mistakesAreNamed();
+};
+
+void TestCliHistory::whoeverWritesSavesFirst_data()
+{
+    QTest::addColumn<QString>("line");
+    for (const char* line :
+         {"write 1 position_p=40", "write 1 position_p=40 --temporary", "set-id 1 9",
+          "set-baud 1 500000", "center 1", "mode 1 speed", "restore-defaults 1", "identify 1"})
+        QTest::newRow(line) << text(line);
+}
+
+void TestCliHistory::whoeverWritesSavesFirst()
+{
+    QFETCH(const QString, line);
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const Ran ran = cli.run(line.split(QLatin1Char(' ')) << text("--json"));
+    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+    const QString place = ran.json()[text("snapshot")].toString();
+    QVERIFY2(QFile::exists(place), qPrintable(ran.out));
+    QCOMPARE(savedTables(cli).size(), 1);
+    const QJsonArray kept = rows(cli, "snapshots");
+    QCOMPARE(kept.size(), 1);
+    QCOMPARE(kept[0][text("file")].toString(), place);
+    QCOMPARE(kept[0][text("reason")].toString(), text("automatic"));
+    QVERIFY(!rows(cli, "writes").isEmpty());
+
+    const Ran inText = cli.run(line.split(QLatin1Char(' ')));
+    QVERIFY2(inText.err.contains(cli.dataFolder() + text("/snapshots/")), qPrintable(inText.err));
+    QCOMPARE(savedTables(cli).size(), 2);
+}
+
+void TestCliHistory::whoeverOnlyLooksSavesNothing_data()
+{
+    QTest::addColumn<QString>("line");
+    for (const char* line : {"info 1", "read 1 position_p", "scan", "torque 1 on", "move 1=2100",
+                             "recover", "clear-alarm 1", "write 1 nonsense=1"})
+        QTest::newRow(line) << text(line);
+}
+
+void TestCliHistory::whoeverOnlyLooksSavesNothing()
+{
+    QFETCH(const QString, line);
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    cli.run(line.split(QLatin1Char(' ')));
+    QVERIFY(savedTables(cli).isEmpty());
+    QVERIFY(rows(cli, "writes").isEmpty());
+}
+
+void TestCliHistory::whoeverSettlesSavesFirst()
+{
+    CliProgram cli;
+    SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
+    cli.setPort(sim.port());
+    cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70"));
+    QTRY_VERIFY_WITH_TIMEOUT(!savedTables(cli).isEmpty(), 60'000);
+    const auto begun = [&] {
+        CliProgram& own = cli;
+        QFile wal(own.dataFolder() + text("/history.sqlite-wal"));
+        return wal.open(QIODevice::ReadOnly) && wal.readAll().contains("overload_torque");
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(begun(), 60'000);
+    cli.signal(SIGKILL);
+    cli.finish();
+    QCOMPARE(savedTables(cli).size(), 1);
+    const QJsonArray open = cli.json("recover").json()[text("intents")].toArray();
+    QCOMPARE(open.size(), 1);
+    QCOMPARE(savedTables(cli).size(), 1); // looking saves nothing
+    QVERIFY(rows(cli, "writes")[0][text("outcome")].toString().isEmpty());
+    const Ran settled = cli.json("recover --finish");
+    QVERIFY2(settled.exit == 0, qPrintable(settled.out + settled.err));
+    QVERIFY(QFile::exists(settled.json()[text("snapshot")].toString()));
+    QCOMPARE(savedTables(cli).size(), 2);
+    QVERIFY(rows(cli, "writes", "--trouble").isEmpty());
+}
+
+/// An overloaded servo answers, so its table is saved like any other's.
+void TestCliHistory::anAlarmIsNoReasonNotToSave()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:trouble"));
+    const QJsonArray found = cli.json("scan").json()[text("found")].toArray();
+    int ailing = -1;
+    for (const QJsonValue& servo : found) {
+        if (!servo[text("status")].toArray().isEmpty())
+            ailing = servo[text("id")].toInt();
+    }
+    QVERIFY2(ailing >= 0, "the simulated trouble has no alarm");
+    const Ran ran =
+        cli.run(words("write --json") << QString::number(ailing) << text("max_temperature=71"));
+    QVERIFY2(ran.json().contains(text("snapshot")), qPrintable(ran.out + ran.err));
+}
+
+void TestCliHistory::whatCannotBeSavedIsNotWritten()
+{
+    CliProgram cli;
+    SimProgram sim(words("--servos sts3215@1"));
+    cli.setPort(sim.port());
+    QFile inTheWay(cli.dataFolder() + text("/snapshots"));
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    const Ran ran = cli.run("write 1 position_p=40");
+    QCOMPARE(ran.exit, 5);
+    QVERIFY2(ran.err.contains(text("nothing is written")), qPrintable(ran.err));
+    const Ran after = cli.json("read 1 position_p");
+    QCOMPARE(after.json()[text("registers")][0][text("raw")].toInt(), 32);
+    QVERIFY(rows(cli, "writes").isEmpty());
+}
+
+void TestCliHistory::listedLabelledAndTakenOut()
+{
+    CliProgram cli;
+    SimProgram sim(words("--servos sts3215@1,sts3215@2"));
+    cli.setPort(sim.port());
+    QCOMPARE(cli.run("write 1 position_p=40 position_d=20").exit, 0);
+    QCOMPARE(cli.run("write 2 position_p=41").exit, 0);
+    QCOMPARE(rows(cli, "writes").size(), 3);
+    QCOMPARE(rows(cli, "writes", "--id 1").size(), 2);
+    QCOMPARE(rows(cli, "writes", "--id 1 --register position_d").size(), 1);
+    QCOMPARE(rows(cli, "writes", "--model sts3215 --most 2").size(), 2);
+    QCOMPARE(rows(cli, "writes", "--since 1h").size(), 3);
+    QVERIFY(rows(cli, "writes", "--until 2020-01-01").isEmpty());
+    QVERIFY(rows(cli, "writes", "--trouble").isEmpty());
+    const QJsonArray servos = rows(cli, "servos", "--id 1");
+    QCOMPARE(servos.size(), 1);
+    const QString number = QString::number(servos[0][text("number")].toInt());
+    QVERIFY(cli.run("history --kind servos").out.contains(text("no serial number")));
+    QCOMPARE(cli.run({text("history"), text("label"), number, text("left knee")}).exit, 0);
+    const Ran labelled = cli.run({text("history"), text("--servo"), text("left knee")});
+    QVERIFY2(labelled.out.contains(text("left knee")), qPrintable(labelled.out + labelled.err));
+
+    const Ran shown = cli.json("history show 1");
+    QCOMPARE(shown.json()[text("writes")].toArray().size(), 2);
+    QCOMPARE(shown.json()[text("label")].toString(), text("left knee"));
+
+    // A snapshot out of the history, and the table as it is now: both for snapshot restore.
+    const QString before = cli.dataFolder() + text("/before.servo.json");
+    const QString now = cli.dataFolder() + text("/now.servo.json");
+    QCOMPARE(cli.run({text("history"), text("snapshot"), text("1"), before}).exit, 0);
+    const Ran table = cli.run({text("history"), text("table"), text("left knee"),
+                               text("2100-01-01"), now, text("--json")});
+    QCOMPARE(table.exit, 0);
+    QCOMPARE(table.json()[text("replayed")].toArray().size(), 2);
+    const auto gain = [&](const QString& file) {
+        const Ran ran = cli.run({text("snapshot"), text("show"), file, text("--json")});
+        for (const QJsonValue& row : ran.json()[text("registers")].toArray()) {
+            if (row[text("key")].toString() == text("position_p"))
+                return row[text("raw")].toInt();
+        }
+        return -1;
+    };
+    QCOMPARE(gain(before), 32);
+    QCOMPARE(gain(now), 40);
+
+    // Another servo under the same ID: its own past begins now.
+    QCOMPARE(
+        cli.run({text("history"), text("label"), number, text("spare"), text("--another")}).exit,
+        0);
+    QCOMPARE(cli.run("write 1 position_p=42").exit, 0);
+    QCOMPARE(rows(cli, "writes", "--label spare").size(), 1);
+    QCOMPARE(rows(cli, "writes", "--id 1").size(), 3);
+    // The table that is saved says whose it is.
+    QCOMPARE(rows(cli, "snapshots", "--label spare").size(), 1);
+    QCOMPARE(rows(cli, "snapshots", "--label spare")[0][text("label")].toString(), text("spare"));
+}
+
+void TestCliHistory::exported()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    QCOMPARE(cli.run("write 1 position_p=40 position_d=20").exit, 0);
+    const QString csv = cli.dataFolder() + text("/w.csv");
+    const QString json = cli.dataFolder() + text("/w.json");
+    QCOMPARE(cli.run({text("history"), text("--csv"), csv}).exit, 0);
+    QFile file(csv);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll().count('\n'), 3);
+    QCOMPARE(
+        cli.run({text("history"), text("--kind"), text("snapshots"), text("--export"), json}).exit,
+        0);
+    QFile document(json);
+    QVERIFY(document.open(QIODevice::ReadOnly));
+    QCOMPARE(
+        QJsonDocument::fromJson(document.readAll()).object()[text("snapshots")].toArray().size(),
+        1);
+    QCOMPARE(cli.run({text("history"), text("--csv"), text("/nowhere/at/all.csv")}).exit, 5);
+}
+
+void TestCliHistory::lookingMakesNoHistory()
+{
+    CliProgram cli;
+    QCOMPARE(cli.run("history").exit, 0);
+    QVERIFY(rows(cli, "servos").isEmpty());
+    QVERIFY(!QFile::exists(cli.dataFolder() + text("/history.sqlite")));
+}
+
+void TestCliHistory::mistakesAreNamed_data()
+{
+    QTest::addColumn<QString>("line");
+    for (const char* line :
+         {"history --kind dogs", "history --since yesterday", "history --until 2026-13-01",
+          "history --most 0", "history --id 255", "history --servo nobody", "history show 99",
+          "history show x", "history label 99 a", "history snapshot 99 f",
+          "history table 1 never f", "history table 1 2020-01-01 f", "history --csv a --export b",
+          "history show"})
+        QTest::newRow(line) << text(line);
+}
+
+void TestCliHistory::mistakesAreNamed()
+{
+    QFETCH(const QString, line);
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    QCOMPARE(cli.run("write 1 position_p=40").exit, 0);
+    const Ran ran = cli.run(line.split(QLatin1Char(' ')));
+    QCOMPARE(ran.exit, 2);
+    QVERIFY(!ran.err.isEmpty());
+}
+
+QTEST_GUILESS_MAIN(TestCliHistory)
+#include "tst_cli_history.moc"
