@@ -33,7 +33,7 @@ const std::vector<Copied>& tables()
 {
     static const std::vector<Copied> all{
         {QStringLiteral("servos"), words("protocol model_major model_minor firmware_major "
-                                         "firmware_minor map id label model current")},
+                                         "firmware_minor map id label model simulated current")},
         {QStringLiteral("intents"),
          words("at kind temporary lock_opened port baud program ended outcome detail"),
          true,

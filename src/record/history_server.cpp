@@ -177,6 +177,10 @@ base::Result<HistoryAnswer> HistoryServer::run(const QString& sql, const QVarian
 
 base::Result<void> HistoryServer::together(const std::function<base::Result<void>()>& work) const
 {
+    // The server would refuse as well, but what it says depends on how the work begins.
+    if (m_purpose == Purpose::Browse)
+        return tl::unexpected(serverError(ServerTrouble::Rights,
+                                          QStringLiteral("copies are changed at their own bench")));
     if (const auto begun = run(QStringLiteral("BEGIN")); !begun)
         return tl::unexpected(begun.error());
     auto done = work();

@@ -48,7 +48,7 @@ QStringList servos()
               "map TEXT COLLATE \"C\" NOT NULL DEFAULT '', id BIGINT NOT NULL DEFAULT -1, "
               "label TEXT COLLATE \"C\" NOT NULL DEFAULT '', "
               "model TEXT COLLATE \"C\" NOT NULL DEFAULT '', "
-              "current BIGINT NOT NULL DEFAULT 0, ",
+              "simulated BIGINT NOT NULL DEFAULT 0, current BIGINT NOT NULL DEFAULT 0, ",
               false),
         QStringLiteral("CREATE INDEX servos_id ON servos (id)"),
         QStringLiteral("CREATE INDEX servos_model ON servos (lower(model))"),
@@ -264,7 +264,7 @@ const std::vector<CopiedTable>& serverTables()
     };
     static const std::vector<CopiedTable> all{
         {"servos", words("protocol model_major model_minor firmware_major firmware_minor map id "
-                         "label model current")},
+                         "label model simulated current")},
         {"intents",
          words("at kind temporary lock_opened port baud program ended outcome detail"),
          true,

@@ -3,6 +3,7 @@
 // happens to bench, line or server in between, and is browsed as on the bench itself. The server is
 // the test's own; without one installed (packaging/test-packages.txt) there is nothing to test.
 #include "record/history_server.h"
+#include "record/history_server_schema.h"
 #include "session/history_sending.h"
 #include "support/history_example.h"
 #include "support/postgres.h"
@@ -82,6 +83,7 @@ private Q_SLOTS:
     }
 
     void everythingIsCopied();
+    void noColumnIsLeftOut();
     void laterChangesFollow();
     void whatIsTakenOutGoesThereToo();
     void sendingAgainChangesNothing();
@@ -117,6 +119,54 @@ void TestHistoryServer::everythingIsCopied()
     QVERIFY(run.has_value());
     QCOMPARE(run->servos.size(), sweep_example::run().servos.size());
     QCOMPARE(asked(utf8("SELECT content FROM servodesk.facts")), utf8("[\"1\",\"-2\"]"));
+}
+
+/// Whatever the history learns to keep, its copies keep as well.
+void TestHistoryServer::noColumnIsLeftOut()
+{
+    Bench bench;
+    history_example::fill(bench);
+    QVERIFY(send(bench) > 0);
+    const auto local = bench.open();
+    const auto columnsHere = [&](const QString& table) {
+        QStringList names;
+        const auto info = local->file().run(utf8("PRAGMA table_info(%1)").arg(table)).value();
+        for (const QVariantList& row : info.rows)
+            names.append(row.value(1).toString());
+        names.removeAll(utf8("revision"));
+        names.sort();
+        return names;
+    };
+    const auto columnsThere = [&](const QString& table) {
+        QStringList names = asked(utf8("SELECT column_name FROM information_schema.columns WHERE "
+                                       "table_schema = 'servodesk' AND table_name = '%1'")
+                                      .arg(table))
+                                .split(u'\n');
+        names.removeAll(utf8("bench"));
+        names.sort();
+        return names;
+    };
+    for (const record::CopiedTable& table : record::serverTables()) {
+        const QString name = utf8(table.name);
+        QCOMPARE(columnsThere(name), columnsHere(name));
+        QStringList sent = table.columns;
+        sent << utf8("number") << utf8("uuid");
+        if (table.ofServo)
+            sent << utf8("servo");
+        sent.sort();
+        QCOMPARE(sent, columnsHere(name));
+        for (const auto& child : table.children) {
+            QCOMPARE(columnsThere(utf8(child.name)), columnsHere(utf8(child.name)));
+            QStringList below = child.columns;
+            below << utf8(child.parent);
+            if (child.ofServo)
+                below << utf8("servo");
+            below.sort();
+            QStringList here = columnsHere(utf8(child.name));
+            here.removeAll(utf8("number"));
+            QCOMPARE(below, here);
+        }
+    }
 }
 
 void TestHistoryServer::laterChangesFollow()
