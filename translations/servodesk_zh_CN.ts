@@ -366,6 +366,14 @@
         <source>What was ever written, saved, tested and alarmed</source>
         <translation>所有写入、快照、测试和报警的记录</translation>
     </message>
+    <message>
+        <source>&amp;Commissioning</source>
+        <translation>批量设置(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Set up servos plugged in one after the other</source>
+        <translation>逐个接上并设置舵机</translation>
+    </message>
 </context>
 <context>
     <name>ControlWords</name>
@@ -895,6 +903,10 @@
         <source>sweep test</source>
         <translation>扫描测试</translation>
     </message>
+    <message>
+        <source>restore defaults</source>
+        <translation>恢复出厂设置</translation>
+    </message>
 </context>
 <context>
     <name>MemorySheet</name>
@@ -1173,8 +1185,8 @@
         <translation>--page：没有“%1”</translation>
     </message>
     <message>
-        <source>page to show: operate, memory, sweep, step, snapshots, history</source>
-        <translation>要显示的页面：operate、memory、sweep、step、snapshots、history</translation>
+        <source>page to show: operate, memory, sweep, step, snapshots, commission, history</source>
+        <translation>要显示的页面：operate、memory、sweep、step、snapshots、commission、history</translation>
     </message>
 </context>
 <context>
@@ -1898,6 +1910,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>settings of a test</source>
         <translation>测试期间的设置</translation>
+    </message>
+    <message>
+        <source>restore a snapshot</source>
+        <translation>恢复快照</translation>
     </message>
 </context>
 <context>
@@ -6046,6 +6062,14 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Data (*.json)</source>
         <translation>数据 (*.json)</translation>
     </message>
+    <message>
+        <source>Dangerous rows too</source>
+        <translation>包括危险的行</translation>
+    </message>
+    <message>
+        <source>Rows in which a wrong value can make a servo unreachable; left out otherwise</source>
+        <translation>值错误时可能使舵机无法连接的行；不勾选则跳过</translation>
+    </message>
 </context>
 <context>
     <name>ui::Banner</name>
@@ -7933,6 +7957,14 @@ Asked more than once: %9</source>
     <message>
         <source>What was ever written, saved, tested and alarmed</source>
         <translation>所有写入、快照、测试和报警的记录</translation>
+    </message>
+    <message>
+        <source>Commissioning</source>
+        <translation>批量设置</translation>
+    </message>
+    <message>
+        <source>Set up servos plugged in one after the other</source>
+        <translation>逐个接上并设置舵机</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,8 @@
 #include "jobs/scan.h"
 #include "session/safety_snapshot.h"
 
+#include <QFileInfo>
+
 namespace cli {
 namespace {
 /// Everybody on the line, at the rate the port has. A servo that is there and cannot be read would
@@ -72,6 +74,8 @@ base::Result<Exit> runSave(Run& run, const Values& values)
         return tl::unexpected(saved.error());
     Json::Array ids;
     for (const record::Snapshot& snapshot : bundle->servos) {
+        session::keepInHistory(snapshot, record::SnapshotReason::Bundle,
+                               QFileInfo(file).absoluteFilePath());
         ids.push_back(Json::object()
                           .add("id", snapshot.servo.id)
                           .add("model", snapshot.servo.model)

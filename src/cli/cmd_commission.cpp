@@ -374,7 +374,7 @@ base::Result<Exit> CommissionCommand::run()
     hooks.answer = [this] { return answer(); };
     hooks.onRow = [this](const record::CommissionRow& row) { tell(row); };
     hooks.save = [](const device::Context& with, device::Servo& servo) {
-        return session::saveSafetySnapshot(with, servo);
+        return session::saveSafetySnapshot(with, servo, record::SnapshotReason::Commission);
     };
     const auto end = jobs::commission(stoppable, m_spec, m_batch, m_csv, hooks);
     if (!end)

@@ -8,6 +8,8 @@
 #include "session/safety_snapshot.h"
 #include "text/notice_words.h"
 
+#include <QFileInfo>
+
 namespace cli {
 namespace {
 base::Result<Exit> runSave(Run& run, const Values& values)
@@ -26,6 +28,8 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     snapshot->note = values.option("--note").value_or(QString());
     if (const auto saved = record::saveSnapshot(*snapshot, file); !saved)
         return tl::unexpected(saved.error());
+    session::keepInHistory(*snapshot, record::SnapshotReason::Asked,
+                           QFileInfo(file).absoluteFilePath());
     const auto count = static_cast<int>(snapshot->registers.size());
     run.finish(
         Json::object().add("id", servo->id).add("file", file).add("registers", count),

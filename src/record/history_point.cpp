@@ -62,7 +62,9 @@ public:
         // Gone with the next power-off, by design; what a test or blinking had set is put back.
         if (step.temporary || step.outcome == QLatin1String("temporary"))
             return;
-        if (step.kind == base::IntentKind::Restore) {
+        // Old and new are the same where the servo took what it had stored itself (0x06); the
+        // values of a restored snapshot are known.
+        if (step.kind == base::IntentKind::Restore && step.oldRaw == step.newRaw) {
             forgetSettings();
         } else if (step.kind == base::IntentKind::Calibrate) {
             forget(step.key);

@@ -110,7 +110,7 @@ bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPa
         hooks.onRow = [&](const record::CommissionRow&) { live->show(*batch); };
         hooks.answer = [live] { return live->answer.exchange(jobs::CommissionAnswer::None); };
         hooks.save = [](const device::Context& with, device::Servo& servo) {
-            return saveSafetySnapshot(with, servo);
+            return saveSafetySnapshot(with, servo, record::SnapshotReason::Commission);
         };
         const auto end = jobs::commission(context.device, order, *batch, csvPath, hooks);
         live->show(*batch);

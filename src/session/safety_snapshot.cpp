@@ -37,7 +37,8 @@ QString programName()
     return QStringLiteral("servodesk ") + QCoreApplication::applicationVersion();
 }
 
-base::Result<QString> saveSafetySnapshot(const device::Context& context, device::Servo& servo)
+base::Result<QString> saveSafetySnapshot(const device::Context& context, device::Servo& servo,
+                                         record::SnapshotReason reason)
 {
     const QDir folder(dataFolder() + QStringLiteral("/snapshots"));
     if (!folder.mkpath(QStringLiteral(".")))
@@ -58,7 +59,14 @@ base::Result<QString> saveSafetySnapshot(const device::Context& context, device:
     if (const auto saved = record::saveSnapshot(*snapshot, path); !saved)
         return tl::unexpected(saved.error());
     if (history)
-        (void)(*history)->log().addSnapshot(*snapshot, record::SnapshotReason::Automatic, path);
+        (void)(*history)->log().addSnapshot(*snapshot, reason, path);
     return path;
+}
+
+void keepInHistory(const record::Snapshot& snapshot, record::SnapshotReason reason,
+                   const QString& file)
+{
+    if (const auto history = record::History::open(historyFile()))
+        (void)(*history)->log().addSnapshot(snapshot, reason, file);
 }
 } // namespace session

@@ -5,6 +5,7 @@
 
 #include "device/servo.h"
 #include "jobs/job.h"
+#include "record/history_rows.h"
 
 namespace session {
 /// Name and version as files carry them: "servodesk 0.1.0".
@@ -12,5 +13,12 @@ QString programName();
 
 /// A new file in the data folder, and a row of the history; answers the path of the file. Reads the
 /// whole table. Its label is the servo's of the history.
-base::Result<QString> saveSafetySnapshot(const device::Context& context, device::Servo& servo);
+base::Result<QString>
+saveSafetySnapshot(const device::Context& context, device::Servo& servo,
+                   record::SnapshotReason reason = record::SnapshotReason::Automatic);
+
+/// One that was saved to `file`, for the history too. A history that cannot be used does not make
+/// the file worse: it is told nowhere here, but refuses writes.
+void keepInHistory(const record::Snapshot& snapshot, record::SnapshotReason reason,
+                   const QString& file);
 } // namespace session

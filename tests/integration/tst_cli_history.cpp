@@ -49,6 +49,7 @@ private Q_SLOTS:
     void anAlarmIsNoReasonNotToSave();
     void whatCannotBeSavedIsNotWritten();
     void listedLabelledAndTakenOut();
+    void whatIsSavedIsKeptToo();
     void exported();
     void lookingMakesNoHistory();
     void mistakesAreNamed_data();
@@ -217,6 +218,22 @@ void TestCliHistory::listedLabelledAndTakenOut()
     // The table that is saved says whose it is.
     QCOMPARE(rows(cli, "snapshots", "--label spare").size(), 1);
     QCOMPARE(rows(cli, "snapshots", "--label spare")[0][text("label")].toString(), text("spare"));
+}
+
+void TestCliHistory::whatIsSavedIsKeptToo()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1,sts3215@2"));
+    const QString one = cli.dataFolder() + text("/one.servo.json");
+    const QString all = cli.dataFolder() + text("/all.bundle.json");
+    QCOMPARE(
+        cli.run({text("snapshot"), text("save"), text("1"), one, text("--label"), text("good")})
+            .exit,
+        0);
+    QCOMPARE(cli.run({text("bundle"), text("save"), all}).exit, 0);
+    const QJsonArray kept = rows(cli, "snapshots");
+    QCOMPARE(kept.size(), 3);
+    QCOMPARE(rows(cli, "snapshots", "--label good").size(), 1);
 }
 
 void TestCliHistory::exported()

@@ -161,6 +161,8 @@ void ApplyDialog::build()
     m_rollBack = check("applyRollBack");
     m_otherModel = check("applyOtherModel");
     m_otherModel->setVisible(m_source.bundle != nullptr);
+    m_dangerous = check("applyDangerous");
+    m_dangerous->setVisible(m_source.bundle != nullptr);
     m_result = new TaskResult(startWidth - margin, this);
     auto* row = new QHBoxLayout;
     const auto button = [&](const char* name) {
@@ -181,6 +183,7 @@ void ApplyDialog::build()
     column->addWidget(m_table, 1);
     column->addWidget(m_rollBack);
     column->addWidget(m_otherModel);
+    column->addWidget(m_dangerous);
     column->addWidget(m_result);
     column->addLayout(row);
     connect(m_table, &QTableWidget::itemChanged, this, &ApplyDialog::update);
@@ -241,6 +244,8 @@ void ApplyDialog::retranslate()
            "stays"));
     say(m_otherModel, tr("Also where another model has the ID now"),
         tr("By register name; what cannot be mapped is left out and listed"));
+    say(m_dangerous, tr("Dangerous rows too"),
+        tr("Rows in which a wrong value can make a servo unreachable; left out otherwise"));
     say(m_dryRun, tr("Dry run"), tr("Read the servos and show what would be written to each"));
     say(m_write, tr("Write"), tr("Write the rows that differ to each ticked servo"));
     say(m_stop, tr("Stop"), tr("Stop after the servo that is being written to"));
@@ -272,16 +277,21 @@ void ApplyDialog::update()
     m_table->setEnabled(!m_running);
 }
 
+bool ApplyDialog::dangerous() const
+{
+    return m_source.bundle ? m_dangerous->isChecked() : m_source.dangerous;
+}
+
 void ApplyDialog::askFirst()
 {
     Question question;
     question.title = tr("Write to %1 servos?").arg(ticked().size());
     question.text = tr("Torque goes off at each servo that is written to, and stays off.");
-    if (m_source.dangerous)
+    if (dangerous())
         question.risk = tr("Dangerous rows are among those that are ticked: a wrong value can make "
                            "a servo unreachable.");
     question.yes = tr("Write");
-    question.harmless = !m_source.dangerous;
+    question.harmless = !dangerous();
     question.guard = this;
     ask(this, question, [this] { run(false); });
 }
@@ -304,8 +314,8 @@ void ApplyDialog::run(bool dryRun)
         order.ids = ids;
     }
     order.options.choice.only = m_source.only;
-    order.options.choice.dangerous = m_source.dangerous;
-    order.options.restore.dangerous = m_source.dangerous;
+    order.options.choice.dangerous = dangerous();
+    order.options.restore.dangerous = dangerous();
     order.options.restore.onFailure =
         m_rollBack->isChecked() ? jobs::OnFailure::RollBack : jobs::OnFailure::Stop;
     order.options.otherModel = m_otherModel->isChecked();

@@ -50,6 +50,7 @@ private:
     void collect();
     void fillRow(int row);
     std::vector<int> ticked() const;
+    bool dangerous() const;
     void askFirst();
     void run(bool dryRun);
     void take(const jobs::Applied& one);
@@ -67,6 +68,8 @@ private:
     QTableWidget* m_table = nullptr;
     QCheckBox* m_rollBack = nullptr;
     QCheckBox* m_otherModel = nullptr;
+    QCheckBox* m_dangerous = nullptr; ///< of a bundle; else the ticks say it
+
     TaskResult* m_result = nullptr;
     QPushButton* m_dryRun = nullptr;
     QPushButton* m_write = nullptr;

@@ -44,6 +44,31 @@ QString reasonWord(record::SnapshotReason reason)
     }
     return {};
 }
+base::Result<std::vector<record::HistorySnapshot>>
+listed(const record::History& history, const std::optional<base::ServoIdentity>& who,
+       std::int64_t wanted)
+{
+    const record::HistoryLog log = history.log();
+    record::HistoryFilter filter;
+    filter.most = mostRows;
+    if (who) {
+        const auto servo = log.of(*who);
+        if (!servo)
+            return tl::unexpected(servo.error());
+        if (!*servo)
+            return std::vector<record::HistorySnapshot>(); // never met
+        filter.servo = (*servo)->number;
+    }
+    auto rows = log.snapshots(filter);
+    const bool there = !rows || wanted == 0 ||
+                       std::any_of(rows->begin(), rows->end(),
+                                   [&](const auto& row) { return row.number == wanted; });
+    if (there)
+        return rows;
+    if (auto row = log.snapshotRow(wanted))
+        rows->push_back(std::move(*row));
+    return rows;
+}
 } // namespace
 
 struct SnapshotShelf::Item {
@@ -186,18 +211,20 @@ void SnapshotShelf::write(QTreeWidgetItem* row) const
     row->setToolTip(0, QStringLiteral("%1\n%2\n%3").arg(who, what, tip.join(QLatin1Char('\n'))));
 }
 
+/// The servos of the list are told by all that can be known of them; the row that is wanted from
+/// elsewhere comes along, however old it is.
 void SnapshotShelf::ask()
 {
-    record::HistoryFilter filter;
-    filter.most = mostRows;
+    using Rows = std::vector<record::HistorySnapshot>;
+    std::optional<base::ServoIdentity> who;
     const session::ServoEntry* entry = m_desk.servo(m_selection.current());
-    if (m_whose->currentIndex() == ThisServo && entry != nullptr && entry->servo.profile) {
-        filter.id = entry->servo.id;
-        filter.model = entry->servo.profile->modelName;
-    }
+    if (m_whose->currentIndex() == ThisServo && entry != nullptr && entry->servo.profile)
+        who = entry->servo.identity();
     const int mine = ++m_asked;
-    m_archive.snapshots(
-        filter, this, [this, mine](const base::Result<std::vector<record::HistorySnapshot>>& rows) {
+    m_archive.ask<Rows>(
+        [who, wanted = m_wanted](record::History& history) { return listed(history, who, wanted); },
+        this,
+        [this, mine](const base::Result<Rows>& rows) {
             if (mine != m_asked)
                 return;
             if (rows)
@@ -248,13 +275,12 @@ void SnapshotShelf::fill(const std::vector<record::HistorySnapshot>& rows)
         auto* line = new Row(item);
         m_tree->addTopLevelItem(line);
         write(line);
-        if (row.number == wanted) {
+        if (row.number == wanted)
             m_tree->setCurrentItem(line);
-            m_wanted = 0;
-        }
         if (std::find(selected.begin(), selected.end(), row.number) != selected.end())
             line->setSelected(true);
     }
+    m_wanted = 0;
     m_nothing->setVisible(m_tree->topLevelItemCount() == 0);
     m_filling = false;
     selectionChanged();
@@ -317,6 +343,7 @@ void SnapshotShelf::choose(std::int64_t number)
     m_whose->setCurrentIndex(Everything);
     m_search->clear();
     m_wanted = number;
+    ++m_asked; // an answer on its way knows nothing of it
     m_ask.start();
 }
 

@@ -456,7 +456,11 @@ void TestHistoryLog::whatNobodyRecordedHasNoValue()
     QCOMPARE(now().unknown, QStringList{text("position_offset")});
     write(1, "position_offset", 12, 20); // written since: known again
     QCOMPARE(rowOf(now().table, "position_offset").raw, std::int64_t(20));
-    write(1, "position_p", 32, 32, "kept", IntentKind::Restore);
+    write(1, "position_p", 32, 48, "kept",
+          IntentKind::Restore); // of a snapshot: every row is known
+    QCOMPARE(rowOf(now().table, "position_p").raw, std::int64_t(48));
+    QVERIFY(now().unknown.isEmpty());
+    write(1, "position_p", 48, 48, "kept", IntentKind::Restore); // what it had stored itself
     const auto restored = now();
     for (const char* key : {"id", "min_angle_limit", "position_p", "position_offset"})
         QVERIFY(restored.unknown.contains(text(key)));
