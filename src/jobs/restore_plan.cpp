@@ -66,6 +66,15 @@ bool tickedBy(const RestoreRow& row, const RestoreChoice& choice)
            (!has(row, RestoreReason::PlainNumber) || named);
 }
 
+/// Who names a row wants to hear what became of it. A template's identity rows are not for every
+/// servo it is given to, so they count only where they are chosen.
+bool askedFor(const RestoreRow& row, const record::Snapshot& snapshot, const RestoreChoice& choice)
+{
+    if (!choice.only.isEmpty())
+        return choice.only.contains(row.key);
+    return snapshot.isTemplate && (choice.identity || !has(row, RestoreReason::Identity));
+}
+
 RestoreRow rowOf(const device::Servo& servo, const catalog::Register& reg,
                  const record::Snapshot& snapshot, const Kinship& kinship,
                  const RestoreChoice& choice)
@@ -89,10 +98,12 @@ RestoreRow rowOf(const device::Servo& servo, const catalog::Register& reg,
                         !choice.only.isEmpty() && !choice.only.contains(reg.key));
     row.mayTick = tickable(row, *servo.profile);
     row.ticked = tickedBy(row, choice);
+    row.asked = askedFor(row, snapshot, choice);
     return row;
 }
 
-RestoreRow foreignRow(const record::SnapshotRegister& file)
+RestoreRow foreignRow(const record::SnapshotRegister& file, const record::Snapshot& snapshot,
+                      const RestoreChoice& choice)
 {
     RestoreRow row;
     row.key = file.key;
@@ -100,6 +111,9 @@ RestoreRow foreignRow(const record::SnapshotRegister& file)
     takeFile(row, file);
     row.reasons |= RestoreReason::NoSuchRegister;
     row.reasons.setFlag(RestoreReason::ReadOnly, file.access == catalog::Access::ReadOnly);
+    row.reasons.setFlag(RestoreReason::NotChosen,
+                        !choice.only.isEmpty() && !choice.only.contains(file.key));
+    row.asked = askedFor(row, snapshot, choice);
     return row;
 }
 
@@ -173,6 +187,22 @@ std::vector<const RestoreRow*> RestorePlan::unmapped() const
     return left;
 }
 
+std::vector<const RestoreRow*> leftOut(const RestorePlan& plan)
+{
+    constexpr RestoreReasons notMissing =
+        RestoreReasons(RestoreReason::Same) | RestoreReason::NotInFile | RestoreReason::NotChosen;
+    constexpr RestoreReasons expected = RestoreReasons(RestoreReason::Identity) |
+                                        RestoreReason::Live | RestoreReason::ReadOnly |
+                                        RestoreReason::Factory;
+    std::vector<const RestoreRow*> left;
+    for (const RestoreRow& row : plan.rows) {
+        const bool misses = !row.ticked && !(row.reasons & notMissing);
+        if (misses && (row.asked || !(row.reasons & expected)))
+            left.push_back(&row);
+    }
+    return left;
+}
+
 int RestorePlan::count(RestoreReason reason) const
 {
     return static_cast<int>(
@@ -197,7 +227,7 @@ RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snap
     }
     for (const record::SnapshotRegister& file : snapshot.registers) {
         if (profile.find(file.key) == nullptr)
-            plan.rows.push_back(foreignRow(file));
+            plan.rows.push_back(foreignRow(file, snapshot, choice));
     }
     std::stable_sort(plan.rows.begin(), plan.rows.end(),
                      [](const RestoreRow& a, const RestoreRow& b) {

@@ -59,6 +59,7 @@ struct RestoreRow {
     RestoreStage stage = RestoreStage::Rest;
     bool mayTick = false;
     bool ticked = false;
+    bool asked = false; ///< by name: a row of a template, or of RestoreChoice::only
     bool operator==(const RestoreRow&) const = default;
 };
 
@@ -88,6 +89,11 @@ struct RestorePlan {
     std::vector<const RestoreRow*> unmapped() const;
     int count(RestoreReason reason) const;
 };
+
+/// What keeps the servo from being as the file has it once the plan is carried out: rows that
+/// differ, or might, and are not written, whatever the reason. What nobody expects is not among
+/// them unless asked for by name: identity, live, read-only and factory rows. Owned by the plan.
+std::vector<const RestoreRow*> leftOut(const RestorePlan& plan);
 
 /// `servo`: its whole table read (device::readAll). Ticks are set as the choice says.
 RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snapshot,
