@@ -296,8 +296,11 @@ void TestCliBadInput::withoutAJournalNothingIsWritten()
         cli.setEnvironment(QStringLiteral("SERVODESK_DATA_DIR"), folder);
     const Ran ran = cli.json("write 1 max_temperature=60");
     QCOMPARE(ran.exit, 5);
-    QVERIFY(
-        errorCode(ran).startsWith(full ? QStringLiteral("disk-full") : QStringLiteral("file-un")));
+    // A quota is to Qt no full disk; what counts is that nothing was begun.
+    const QString code = errorCode(ran);
+    QVERIFY2(code.startsWith(QLatin1String("file-un")) ||
+                 (full && code == QLatin1String("disk-full")),
+             qPrintable(code));
     cli.process().setChildProcessModifier({});
     const Ran after = cli.json("read 1 max_temperature lock");
     QCOMPARE(after.exit, 0);

@@ -209,7 +209,7 @@ void TestCliShapes::writeTellsOutcomeAndLock()
     const Ran ran = cli.json(qPrintable(command));
     QCOMPARE(ran.exit, 0);
     const QJsonObject json = ran.json();
-    QCOMPARE(keysOf(json) - names("notes"), names("id writes lock"));
+    QCOMPARE(keysOf(json) - names("notes"), names("id writes lock snapshot"));
     QCOMPARE(named(json, "lock"), lock);
     const QJsonArray writes = json[QLatin1String("writes")].toArray();
     QCOMPARE(writes.size(), 1);
