@@ -301,6 +301,33 @@ private Q_SLOTS:
         QVERIFY(bench.desk().nextUndo() != nullptr);
     }
 
+    /// A row that this servo has not is told, not passed over.
+    void whatIsLeftOutIsSaid()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:scs15@1")));
+        const QTemporaryDir folder;
+        record::Snapshot foreign = bench.file();
+        record::SnapshotRegister row = *foreign.find(QStringLiteral("position_p"));
+        row.key = QStringLiteral("no_such_row");
+        row.address = 200;
+        foreign.registers.push_back(row);
+        const auto chosen = record::makeTemplate(foreign, {QStringLiteral("no_such_row")});
+        QVERIFY(chosen);
+        const QString path = folder.filePath(QStringLiteral("foreign.servo.json"));
+        QVERIFY(record::saveSnapshot(*chosen, path));
+        bench.drop(path);
+        bench.click("restoreSeveral");
+        auto* servos = bench.find<QTableWidget>("applyTable");
+        QVERIFY(servos != nullptr);
+        bench.click("applyWrite");
+        QTRY_VERIFY(bench.find<QPushButton>("questionYes") != nullptr);
+        QTest::mouseClick(bench.find<QPushButton>("questionYes"), Qt::LeftButton);
+        QTRY_VERIFY(servos->item(0, 3)->text().startsWith(QStringLiteral("⚠")));
+        QVERIFY(servos->item(0, 3)->text().contains(QLatin1String("1 row left out")));
+        QVERIFY(servos->item(0, 3)->toolTip().contains(QLatin1String("no_such_row")));
+    }
+
     void aBundleGoesBackById()
     {
         SnapshotsBench bench;

@@ -74,10 +74,17 @@ QString details(const jobs::Applied& one)
                          .arg(qint64(write.from.value_or(0)))
                          .arg(qint64(write.to));
     }
-    for (const jobs::RestoreRow* row : one.plan.unmapped())
+    for (const jobs::RestoreRow* row : jobs::leftOut(one.plan))
         lines << QStringLiteral("%1: %2").arg(
             row->key, text::restoreReasonWords(jobs::restoreReasonNames(row->reasons)));
     return lines.join(QLatin1Char('\n'));
+}
+
+/// What happened to it; rows that were left out make a good end no better than a warning.
+Tone toneOf(const jobs::Applied& one)
+{
+    const Tone how = toneOf(one.verdict);
+    return how == Tone::Good && !jobs::leftOut(one.plan).empty() ? Tone::Warn : how;
 }
 
 bool bad(const jobs::Applied& one)
@@ -212,8 +219,13 @@ void ApplyDialog::fillRow(int row)
     const std::size_t count =
         one.outcome ? one.outcome->rows.size() : jobs::writesOf(one.plan).size();
     rows->setText(QString::number(count));
-    const Tone how = toneOf(one.verdict);
-    verdict->setText(signOf(how) + text::restoreVerdictWords(jobs::verdictName(one.verdict)));
+    const Tone how = toneOf(one);
+    const std::size_t left = jobs::leftOut(one.plan).size();
+    QString words = signOf(how) + text::restoreVerdictWords(jobs::verdictName(one.verdict));
+    if (left > 0)
+        words += QStringLiteral(" · ") +
+                 (left == 1 ? tr("1 row left out") : tr("%1 rows left out").arg(left));
+    verdict->setText(words);
     verdict->setData(toneRole, int(how));
     for (int cell = 0; cell < Count; ++cell)
         m_table->item(row, cell)->setToolTip(details(one));
@@ -355,11 +367,20 @@ void ApplyDialog::ended(const session::ApplyEnd& end, bool dryRun)
     }
     const auto troubled = std::count_if(end.servos.begin(), end.servos.end(), bad);
     const std::size_t all = end.servos.size();
-    m_result->tell([dryRun, troubled, all] {
+    const auto partly =
+        std::count_if(end.servos.begin(), end.servos.end(),
+                      [](const jobs::Applied& one) { return !jobs::leftOut(one.plan).empty(); });
+    m_result->tell([dryRun, troubled, partly, all] {
         if (troubled > 0)
             return TaskWords{Tone::Bad,
                              tr("%1 of %2 servos did not come to it; the tooltip of each says why.")
                                  .arg(troubled)
+                                 .arg(all)};
+        if (partly > 0 && !dryRun)
+            return TaskWords{Tone::Warn,
+                             tr("Written, but rows were left out at %1 of %2 servos; the tooltip "
+                                "of each says which and why.")
+                                 .arg(partly)
                                  .arg(all)};
         return TaskWords{Tone::Good,
                          dryRun ? tr("Nothing was written. The tooltip of each servo lists its "
