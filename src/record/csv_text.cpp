@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record/csv_text.h"
 
+#include <QByteArrayList>
+
 namespace record {
 namespace {
 /// "-5" and "+5" are numbers, "-5+cmd" and "=1" are not.
@@ -26,9 +28,9 @@ QByteArray csvText(const QString& cell)
 
 QByteArray csvLine(const QStringList& cells)
 {
-    QByteArray line;
+    QByteArrayList texts;
     for (const QString& cell : cells)
-        line += (line.isEmpty() ? "" : ",") + csvText(cell);
-    return line + '\n';
+        texts << csvText(cell);
+    return texts.join(',') + '\n';
 }
 } // namespace record
