@@ -30,8 +30,10 @@ enum class RecoverAction : std::uint8_t { Look, Finish, Undo };
 struct Recovered {
     OpenIntent before;
     bool done = false;
+    /// Of a snapshot's restore every row of the intent; of others what was written, if anything.
     std::optional<device::WriteReport> report;
     std::optional<base::Error> error;
+    bool torqueIsOff = false; ///< proven; only asked for where a snapshot was restored
 };
 
 struct RecoverOptions {

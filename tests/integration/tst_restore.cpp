@@ -4,10 +4,11 @@
 // really has.
 #include "integration/restore_help.h"
 #include "jobs/change.h"
+#include "jobs/recover.h"
 #include "jobs/restore.h"
 #include "jobs/restore_many.h"
 #include "jobs/snapshot.h"
-#include "record/snapshot.h"
+#include "record/snapshot_template.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -106,6 +107,12 @@ private Q_SLOTS:
     void aStopBeforeTheFirstWriteWritesNothing();
     void theTableIsSavedOnlyBeforeAWrite();
     void aLockLeftOpenIsClosed();
+    void aLockThatStaysOpenIsAFailure();
+    void aBrokenOffRestoreIsFinishedLikeOne_data();
+    void aBrokenOffRestoreIsFinishedLikeOne();
+    void finishingStopsAtTheFirstFailure();
+    void whatIsRolledBackIsUndoneInTheJournal();
+    void whatIsLeftOutIsListed();
     void severalServosEachForItself();
     void aBundleGoesBackById();
 };
@@ -554,6 +561,242 @@ void TestRestore::aLockLeftOpenIsClosed()
     QCOMPARE(outcome->verdict, RestoreVerdict::AlreadySo);
     QCOMPARE(outcome->lock, device::LockState::Closed);
     QVERIFY(!support::lockIsOpen(bench));
+}
+
+void TestRestore::aLockThatStaysOpenIsAFailure()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    bench.poke(1, text("lock"), 0);
+    constexpr std::uint8_t lockAddress = 55;
+    meddle(bench, lockAddress, "lock", 0, 100);
+    const auto outcome = restored(bench, snapshot, {}, {});
+    bench.tap().onWrite = nullptr;
+    QVERIFY(support::lockIsOpen(bench));
+    QCOMPARE(outcome.lock, device::LockState::Open);
+    QCOMPARE(outcome.verdict, RestoreVerdict::Failed);
+    QVERIFY(outcome.rows.empty());
+}
+
+namespace {
+/// Ends the link when the `count`th WRITE frame goes out.
+void cutAtWrite(SimBench& bench, int count)
+{
+    bench.tap().onWrite = [&bench, count](const base::Bytes& frame) mutable {
+        if (frame.size() > 5 && frame[4] == support::Write && --count == 0)
+            bench.cutLink();
+    };
+}
+
+/// disturb() made good in part: the link is cut before the fourth of seven rows.
+void breakOff(SimBench& bench, const record::Snapshot& snapshot)
+{
+    disturb(bench);
+    constexpr int unlockAndThreeRows = 4;
+    cutAtWrite(bench, unlockAndThreeRows + 1);
+    const auto outcome = restored(bench, snapshot, {}, {});
+    bench.tap().onWrite = nullptr;
+    if (outcome.verdict != RestoreVerdict::Failed)
+        qFatal("it was not broken off");
+    bench.reconnect(1'000'000);
+    if (bench.journal().open()->size() != 1)
+        qFatal("no intent is open");
+}
+
+bool saysTorqueStaysOff(SimBench& bench)
+{
+    const auto& notices = bench.notices();
+    return std::any_of(notices.begin(), notices.end(), [](const device::Notice& notice) {
+        return notice.code == device::NoticeCode::TorqueStaysOff;
+    });
+}
+} // namespace
+
+void TestRestore::aBrokenOffRestoreIsFinishedLikeOne_data()
+{
+    QTest::addColumn<bool>("recovers");
+    QTest::newRow("restored again") << false;
+    QTest::newRow("recover --finish") << true;
+}
+
+void TestRestore::aBrokenOffRestoreIsFinishedLikeOne()
+{
+    QFETCH(const bool, recovers);
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    breakOff(bench, snapshot);
+    const base::Intent intent = bench.journal().open()->front();
+    bench.poke(1, text("torque_switch"), 1);
+
+    bool torqueOn = false;
+    std::vector<int> written;
+    bench.tap().onWrite = [&](const base::Bytes& frame) {
+        if (frame.size() < 6 || frame[4] != support::Write)
+            return;
+        const bool isRow = frame[5] != 40 && frame[5] != 55;
+        torqueOn |= isRow && bench.raw(1, text("torque_switch")) != 0;
+        if (isRow)
+            written.push_back(frame[5]);
+    };
+    std::vector<device::WriteResult> rows;
+    if (recovers) {
+        const auto done = jobs::recover(bench.context(), jobs::RecoverAction::Finish);
+        QVERIFY(done && done->size() == 1 && done->front().done && done->front().report);
+        rows = done->front().report->writes;
+    } else {
+        const auto outcome = restored(bench, snapshot, {}, {});
+        QCOMPARE(outcome.verdict, RestoreVerdict::Done);
+        QVERIFY(outcome.torqueSwitchedOff);
+        for (const jobs::RestoreRowResult& row : outcome.rows)
+            rows.push_back(row.write);
+    }
+    bench.tap().onWrite = nullptr;
+    QVERIFY(!torqueOn);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QVERIFY(saysTorqueStaysOff(bench));
+    QVERIFY(!support::lockIsOpen(bench));
+
+    // All seven rows are told of, each with what it had at first, and the journal has them.
+    QCOMPARE(rows.size(), intent.items.size());
+    QCOMPARE(rows.size(), std::size_t(7));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const base::JournalItem& item = intent.items[i];
+        QCOMPARE(rows[i].key, item.key);
+        QCOMPARE(rows[i].oldRaw, std::optional(item.oldRaw));
+        QCOMPARE(rows[i].readBack, std::optional(item.newRaw));
+        QCOMPARE(rows[i].outcome, device::WriteOutcome::Kept);
+        QCOMPARE(bench.raw(1, item.key), item.newRaw);
+    }
+    const auto entries = bench.journal().entries().value();
+    QCOMPARE(entries.front().end->outcome, text("done"));
+    QCOMPARE(entries.front().end->items.size(), std::size_t(7));
+    QCOMPARE(entries.back().intent.kind, base::IntentKind::Restore);
+
+    // What was missing went out in the order of the intent, which is not that of the addresses.
+    std::vector<int> expected;
+    for (const base::JournalItem& item : entries.back().intent.items)
+        expected.push_back(item.address);
+    QVERIFY(expected.size() < rows.size());
+    QVERIFY(!std::is_sorted(expected.begin(), expected.end()));
+    written.resize(std::min(written.size(), expected.size()));
+    QCOMPARE(written, expected);
+}
+
+void TestRestore::finishingStopsAtTheFirstFailure()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    breakOff(bench, snapshot);
+    const auto open = bench.journal().open()->front();
+    const auto missing = std::find_if(open.items.begin(), open.items.end(), [&](const auto& item) {
+        return bench.raw(1, item.key) != item.newRaw;
+    });
+    QVERIFY(missing != open.items.end() && missing + 1 != open.items.end());
+    const QByteArray key = missing->key.toLatin1();
+    meddle(bench, std::uint8_t(missing->address), key.constData(), missing->newRaw + 1, 1);
+    const auto outcome = restored(bench, snapshot, {}, {});
+    bench.tap().onWrite = nullptr;
+    QCOMPARE(outcome.verdict, RestoreVerdict::Failed);
+    QCOMPARE(outcome.rows.size(), std::size_t(7));
+    for (auto item = missing + 1; item != open.items.end(); ++item)
+        QCOMPARE(bench.raw(1, item->key), item->oldRaw);
+    QCOMPARE(outcome.lock, device::LockState::Closed);
+    // It is still owed; once the row takes its value, restoring again completes it.
+    QVERIFY(!bench.journal().open()->empty());
+    bench.poke(1, missing->key, missing->oldRaw);
+    QCOMPARE(restored(bench, snapshot, {}, {}).verdict, RestoreVerdict::Done);
+    for (const base::JournalItem& item : open.items)
+        QCOMPARE(bench.raw(1, item.key), item.newRaw);
+    QVERIFY(bench.journal().open()->empty());
+}
+
+void TestRestore::whatIsRolledBackIsUndoneInTheJournal()
+{
+    SimBench bench(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(bench);
+    disturb(bench);
+    const TableValues before = support::held(bench);
+    // From the third row on it obeys without a word, until all hope for the lock is given up.
+    constexpr int thirdRow = 4;
+    bench.tap().onWrite = [&bench, count = 0](const base::Bytes& frame) mutable {
+        count += frame.size() > 5 && frame[4] == support::Write ? 1 : 0;
+        const auto& notices = bench.notices();
+        const bool givenUp = std::any_of(notices.begin(), notices.end(), [](const auto& notice) {
+            return notice.code == device::NoticeCode::LockLeftOpen;
+        });
+        bench.wireConfig().faults.muteIds =
+            count >= thirdRow && !givenUp ? std::vector<int>{1} : std::vector<int>{};
+    };
+    jobs::RestoreOptions options;
+    options.onFailure = jobs::OnFailure::RollBack;
+    const auto outcome = restored(bench, snapshot, {}, options);
+    bench.tap().onWrite = nullptr;
+    QCOMPARE(outcome.verdict, RestoreVerdict::RolledBack);
+    QCOMPARE(differing(before, support::held(bench)), QString());
+    QVERIFY(bench.journal().open()->empty());
+    const auto entries = bench.journal().entries().value();
+    QCOMPARE(entries.size(), std::size_t(2));
+    const base::JournalEntry& first = entries.front();
+    QCOMPARE(first.end->outcome, text("undone"));
+    QCOMPARE(first.end->items.size(), std::size_t(7));
+    int undone = 0;
+    for (const base::ItemEnd& end : first.end->items) {
+        const auto item =
+            std::find_if(first.intent.items.begin(), first.intent.items.end(),
+                         [&](const base::JournalItem& one) { return one.key == end.key; });
+        const bool touched = end.outcome != text("refused");
+        QCOMPARE(end.outcome, touched ? text("undone") : text("refused"));
+        if (touched)
+            QCOMPARE(end.readBack, std::optional(item->oldRaw));
+        undone += touched ? 1 : 0;
+    }
+    QCOMPARE(undone, 3);
+}
+
+void TestRestore::whatIsLeftOutIsListed()
+{
+    SimBench bench(text("sts3215@1,scs15@3"));
+    bench.poke(1, text("id"), 1);
+    record::Snapshot snapshot = saved(bench);
+    for (record::SnapshotRegister& reg : snapshot.registers) {
+        if (reg.key == text("id"))
+            reg.raw = 9;
+        if (reg.key == text("goal_position"))
+            reg.raw = 1;
+        if (reg.key == text("position_offset"))
+            reg.raw = 40;
+        if (reg.key == text("position_p"))
+            reg.raw = 50;
+    }
+    const auto keys = [](const jobs::RestorePlan& plan) {
+        QStringList names;
+        for (const jobs::RestoreRow* row : jobs::leftOut(plan))
+            names << row->key;
+        return names;
+    };
+    const device::Servo servo = support::wholeServo(bench);
+    auto plan = jobs::planRestore(servo, snapshot);
+    QCOMPARE(keys(plan), QStringList{text("position_offset")});
+    QVERIFY(!plan.find(text("position_offset"))->asked);
+    QVERIFY(plan.tick(text("position_p"), false));
+    QCOMPARE(keys(plan), (QStringList{text("position_p"), text("position_offset")}));
+    QVERIFY(keys(jobs::planRestore(servo, snapshot, everything())).isEmpty());
+
+    // What is named is missed whatever keeps it; what is not named is not wanted.
+    jobs::RestoreChoice choice;
+    choice.only = QStringList{text("goal_position"), text("id"), text("position_p")};
+    plan = jobs::planRestore(servo, snapshot, choice);
+    QStringList named = keys(plan);
+    named.sort();
+    QCOMPARE(named, (QStringList{text("goal_position"), text("id")}));
+    QVERIFY(jobs::leftOut(plan).front()->asked);
+
+    // A template's rows are asked for, so those another family lacks are missed as well.
+    record::Snapshot chosen =
+        record::makeTemplate(snapshot, {text("speed_p"), text("overload_torque")}, false).value();
+    plan = jobs::planRestore(support::wholeServo(bench, 3), chosen);
+    QVERIFY(keys(plan).contains(text("speed_p")));
+    QVERIFY(plan.find(text("speed_p"))->asked);
 }
 
 void TestRestore::severalServosEachForItself()

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/recover_settle.h"
+
+#include "device/motion.h"
+#include "device/persistence.h"
+#include "device/talk.h"
+#include "jobs/change.h"
+#include "jobs/recover_look.h"
+#include "jobs/restore_rows.h"
+
+#include <algorithm>
+#include <map>
+
+namespace jobs {
+using base::ErrorCode;
+using base::IntentKind;
+using device::WriteOutcome;
+using device::WriteResult;
+
+bool isSnapshotRestore(const base::Intent& intent)
+{
+    return intent.kind == IntentKind::Restore && restoresSnapshot(intent);
+}
+
+namespace {
+/// The values the action asks for, split into those still to be written and those already there.
+struct Todo {
+    std::vector<device::WriteItem> write;
+    std::vector<device::WriteItem> reassert;
+};
+
+/// Whoever ticked a row that is lost at power-off wants it as well. What would turn the shaft is
+/// never written by itself.
+bool isToBeSettled(const base::Intent& intent, const catalog::Register& reg)
+{
+    return reg.writable() &&
+           (concernsRecovery(intent, reg) ||
+            (isSnapshotRestore(intent) && !natureOf(reg).testFlag(RestoreReason::Live)));
+}
+
+/// In the order of the journal, which is that of the writes.
+Todo todo(const base::Intent& intent, const device::Servo& servo, RecoverAction action)
+{
+    Todo items;
+    for (const base::JournalItem& item : intent.items) {
+        const catalog::Register* reg = servo.profile->find(item.key);
+        const auto present = reg != nullptr ? servo.raw(*reg) : std::nullopt;
+        if (!present || !isToBeSettled(intent, *reg))
+            continue;
+        // What calibration and restore lead to is not known beforehand: finishing takes what is.
+        const std::int64_t finished = newValuesKnown(intent) ? item.newRaw : *present;
+        const bool forward = action == RecoverAction::Finish && !onlyBack(intent);
+        const std::int64_t wanted = forward ? finished : item.oldRaw;
+        (present == wanted ? items.reassert : items.write).push_back({item.key, wanted});
+    }
+    return items;
+}
+
+Settled asSettled(base::Result<device::WriteReport> written)
+{
+    if (!written)
+        return {tl::unexpected(written.error()), {}};
+    if (written->allGood())
+        return {{}, *written};
+    for (const device::WriteResult& result : written->writes) {
+        if (result.error)
+            return {tl::unexpected(*result.error), *written};
+    }
+    return {base::fail(ErrorCode::LockOpen, QStringLiteral("recover"), {}, written->id), *written};
+}
+
+Settled writeItems(const device::Context& context, const base::Intent& intent, device::Servo& servo,
+                   const std::vector<device::WriteItem>& items, RecoverAction action)
+{
+    const int target = items.empty() ? 0 : static_cast<int>(items.front().raw);
+    if (items.empty())
+        return {};
+    if (intent.kind == IntentKind::SetId)
+        return asSettled(changeId(context, servo, target));
+    if (intent.kind == IntentKind::SetBaud) {
+        const catalog::Register* reg = servo.profile->byRole(catalog::Role::BaudRate);
+        for (const catalog::NamedValue& value : reg->values) {
+            if (value.value == target)
+                return asSettled(changeBaud(context, servo, value.key.toInt()));
+        }
+        return {base::fail(ErrorCode::OutOfRange, QStringLiteral("recover"), {}, servo.id), {}};
+    }
+    device::WriteOptions options;
+    options.dangerous = true; // consent was given when the intent was made
+    options.temporary = intent.temporary;
+    options.asBefore = action == RecoverAction::Undo || onlyBack(intent);
+    if (isSnapshotRestore(intent)) {
+        options.kind = IntentKind::Restore;
+        options.torqueOff = true;
+        options.inOrder = action == RecoverAction::Finish;
+        options.stopAtFailure = action == RecoverAction::Finish;
+    }
+    return asSettled(device::write(context, servo, items, options));
+}
+
+bool changesMode(const base::Intent& intent, const device::Servo& servo)
+{
+    for (const base::JournalItem& item : intent.items) {
+        const catalog::Register* reg = servo.profile->find(item.key);
+        if (reg != nullptr &&
+            (reg->role == catalog::Role::OperatingMode || reg->role == catalog::Role::MinAngle ||
+             reg->role == catalog::Role::MaxAngle))
+            return true;
+    }
+    return false;
+}
+
+/// What is kept by means of the lock of this area, written once more with the lock open.
+base::Result<void> reassertLocked(const device::Context& context, device::Servo& servo,
+                                  const std::vector<const device::WriteItem*>& items)
+{
+    if (items.empty())
+        return {};
+    const auto registerOf = [&servo](const device::WriteItem* item) -> const catalog::Register& {
+        return *servo.profile->find(item->key);
+    };
+    auto eprom = device::UnlockedEprom::open(context, servo, registerOf(items.front()));
+    if (!eprom)
+        return tl::unexpected(eprom.error());
+    for (const device::WriteItem* item : items) {
+        const auto again = device::writeVerified(context, servo, registerOf(item), item->raw);
+        if (!again)
+            return again;
+    }
+    const device::LockState lock = eprom->close();
+    if (lock == device::LockState::Closed && eprom->stayedOpen())
+        return {};
+    return base::fail(ErrorCode::LockOpen, QStringLiteral("recover"), {}, servo.id);
+}
+
+base::Result<void> reassertSaved(const device::Context& context, device::Servo& servo,
+                                 const catalog::Register& reg, std::int64_t raw)
+{
+    if (const auto again = device::writeVerified(context, servo, reg, raw); !again)
+        return again;
+    const auto saved = device::save(context, servo, reg);
+    if (saved)
+        context.note(device::NoticeCode::SavedPerSheet, servo.id, reg.key);
+    return saved;
+}
+
+/// A value that reads right may stand in RAM only, if the servo restarted in the middle of the
+/// write. Written once more, with the lock open or saved, it is certainly kept.
+base::Result<void> reassert(const device::Context& context, const base::Intent& intent,
+                            device::Servo& servo, const std::vector<device::WriteItem>& items)
+{
+    if (intent.temporary)
+        return {};
+    std::map<catalog::Area, std::vector<const device::WriteItem*>> locked;
+    for (const device::WriteItem& item : items) {
+        const catalog::Register& reg = *servo.profile->find(item.key);
+        const device::Keeping keeping = device::keepingOf(reg);
+        if (keeping == device::Keeping::Lock)
+            locked[reg.area].push_back(&item);
+        else if (keeping != device::Keeping::Save)
+            continue;
+        else if (const auto saved = reassertSaved(context, servo, reg, item.raw); !saved)
+            return saved;
+    }
+    for (const auto& [area, those] : locked) {
+        if (const auto again = reassertLocked(context, servo, those); !again)
+            return again;
+    }
+    return {};
+}
+
+WriteOutcome outcomeOf(const catalog::Register& reg)
+{
+    const device::Keeping keeping = device::keepingOf(reg);
+    const bool survives =
+        keeping != device::Keeping::Never && keeping != device::Keeping::NotStated;
+    return survives ? WriteOutcome::Kept : WriteOutcome::Temporary;
+}
+
+/// What had the wanted value already when it was looked for. `why`: it was not proved to be kept.
+WriteResult foundSo(const device::Servo& servo, const base::JournalItem& item, std::int64_t wanted,
+                    const std::optional<base::Error>& why)
+{
+    const std::int64_t other = wanted == item.newRaw ? item.oldRaw : item.newRaw;
+    WriteResult result{item.key, item.address, other, wanted, wanted, WriteOutcome::Unknown, why};
+    if (!why)
+        result.outcome = outcomeOf(*servo.profile->find(item.key));
+    return result;
+}
+
+/// Every row of a snapshot's restore in the order of its intent.
+device::WriteReport wholeReport(const base::Intent& intent, const device::Servo& servo,
+                                const Todo& items, const Settled& settled)
+{
+    device::WriteReport whole;
+    whole.id = servo.id;
+    if (settled.report)
+        whole.openIntent = settled.report->openIntent;
+    const auto why = settled.result ? std::nullopt : std::optional(settled.result.error());
+    for (const base::JournalItem& item : intent.items) {
+        const auto named = [&item](const auto& one) { return one.key == item.key; };
+        const auto& so = items.reassert;
+        if (const auto found = std::find_if(so.begin(), so.end(), named); found != so.end())
+            whole.writes.push_back(foundSo(servo, item, found->raw, why));
+        if (!settled.report)
+            continue;
+        const auto& written = settled.report->writes;
+        const auto found = std::find_if(written.begin(), written.end(), named);
+        if (found != written.end())
+            whole.writes.push_back(*found);
+    }
+    const bool told = std::any_of(whole.writes.begin(), whole.writes.end(),
+                                  [](const WriteResult& one) { return one.error.has_value(); });
+    if (why && !told && !whole.writes.empty())
+        whole.writes.back().error = why; // of all: coming to rest, or the lock
+    return whole;
+}
+
+/// A device::write switches it off itself.
+base::Result<void> torqueOff(const device::Context& context, device::Servo& servo,
+                             const Todo& items)
+{
+    const bool has = servo.profile->byRole(catalog::Role::TorqueSwitch) != nullptr;
+    if (!has || !items.write.empty() || items.reassert.empty())
+        return {};
+    return device::setTorque(context, servo, device::Torque::Off);
+}
+
+/// Everything but the lock.
+Settled settleRows(const device::Context& context, const base::Intent& intent, device::Servo& servo,
+                   const Todo& items, RecoverAction action)
+{
+    if (isSnapshotRestore(intent)) {
+        if (const auto off = torqueOff(context, servo, items); !off)
+            return {off};
+    }
+    Settled settled = writeItems(context, intent, servo, items.write, action);
+    if (settled.result)
+        settled.result = reassert(context, intent, servo, items.reassert);
+    if (settled.result && changesMode(intent, servo))
+        settled.result = device::quieten(context, servo);
+    return settled;
+}
+} // namespace
+
+Settled settle(const device::Context& context, const base::Intent& intent, device::Servo& servo,
+               RecoverAction action)
+{
+    const Todo items = todo(intent, servo, action);
+    Settled settled = settleRows(context, intent, servo, items, action);
+    const device::LockState lock = device::closeLock(context, servo);
+    if (settled.result && lock != device::LockState::Closed && lock != device::LockState::None) {
+        settled.result = tl::unexpected(
+            base::Error{ErrorCode::LockOpen, QStringLiteral("recover"), {}, servo.id});
+    }
+    const bool refused = !settled.result && !settled.report && !items.write.empty();
+    if (!isSnapshotRestore(intent) || refused)
+        return settled;
+    settled.report = wholeReport(intent, servo, items, settled);
+    settled.report->lock = lock;
+    settled.torqueIsOff = servo.raw(catalog::Role::TorqueSwitch) == 0;
+    return settled;
+}
+} // namespace jobs

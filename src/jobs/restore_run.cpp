@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/restore_run.h"
+
+#include "device/motion.h"
+#include "device/persistence.h"
+#include "device/reader.h"
+#include "device/talk.h"
+#include "jobs/change.h"
+#include "jobs/recover_settle.h"
+
+#include <algorithm>
+
+namespace jobs {
+using base::ErrorCode;
+using device::NoticeCode;
+using device::WriteOutcome;
+using device::WriteResult;
+
+bool isOwnJob(const RestoreWrite& write)
+{
+    return write.stage == RestoreStage::Id || write.stage == RestoreStage::Baud;
+}
+
+bool lockStandsOpen(const device::Servo& servo)
+{
+    const auto lock = servo.raw(catalog::Role::Lock);
+    return lock && device::isOpen(*lock);
+}
+
+namespace {
+const QString operation = QStringLiteral("restore");
+
+bool took(const WriteResult& result)
+{
+    return !result.error &&
+           (result.outcome == WriteOutcome::Kept || result.outcome == WriteOutcome::Temporary);
+}
+
+/// The values now are what the journal will call the values before: read afresh, since the plan may
+/// have been looked at for an hour.
+base::Result<void> readNow(const device::Context& context, device::Servo& servo,
+                           const std::vector<RestoreWrite>& writes)
+{
+    std::vector<const catalog::Register*> registers;
+    for (const RestoreWrite& write : writes) {
+        const catalog::Register* reg = servo.profile->find(write.key);
+        servo.image.forget(reg->offset, reg->size);
+        registers.push_back(reg);
+    }
+    return device::read(context, servo, registers);
+}
+
+} // namespace
+
+/// What a row had before it was begun is what it had before the first try.
+void Restorer::take(const device::WriteReport& report)
+{
+    for (const WriteResult& result : report.writes) {
+        const auto known =
+            std::find_if(m_outcome.rows.begin(), m_outcome.rows.end(),
+                         [&](const auto& row) { return row.write.key == result.key; });
+        if (known == m_outcome.rows.end()) {
+            m_outcome.rows.push_back({result});
+            continue;
+        }
+        const auto before = known->write.oldRaw;
+        known->write = result;
+        known->write.oldRaw = before;
+    }
+    m_outcome.lock = report.lock;
+}
+
+bool Restorer::good() const
+{
+    return std::all_of(m_outcome.rows.begin(), m_outcome.rows.end(),
+                       [](const RestoreRowResult& row) { return took(row.write); }) &&
+           m_outcome.lock != device::LockState::Open &&
+           m_outcome.lock != device::LockState::Unknown;
+}
+
+/// Where it cannot even be begun, the ordinary way is left, and the intent stays open.
+bool Restorer::finishEarlier(const std::vector<base::Intent>& intents)
+{
+    const int baud = m_context.bus.baud();
+    for (const base::Intent& intent : intents) {
+        const auto one = recoverOne(m_context, intent, RecoverAction::Finish);
+        if (m_context.bus.hasBaud())
+            (void)m_context.bus.setBaud(baud);
+        if (one && one->report)
+            take(*one->report);
+        if (one && one->done)
+            continue;
+        m_unfinished = one ? one->error : one.error();
+        if (!one || !one->report)
+            continue;
+        m_openIntents << intent.uuid;
+        return false;
+    }
+    // What they have changed; if it does not come now, the next read says so.
+    if (!intents.empty())
+        (void)device::readSettings(m_context, m_servo);
+    return true;
+}
+
+base::Result<void> Restorer::writeRegisters(const std::vector<RestoreWrite>& writes)
+{
+    std::vector<device::WriteItem> items;
+    for (const RestoreWrite& write : writes) {
+        if (!isOwnJob(write) && m_servo.raw(write.key) != write.to)
+            items.push_back({write.key, write.to});
+    }
+    if (items.empty())
+        return device::setTorque(m_context, m_servo, device::Torque::Off);
+    device::WriteOptions options;
+    options.dangerous = m_options.dangerous;
+    options.kind = base::IntentKind::Restore;
+    options.torqueOff = true;
+    options.inOrder = true;
+    options.stopAtFailure = true;
+    const auto report = device::write(m_context, m_servo, items, options);
+    if (!report)
+        return tl::unexpected(report.error());
+    if (!report->openIntent.isEmpty())
+        m_openIntents << report->openIntent;
+    take(*report);
+    return {};
+}
+
+base::Result<device::WriteReport> Restorer::change(const RestoreWrite& write)
+{
+    if (write.stage == RestoreStage::Id)
+        return changeId(m_context, m_servo, static_cast<int>(write.to));
+    for (const catalog::NamedValue& value : m_servo.profile->find(write.key)->values) {
+        if (value.value == write.to)
+            return changeBaud(m_context, m_servo, value.key.toInt());
+    }
+    return base::fail(ErrorCode::OutOfRange, operation, QString::number(write.to), m_servo.id);
+}
+
+void Restorer::refuse(const RestoreWrite& write, const base::Error& why)
+{
+    m_outcome.rows.push_back(
+        {{write.key, write.address, write.from, write.to, {}, WriteOutcome::Refused, why}});
+}
+
+base::Error Restorer::afterFailure(const QString& key) const
+{
+    return {ErrorCode::Stopped, operation, QStringLiteral("after-failure"), m_servo.id, key};
+}
+
+/// All that no result tells of yet.
+void Restorer::refuseRest(const std::vector<RestoreWrite>& writes, const base::Error& why)
+{
+    for (const RestoreWrite& write : writes) {
+        const bool told = std::any_of(m_outcome.rows.begin(), m_outcome.rows.end(),
+                                      [&](const auto& row) { return row.write.key == write.key; });
+        if (!told)
+            refuse(write, why);
+    }
+}
+
+void Restorer::writeIdentity(const std::vector<RestoreWrite>& writes)
+{
+    for (const RestoreWrite& write : writes) {
+        if (!isOwnJob(write))
+            continue;
+        if (!good()) {
+            refuse(write, afterFailure(write.key));
+            continue;
+        }
+        const auto report = change(write);
+        if (report)
+            take(*report);
+        else
+            refuse(write, report.error());
+    }
+}
+
+/// Somebody left it open, or a restore was broken off before its last step.
+void Restorer::closeOpenLock()
+{
+    if (!lockStandsOpen(m_servo))
+        return;
+    m_outcome.lock = device::closeLock(m_context, m_servo);
+    if (m_outcome.lock == device::LockState::Closed)
+        m_context.note(NoticeCode::LockClosed, m_servo.id);
+}
+
+base::Result<void> Restorer::writeAll(const std::vector<RestoreWrite>& writes)
+{
+    if (const auto fresh = readNow(m_context, m_servo, writes); !fresh)
+        return fresh;
+    const bool differs = std::any_of(writes.begin(), writes.end(), [&](const RestoreWrite& write) {
+        return m_servo.raw(write.key) != write.to;
+    });
+    if (!differs) {
+        closeOpenLock();
+        return {};
+    }
+    if (const auto written = writeRegisters(writes); !written)
+        return written;
+    writeIdentity(writes);
+    return {};
+}
+
+base::Result<void> Restorer::run(const std::vector<base::Intent>& earlier,
+                                 const std::vector<RestoreWrite>& writes)
+{
+    forgetTorque();
+    if (finishEarlier(earlier)) {
+        const auto written = writeAll(writes);
+        if (!written && m_outcome.rows.empty())
+            return written;
+        if (!written)
+            refuseRest(writes, written.error());
+    } else {
+        refuseRest(writes, afterFailure({}));
+    }
+    const bool nothing = m_outcome.rows.empty();
+    if (nothing && m_unfinished)
+        return tl::unexpected(*m_unfinished);
+    if (!good())
+        m_outcome.verdict = RestoreVerdict::Failed;
+    else
+        m_outcome.verdict = nothing ? RestoreVerdict::AlreadySo : RestoreVerdict::Done;
+    if (nothing)
+        return {};
+    if (!good() && m_options.onFailure == OnFailure::RollBack)
+        rollBack();
+    noteTorque();
+    return {};
+}
+
+/// So that only what is read from now on counts.
+void Restorer::forgetTorque()
+{
+    if (const auto* torque = m_servo.profile->byRole(catalog::Role::TorqueSwitch))
+        m_servo.image.forget(torque->offset, torque->size);
+}
+
+/// Said of a servo that has shown it.
+void Restorer::noteTorque()
+{
+    const catalog::Register* torque = m_servo.profile->byRole(catalog::Role::TorqueSwitch);
+    if (torque == nullptr)
+        return;
+    auto shown = m_servo.raw(*torque);
+    if (!shown) {
+        if (const auto now = device::readRegister(m_context, m_servo, *torque))
+            shown = *now;
+    }
+    if (shown == 0)
+        m_context.note(NoticeCode::TorqueStaysOff, m_servo.id);
+}
+
+/// What may not be as before any more. A register that refused has proved that it is.
+std::vector<device::WriteItem> Restorer::itemsBefore() const
+{
+    std::vector<device::WriteItem> items;
+    for (const RestoreRowResult& row : m_outcome.rows) {
+        const WriteResult& result = row.write;
+        const bool untouched = result.outcome == WriteOutcome::Refused;
+        const catalog::Register* reg = m_servo.profile->find(result.key);
+        if (!untouched && result.oldRaw && reg != nullptr && !reg->identity)
+            items.push_back({result.key, *result.oldRaw});
+    }
+    return items;
+}
+
+/// How the journal has the rows of what is undone: none was kept.
+std::vector<base::ItemEnd> Restorer::endsUndone() const
+{
+    std::vector<base::ItemEnd> ends;
+    for (const RestoreRowResult& row : m_outcome.rows) {
+        ends.push_back(
+            {row.write.key, row.write.readBack,
+             row.rolledBack ? QStringLiteral("undone") : device::outcomeName(row.write.outcome)});
+    }
+    return ends;
+}
+
+void Restorer::rollBack()
+{
+    const auto items = itemsBefore();
+    device::WriteReport report;
+    report.lock = m_outcome.lock;
+    if (!items.empty()) {
+        device::WriteOptions options;
+        options.dangerous = true; // they had these values a moment ago
+        options.asBefore = true;
+        options.kind = base::IntentKind::Restore;
+        options.torqueOff = true;
+        const auto written = device::write(m_context, m_servo, items, options);
+        if (!written)
+            return;
+        report = *written;
+    }
+    m_outcome.lock = report.lock;
+    for (RestoreRowResult& row : m_outcome.rows) {
+        const auto back =
+            std::find_if(report.writes.begin(), report.writes.end(),
+                         [&](const WriteResult& result) { return result.key == row.write.key; });
+        row.rolledBack = back != report.writes.end() && took(*back);
+        if (back != report.writes.end())
+            row.write.readBack = back->readBack;
+    }
+    if (!report.allGood())
+        return;
+    m_outcome.verdict = RestoreVerdict::RolledBack;
+    for (const QString& uuid : std::as_const(m_openIntents))
+        (void)m_context.journal.end(uuid, {QStringLiteral("undone"), {}, endsUndone()});
+}
+} // namespace jobs
