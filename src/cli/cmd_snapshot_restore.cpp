@@ -33,7 +33,7 @@ base::Result<Exit> carryOut(Run& run, const Values& values, device::Servo& servo
     if (!outcome)
         return tl::unexpected(outcome.error());
     addOutcome(document, *outcome);
-    QString text = outcomeText(*outcome, servo);
+    QString text = outcomeText(*outcome, servo) + leftOutText(plan);
     if (const auto file = values.option("--result")) {
         const auto result =
             jobs::resultOf(*outcome, servo, values.word("FILE"), session::programName());
@@ -43,7 +43,7 @@ base::Result<Exit> carryOut(Run& run, const Values& values, device::Servo& servo
         text += translate("cli", "The result is in %1").arg(*file) + QLatin1Char('\n');
     }
     run.finish(std::move(document), text);
-    return exitCode(*outcome);
+    return exitCode(*outcome, plan);
 }
 
 base::Result<Exit> runRestore(Run& run, const Values& values)

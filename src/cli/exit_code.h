@@ -8,7 +8,7 @@
 namespace cli {
 enum Exit : int {
     Done = 0,
-    NotDone = 1, ///< the servo did not do it: verify failed, refused
+    NotDone = 1, ///< the servo did not do it, or not all that was asked for
     Usage = 2,
     Port = 3,
     NoAnswer = 4,

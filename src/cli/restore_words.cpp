@@ -5,7 +5,6 @@
 #include "cli/arguments.h"
 #include "cli/report_words.h"
 #include "cli/translate.h"
-#include "session/safety_snapshot.h"
 #include "text/error_words.h"
 #include "text/language.h"
 #include "text/notice_words.h"
@@ -28,17 +27,21 @@ QString shown(const device::Servo& servo, const QString& key, std::optional<std:
     return value == number ? number : number + QStringLiteral(" · ") + value;
 }
 
-/// Differs, or might, and is not written: by choice or because it cannot be.
-std::vector<const jobs::RestoreRow*> leftOut(const jobs::RestorePlan& plan)
+/// Differs, or might, and is not written: jobs::leftOut(), and what nobody expects to be.
+std::vector<const jobs::RestoreRow*> notWritten(const jobs::RestorePlan& plan)
 {
-    std::vector<const jobs::RestoreRow*> left;
+    std::vector<const jobs::RestoreRow*> rows;
+    const auto take = [&rows](const jobs::RestoreRow* row) {
+        if (std::find(rows.begin(), rows.end(), row) == rows.end())
+            rows.push_back(row);
+    };
     for (const jobs::RestoreRow& row : plan.rows) {
         if (row.mayTick && !row.ticked)
-            left.push_back(&row);
+            take(&row);
     }
-    const auto unmapped = plan.unmapped();
-    left.insert(left.end(), unmapped.begin(), unmapped.end());
-    return left;
+    for (const auto& more : {plan.unmapped(), jobs::leftOut(plan)})
+        std::for_each(more.begin(), more.end(), take);
+    return rows;
 }
 
 Json::Array jsonWritesOf(const jobs::RestorePlan& plan)
@@ -70,19 +73,20 @@ Json::Array jsonSteps(const jobs::RestorePlan& plan)
 Json::Array jsonLeftOut(const jobs::RestorePlan& plan)
 {
     Json::Array rows;
-    for (const jobs::RestoreRow* row : leftOut(plan)) {
+    for (const jobs::RestoreRow* row : notWritten(plan)) {
         rows.push_back(Json::object()
                            .add("key", row->key)
                            .add("now", row->now)
                            .add("file", row->fileRaw)
+                           .add("asked", row->asked)
                            .add("reasons", jobs::restoreReasonNames(row->reasons)));
     }
     return rows;
 }
 
-QString leftOutText(const jobs::RestorePlan& plan)
+QString notWrittenTable(const jobs::RestorePlan& plan)
 {
-    const auto left = leftOut(plan);
+    const auto left = notWritten(plan);
     if (left.empty())
         return {};
     Table table({translate("cli", "Left out"), translate("cli", "Now"), translate("cli", "File"),
@@ -226,7 +230,8 @@ QString planText(const jobs::RestorePlan& plan)
     QString text = originText(plan);
     const auto writes = jobs::writesOf(plan);
     if (writes.empty())
-        return text + translate("cli", "Nothing to write.") + QLatin1Char('\n') + leftOutText(plan);
+        return text + translate("cli", "Nothing to write.") + QLatin1Char('\n') +
+               notWrittenTable(plan);
     Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Now"),
                  translate("cli", "Will be")});
     table.right({0, 2, 3});
@@ -234,7 +239,23 @@ QString planText(const jobs::RestorePlan& plan)
         table.add({QString::number(write.address), write.key,
                    shown(plan.servo, write.key, write.from),
                    shown(plan.servo, write.key, write.to)});
-    return text + table.text() + leftOutText(plan);
+    return text + table.text() + notWrittenTable(plan);
+}
+
+QString leftOutText(const jobs::RestorePlan& plan)
+{
+    QStringList rows;
+    for (const jobs::RestoreRow* row : jobs::leftOut(plan)) {
+        const QString why = text::restoreReasonWords(jobs::restoreReasonNames(row->reasons));
+        rows << (why.isEmpty() ? row->key : QStringLiteral("%1 (%2)").arg(row->key, why));
+    }
+    if (rows.isEmpty())
+        return {};
+    const QString all = rows.join(QStringLiteral(", "));
+    const QString line =
+        rows.size() == 1 ? translate("cli", "1 row was left out: %1").arg(all)
+                         : translate("cli", "%1 rows were left out: %2").arg(rows.size()).arg(all);
+    return line + QLatin1Char('\n');
 }
 
 QString stepsText(const jobs::RestorePlan& plan)
@@ -291,96 +312,25 @@ QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& se
            QLatin1Char('\n');
 }
 
-Exit exitCode(const jobs::RestoreOutcome& outcome)
+bool wentWell(const jobs::RestoreOutcome& outcome)
 {
-    const bool good = outcome.verdict == jobs::RestoreVerdict::AlreadySo ||
-                      outcome.verdict == jobs::RestoreVerdict::Done;
-    if (good)
-        return Exit::Done;
+    return outcome.verdict == jobs::RestoreVerdict::AlreadySo ||
+           outcome.verdict == jobs::RestoreVerdict::Done;
+}
+
+bool missesAsked(const jobs::RestorePlan& plan)
+{
+    const auto left = jobs::leftOut(plan);
+    return std::any_of(left.begin(), left.end(),
+                       [](const jobs::RestoreRow* row) { return row->asked; });
+}
+
+Exit exitCode(const jobs::RestoreOutcome& outcome, const jobs::RestorePlan& plan)
+{
+    if (wentWell(outcome))
+        return missesAsked(plan) ? Exit::NotDone : Exit::Done;
     const Exit code = exitCode(reportOf(outcome));
     return code == Exit::Done ? Exit::NotDone : code;
 }
 
-Json jsonApplied(const jobs::Applied& applied)
-{
-    Json json = Json::object();
-    json.add("id", applied.id).add("verdict", jobs::verdictName(applied.verdict));
-    if (applied.servo && applied.servo->profile)
-        json.add("model", applied.servo->profile->modelName);
-    if (applied.plan.servo.profile)
-        addPlan(json, applied.plan);
-    if (applied.outcome) {
-        Json outcome = Json::object();
-        addOutcome(outcome, *applied.outcome);
-        json.add("outcome", std::move(outcome));
-    }
-    if (applied.error)
-        json.add("error", jsonError(*applied.error));
-    return json;
-}
-
-QString appliedText(const std::vector<jobs::Applied>& all)
-{
-    Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Rows"),
-                 translate("cli", "Result"), translate("cli", "Remark")});
-    table.right({0, 2});
-    for (const jobs::Applied& one : all) {
-        QString remark = one.error ? text::describe(*one.error).what : QString();
-        if (remark.isEmpty() && one.plan.servo.profile) {
-            const auto left = leftOut(one.plan);
-            if (!left.empty())
-                remark = translate("cli", "rows left out: %1").arg(left.size());
-        }
-        const bool known = one.servo && one.servo->profile;
-        table.add({QString::number(one.id), known ? one.servo->profile->modelName : dash,
-                   one.plan.servo.profile ? QString::number(jobs::writesOf(one.plan).size()) : dash,
-                   text::restoreVerdictWords(jobs::verdictName(one.verdict)), remark});
-    }
-    QString text = table.text();
-    for (const jobs::Applied& one : all) {
-        const bool bad = one.outcome && exitCode(*one.outcome) != Exit::Done;
-        if (bad)
-            text += translate("cli", "Servo %1").arg(one.id) + QLatin1Char('\n') +
-                    outcomeText(*one.outcome, *one.servo);
-    }
-    return text;
-}
-
-Exit exitCode(const std::vector<jobs::Applied>& all)
-{
-    using jobs::ApplyVerdict;
-    const auto every = [&](auto&& fits) { return std::all_of(all.begin(), all.end(), fits); };
-    if (every([](const jobs::Applied& one) {
-            return one.verdict == ApplyVerdict::AlreadySo || one.verdict == ApplyVerdict::Done ||
-                   one.verdict == ApplyVerdict::Planned;
-        }))
-        return Exit::Done;
-    const auto lost = std::find_if(all.begin(), all.end(), [](const jobs::Applied& one) {
-        return one.error && exitCode(one.error->code) == Exit::Port;
-    });
-    if (lost != all.end())
-        return Exit::Port;
-    if (every([](const jobs::Applied& one) { return one.verdict == ApplyVerdict::NoAnswer; }))
-        return Exit::NoAnswer;
-    return Exit::NotDone;
-}
-
-std::vector<record::RestoreResult> resultsOf(const std::vector<jobs::Applied>& all,
-                                             const QString& source)
-{
-    std::vector<record::RestoreResult> results;
-    for (const jobs::Applied& one : all) {
-        record::RestoreResult result;
-        if (one.outcome && one.servo)
-            result = jobs::resultOf(*one.outcome, *one.servo, source, session::programName());
-        result.program = session::programName();
-        result.at = QDateTime::currentDateTimeUtc();
-        result.source = source;
-        if (result.servo.id < 0)
-            result.servo.id = one.id;
-        result.verdict = jobs::verdictName(one.verdict);
-        results.push_back(std::move(result));
-    }
-    return results;
-}
 } // namespace cli

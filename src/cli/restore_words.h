@@ -25,13 +25,20 @@ base::Result<void> checkOnly(const Values& values, const record::Snapshot& snaps
 void addPlan(Json& json, const jobs::RestorePlan& plan);
 /// The writes as a table, what is left out and why.
 QString planText(const jobs::RestorePlan& plan);
+/// "2 rows were left out: …", each with its reason; empty where there is none.
+QString leftOutText(const jobs::RestorePlan& plan);
 /// What happens around the writes, line by line.
 QString stepsText(const jobs::RestorePlan& plan);
 
 /// Adds "verdict", "results", "lock" and where it answers.
 void addOutcome(Json& json, const jobs::RestoreOutcome& outcome);
 QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& servo);
-Exit exitCode(const jobs::RestoreOutcome& outcome);
+/// Nothing had to be written, or all of it was.
+bool wentWell(const jobs::RestoreOutcome& outcome);
+/// A row that was asked for by name differs, or might, and is not written.
+bool missesAsked(const jobs::RestorePlan& plan);
+/// NotDone also where a row that was asked for by name is left out.
+Exit exitCode(const jobs::RestoreOutcome& outcome, const jobs::RestorePlan& plan);
 
 /// Several servos: one line each, then the rows that did not go well.
 Json jsonApplied(const jobs::Applied& applied);

@@ -50,6 +50,7 @@ private Q_SLOTS:
     void aFileHasLabelNoteAndCsv();
     void factoryDefaultsAreAColumn();
     void templatesForSeveralServos();
+    void whatIsLeftOutIsSaidAndCounts();
     void bundlesGoBackById();
     void badFilesAreFileErrors_data();
     void badFilesAreFileErrors();
@@ -228,6 +229,43 @@ void TestCliSnapshot::templatesForSeveralServos()
     QVERIFY(QFile::exists(path("r.json")));
     QCOMPARE(run("template apply @t.servo.json 9").exit, 4);
     QCOMPARE(run("template apply @t.servo.json 1,2").exit, 0);
+}
+
+void TestCliSnapshot::whatIsLeftOutIsSaidAndCounts()
+{
+    // Rows the other family does not have: nothing happens on the wire, and not all is so.
+    QCOMPARE(run("template make 1 @t.servo.json speed_p protection_time overload_torque").exit, 0);
+    const Ran lacks = json("template apply @t.servo.json 3");
+    QCOMPARE(lacks.exit, 1);
+    const QJsonValue servo = lacks.json()[text("servos")].toArray()[0];
+    QCOMPARE(servo[text("verdict")].toString(), text("already-so"));
+    const QJsonArray left = servo[text("left_out")].toArray();
+    QVERIFY(!left.isEmpty());
+    for (const QJsonValue& row : left)
+        QVERIFY(row[text("asked")].toBool() && !row[text("reasons")].toArray().isEmpty());
+    const Ran people = run("template apply @t.servo.json 3");
+    QCOMPARE(people.exit, 1);
+    QVERIFY2(people.out.contains(text("left out: ")) &&
+                 people.out.contains(text("this servo has no such register")),
+             qPrintable(people.out));
+    QVERIFY2(!(people.out + people.err).contains(text("so already")), qPrintable(people.err));
+    QCOMPARE(run("template apply @t.servo.json 3 --dry-run").exit, 0);
+    QCOMPARE(run("template apply @t.servo.json 2").exit, 0);
+
+    // Without consent: said of a whole snapshot, a failure where it was asked for by name.
+    QCOMPARE(run("snapshot save 1 @a.servo.json").exit, 0);
+    QCOMPARE(run("write 1 position_offset=40 --dangerous").exit, 0);
+    const Ran whole = run("snapshot restore 1 @a.servo.json");
+    QCOMPARE(whole.exit, 0);
+    QVERIFY2(whole.out.contains(text("1 row was left out: position_offset (")),
+             qPrintable(whole.out));
+    QVERIFY2(!(whole.out + whole.err).contains(text("so already")), qPrintable(whole.err));
+    QCOMPARE(run("snapshot restore 1 @a.servo.json --only position_offset").exit, 1);
+    QCOMPARE(run("snapshot restore 1 @a.servo.json --only position_offset --dangerous").exit, 0);
+    const Ran so = run("snapshot restore 1 @a.servo.json");
+    QCOMPARE(so.exit, 0);
+    QVERIFY2(!so.out.contains(text("left out")), qPrintable(so.out));
+    QVERIFY2((so.out + so.err).contains(text("so already")), qPrintable(so.err));
 }
 
 void TestCliSnapshot::bundlesGoBackById()
