@@ -4052,6 +4052,14 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>The settings of servo %1 could not be saved first, so nothing is written to it.</source>
         <translation>未能先保存舵机 %1 的设置，因此不向它写入任何内容。</translation>
     </message>
+    <message>
+        <source>1 row was left out: %1</source>
+        <translation>有 1 行未写入：%1</translation>
+    </message>
+    <message>
+        <source>%1 rows were left out: %2</source>
+        <translation>有 %1 行未写入：%2</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -6069,6 +6077,18 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Rows in which a wrong value can make a servo unreachable; left out otherwise</source>
         <translation>值错误时可能使舵机无法连接的行；不勾选则跳过</translation>
+    </message>
+    <message>
+        <source>1 row left out</source>
+        <translation>跳过 1 行</translation>
+    </message>
+    <message>
+        <source>%1 rows left out</source>
+        <translation>跳过 %1 行</translation>
+    </message>
+    <message>
+        <source>Written, but rows were left out at %1 of %2 servos; the tooltip of each says which and why.</source>
+        <translation>已写入，但 %2 个舵机中有 %1 个跳过了一些行；各行提示说明哪些及原因。</translation>
     </message>
 </context>
 <context>
