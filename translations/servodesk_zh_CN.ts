@@ -7490,6 +7490,10 @@ Asked more than once: %9</source>
         <source>%1 rows saved: %2</source>
         <translation>已保存 %1 行：%2</translation>
     </message>
+    <message>
+        <source>Newest first; each row&apos;s own hint has all of it</source>
+        <translation>最新的在最前；每行的提示有全部内容</translation>
+    </message>
 </context>
 <context>
     <name>ui::HistoryPanel</name>
@@ -9138,6 +9142,10 @@ Asked more than once: %9</source>
         <source>Tables side by side</source>
         <translation>并排的内存表</translation>
     </message>
+    <message>
+        <source>Space ticks a row; what is ticked is written</source>
+        <translation>按空格键勾选一行；勾选的行会被写入</translation>
+    </message>
 </context>
 <context>
     <name>ui::SnapshotShelf</name>
@@ -9208,6 +9216,10 @@ Asked more than once: %9</source>
     <message>
         <source>%1, ID %2</source>
         <translation>%1，ID %2</translation>
+    </message>
+    <message>
+        <source>The current one is compared and restored; hold Ctrl to compare more</source>
+        <translation>比较和恢复的是当前项；按住 Ctrl 可多选比较</translation>
     </message>
 </context>
 <context>

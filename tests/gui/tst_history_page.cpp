@@ -73,7 +73,8 @@ private Q_SLOTS:
         QCOMPARE(bench.cell(0, 3), QStringLiteral("32"));
         QCOMPARE(bench.cell(0, 4), QStringLiteral("40"));
         QTRY_VERIFY(bench.cell(0, 5).startsWith(QStringLiteral("✔")));
-        QVERIFY(!bench.cell(0, 2).contains(QLatin1Char('_'))); // its name, not its key
+        // Its name, not its key; a list asked for while the servo was being met is asked for again.
+        QTRY_VERIFY2(!bench.cell(0, 2).contains(QLatin1Char('_')), qPrintable(bench.cell(0, 2)));
     }
 
     void filteredByServoRegisterAndTime()

@@ -145,7 +145,7 @@ void TestFamilies::move(CliProgram& cli, int id)
     const Ran ran = cli.json(qPrintable(
         QStringLiteral("move %1=%2%3 --wait").arg(id).arg(goal).arg(degrees ? "deg" : "")));
     QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
-    QVERIFY2(std::abs(now() - goal) < 6, qPrintable(QString::number(now())));
+    QTRY_VERIFY(std::abs(now() - goal) < 6); // it may still come to rest
     QCOMPARE(cli.run(qPrintable(QStringLiteral("torque %1 off").arg(id))).exit, 0);
 }
 

@@ -113,7 +113,17 @@ void HistoryWords::know(const std::vector<record::HistoryServo>& servos)
                       QStringLiteral("%1.%2").arg(is.firmwareMajor).arg(is.firmwareMinor),
                       is.map,
                       base::protocolName(is.protocol)};
-        m_profiles[servo.number] = record::profileOf(like, m_catalog);
+        // The history does not keep the byte order, by which some maps are told apart.
+        record::SnapshotRegister order;
+        order.key = QStringLiteral("byte_order");
+        for (const std::int64_t flag : {0, 1}) {
+            order.raw = flag;
+            like.registers = {order};
+            if (const auto profile = record::profileOf(like, m_catalog)) {
+                m_profiles[servo.number] = profile;
+                break;
+            }
+        }
     }
 }
 

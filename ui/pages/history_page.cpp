@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QDateEdit>
 #include <QEvent>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableView>
@@ -182,8 +183,11 @@ std::optional<int> HistoryPage::current() const
 
 void HistoryPage::showState()
 {
-    if (std::exchange(m_unsized, m_table.rowCount() == 0) && m_table.rowCount() > 0)
+    if (std::exchange(m_unsized, m_table.rowCount() == 0) && m_table.rowCount() > 0) {
+        m_view->horizontalHeader()->setStretchLastSection(false);
         m_view->resizeColumnsToContents();
+        m_view->horizontalHeader()->setStretchLastSection(true);
+    }
     const HistoryKind kind = m_table.kind();
     const bool one = current().has_value();
     const bool writes = kind == HistoryKind::Writes;

@@ -184,7 +184,7 @@ void HistoryPage::retranslate()
     m_honest->setText(tr("Servos carry no serial number. What belongs together is told by model, "
                          "firmware, ID and the label you give: two alike without a label cannot "
                          "be told apart."));
-    say(m_view, tr("History"), {});
+    say(m_view, tr("History"), tr("Newest first; each row's own hint has all of it"));
     word(m_label, tr("Label…"), tr("Give the servo or the snapshot a name"));
     word(m_export, tr("Export…"), tr("Save the list, as it is filtered, as CSV or JSON"));
     word(m_serverSet, tr("Server…"),

@@ -149,7 +149,7 @@ void SnapshotPane::retranslate()
     m_columns->setToolTip(tr("Compare with the factory default and with other servos, too. More "
                              "snapshots: hold Ctrl while clicking them"));
     m_table->setAccessibleName(tr("Tables side by side"));
-    m_table->setToolTip({});
+    m_table->setToolTip(tr("Space ticks a row; what is ticked is written"));
     m_model.retranslate();
     showCounts();
 }

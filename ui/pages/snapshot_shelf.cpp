@@ -159,7 +159,7 @@ void SnapshotShelf::retranslate()
     m_search->setAccessibleName(tr("Search snapshots"));
     m_search->setToolTip(tr("Words in model, label, note or file name"));
     m_tree->setAccessibleName(tr("Snapshots"));
-    m_tree->setToolTip({});
+    m_tree->setToolTip(tr("The current one is compared and restored; hold Ctrl to compare more"));
     m_nothing->setText(tr("There is none yet. One is taken by itself before the first change to a "
                           "servo."));
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
