@@ -41,7 +41,7 @@ void HistoryTable::ask(session::Archive* archive, HistoryKind kind,
     m_lines.clear();
     m_complete = archive == nullptr;
     ++m_question;
-    m_asking = false;
+    m_asking = archive != nullptr; // a view that looks now asks for nothing of its own
     endResetModel();
     Q_EMIT changed();
     if (archive != nullptr)
@@ -56,7 +56,6 @@ void HistoryTable::retranslate()
 /// Register names hang on what the servo is.
 void HistoryTable::askServos()
 {
-    m_asking = true;
     record::HistoryFilter all;
     all.most = mostServos;
     m_archive->servos(
