@@ -82,8 +82,9 @@ catalog::ProfilePtr profileOf(const Snapshot& snapshot, const catalog::Catalog& 
     std::tie(identity.modelMajor, identity.modelMinor) = numberPair(servo.modelId);
     std::tie(identity.firmwareMajor, identity.firmwareMinor) = numberPair(servo.firmware);
     const SnapshotRegister* order = snapshot.find(QStringLiteral("byte_order"));
-    if (order != nullptr && (order->raw == 0 || order->raw == 1))
-        identity.byteOrderFlag = static_cast<int>(*order->raw);
+    const std::int64_t flag = order != nullptr ? order->raw.value_or(-1) : -1;
+    if (flag == 0 || flag == 1)
+        identity.byteOrderFlag = static_cast<int>(flag);
     catalog::ProfilePtr profile = catalog.resolve(identity);
     return profile->mapKey == servo.map ? profile : nullptr;
 }

@@ -64,13 +64,13 @@ public:
             return;
         // Old and new are the same where the servo took what it had stored itself (0x06); the
         // values of a restored snapshot are known.
+        const bool measured = step.kind == base::IntentKind::Calibrate; // by the servo itself
         if (step.kind == base::IntentKind::Restore && step.oldRaw == step.newRaw) {
             forgetSettings();
-        } else if (step.kind == base::IntentKind::Calibrate) {
-            forget(step.key);
-        } else if (step.outcome == QLatin1String("kept") || step.outcome == QLatin1String("done")) {
+        } else if (!measured && (step.outcome == QLatin1String("kept") ||
+                                 step.outcome == QLatin1String("done"))) {
             set(step.key, step.readBack.value_or(step.newRaw));
-        } else if (step.outcome == QLatin1String("undone")) {
+        } else if (!measured && step.outcome == QLatin1String("undone")) {
             set(step.key, step.oldRaw);
         } else {
             forget(step.key);

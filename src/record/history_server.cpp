@@ -50,12 +50,12 @@ QString literal(const QSqlDriver& driver, const QVariant& value)
     case QMetaType::Double:
         return QString::number(value.toDouble(), 'g', 17);
     case QMetaType::QByteArray: {
-        QSqlField field(QString(), QMetaType(QMetaType::QByteArray));
+        QSqlField field(QString{}, QMetaType(QMetaType::QByteArray));
         field.setValue(value);
         return driver.formatValue(field);
     }
     default: {
-        QSqlField field(QString(), QMetaType(QMetaType::QString));
+        QSqlField field(QString{}, QMetaType(QMetaType::QString));
         field.setValue(value.toString().replace(QChar(u'\0'), QChar(QChar::ReplacementCharacter)));
         return driver.formatValue(field);
     }

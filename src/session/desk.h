@@ -79,7 +79,7 @@ public:
     void perform(ServoRef ref, Task task);
     /// As its plan says, in one transaction; told like a write, and Undo takes it back. The bench
     /// of session/restore_order.h.
-    void restore(ServoRef ref, RestoreOrder order);
+    void restore(ServoRef ref, const RestoreOrder& order);
     /// One after the other, at the port's rate.
     void apply(ApplyOrder order);
     bool busy() const;    ///< a task runs or waits

@@ -37,7 +37,7 @@ bool changesRate(const jobs::RestorePlan& plan)
 }
 } // namespace
 
-void Desk::restore(ServoRef ref, RestoreOrder order)
+void Desk::restore(ServoRef ref, const RestoreOrder& order)
 {
     ServoEntry* known = entry(ref);
     const WriteOrder writes{itemsOf(order.plan), false, order.dangerous};

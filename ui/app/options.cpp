@@ -114,14 +114,10 @@ ParsedOptions parseOptions(const QStringList& arguments)
     takeTheme(parser.value(QStringLiteral("theme")), parsed);
     options.language = parser.value(QStringLiteral("lang"));
     options.page = parser.value(QStringLiteral("page"));
-    const QStringList pages{QStringLiteral("operate"),
-                            QStringLiteral("memory"),
-                            QStringLiteral("sweep"),
-                            QStringLiteral("step"),
-                            QStringLiteral("snapshots"),
-                            QStringLiteral("commission"),
-                            QStringLiteral("history"),
-                            QString()};
+    const QStringList pages{QStringLiteral("operate"),   QStringLiteral("memory"),
+                            QStringLiteral("sweep"),     QStringLiteral("step"),
+                            QStringLiteral("snapshots"), QStringLiteral("commission"),
+                            QStringLiteral("history"),   QString()};
     if (!pages.contains(options.page))
         parsed.error = text::translate("Options", "--page: there is no \"%1\"").arg(options.page);
     options.select = number(parser, "select", 0, parsed.error);

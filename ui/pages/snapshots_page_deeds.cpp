@@ -259,7 +259,7 @@ void SnapshotsPage::sendPlan()
     order.done = [this, source](const session::RestoreEnd& end) { restored(end, source); };
     m_writing = true;
     showState();
-    m_desk.restore(m_selection.current(), std::move(order));
+    m_desk.restore(m_selection.current(), order);
 }
 
 void SnapshotsPage::restored(const session::RestoreEnd& end, const QString& source)
