@@ -19,7 +19,8 @@ QString withPictures(QString markdown, bool chinese, bool dark)
     const QString ending = QStringLiteral("-%1-%2.png)")
                                .arg(chinese ? QStringLiteral("zh") : QStringLiteral("en"),
                                     dark ? QStringLiteral("dark") : QStringLiteral("light"));
-    for (const char* page : {"memory", "search", "operate", "sweep", "step", "snapshots", "history"}) {
+    for (const char* page :
+         {"memory", "search", "operate", "sweep", "step", "snapshots", "history"}) {
         const QString name = QString::fromLatin1(page);
         markdown.replace(QStringLiteral("(IMAGE:%1)").arg(name),
                          QStringLiteral("(qrc:/help/images/") + name + ending);
