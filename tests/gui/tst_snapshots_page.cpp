@@ -156,8 +156,11 @@ private Q_SLOTS:
         bench.table()->setCurrentIndex(bench.cell("max_angle_limit", 1));
         QTest::keyClick(bench.table(), Qt::Key_Space);
         QTRY_COMPARE(bench.button("restoreWrite")->text(), QStringLiteral("Write 1 ticked row"));
+        const auto* filter = qobject_cast<QSortFilterProxyModel*>(bench.table()->model());
+        QSignalSpy looked(qobject_cast<ui::CompareModel*>(filter->sourceModel()),
+                          &ui::CompareModel::ticksChanged);
         (void)bench.now("position_p");
-        QTest::qWait(400); // longer than the page takes to look again
+        QTRY_VERIFY(looked.count() > 0); // the page has looked again
         QCOMPARE(bench.tick("max_angle_limit"), Qt::Unchecked);
 
         bench.click("restoreDryRun");

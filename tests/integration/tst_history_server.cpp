@@ -71,7 +71,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         if (!support::Postgres::installed())
-            QSKIP("PostgreSQL is not installed (package postgresql)");
+            QFAIL("PostgreSQL is not installed (packaging/test-packages.txt)");
         QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
     }
     void init()
