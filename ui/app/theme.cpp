@@ -155,9 +155,18 @@ bool ThemeSwitch::dark() const
 
 void ThemeSwitch::show()
 {
-    if (!m_styled)
+    // Every widget of every page is polished anew: a third of a second that nobody waits for when
+    // "system" and the theme in use look alike.
+    if (m_shownDark != dark())
+        paint();
+    Q_EMIT changed();
+}
+
+void ThemeSwitch::paint()
+{
+    if (!m_shownDark)
         QApplication::setStyle(new ClearBoxes);
-    m_styled = true;
+    m_shownDark = dark();
     QIcon::setThemeName(dark() ? QStringLiteral("breeze-dark") : QStringLiteral("breeze"));
     const Colours& colours = dark() ? darkColours : lightColours;
     QApplication::setPalette(paletteOf(colours));
@@ -169,6 +178,5 @@ void ThemeSwitch::show()
                                                                   .arg(faint.green())
                                                                   .arg(faint.blue())
                                                                   .arg(faint.alpha())));
-    Q_EMIT changed();
 }
 } // namespace ui

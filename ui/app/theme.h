@@ -10,6 +10,8 @@
 #include <QObject>
 #include <QPalette>
 
+#include <optional>
+
 namespace ui {
 enum class Tone : std::uint8_t { Good, Warn, Bad, Quiet, Accent };
 
@@ -30,14 +32,15 @@ public:
     void apply(session::Theme theme);
 
 Q_SIGNALS:
-    void changed(); ///< palette and icon theme have been set
+    void changed(); ///< chosen, and palette and icon theme fit the choice
 
 private:
     void show();
+    void paint();
     bool dark() const;
 
     session::Theme m_theme = session::Theme::System;
     DesktopLook* m_desktop;
-    bool m_styled = false;
+    std::optional<bool> m_shownDark; ///< nothing before the first time
 };
 } // namespace ui
