@@ -6,6 +6,7 @@
 #include "cli/translate.h"
 #include "jobs/commission.h"
 #include "report/commission_words.h"
+#include "session/commission_names.h"
 #include "session/safety_snapshot.h"
 #include "text/language.h"
 #include "transport/line_input.h"
@@ -373,8 +374,17 @@ base::Result<Exit> CommissionCommand::run()
     };
     hooks.answer = [this] { return answer(); };
     hooks.onRow = [this](const record::CommissionRow& row) { tell(row); };
-    hooks.save = [](const device::Context& with, device::Servo& servo) {
-        return session::saveSafetySnapshot(with, servo, record::SnapshotReason::Commission);
+    hooks.save = [this](const device::Context& with, device::Servo& servo) {
+        auto saved = session::saveSafetySnapshot(with, servo, record::SnapshotReason::Commission);
+        if (saved)
+            m_run.console().remark(
+                translate("cli", "The present settings are saved in %1").arg(*saved));
+        return saved;
+    };
+    session::CommissionNames names;
+    hooks.meet = [&names](const device::Servo& servo) { return names.meet(servo); };
+    hooks.name = [&names](const device::Servo& servo, const QString& label, bool another) {
+        return names.name(servo, label, another);
     };
     const auto end = jobs::commission(stoppable, m_spec, m_batch, m_csv, hooks);
     if (!end)

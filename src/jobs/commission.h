@@ -67,6 +67,7 @@ struct CommissionView {
     int newBaud = 0;
     bool halfDone = false; ///< it was begun before and is finished now
     int doubtfulId = -1;   ///< Confirm: it may be the one that was to have this ID
+    QString snapshot{};    ///< file with its table before the first write; empty: nothing written
     std::vector<record::CommissionTrouble> concerns{}; ///< Confirm: what speaks against it
     bool operator==(const CommissionView&) const = default;
 };
@@ -85,6 +86,13 @@ struct CommissionHooks {
     std::function<CommissionAnswer()> answer{};
     /// Once before the first write to a servo: saves its table, answers the file.
     std::function<base::Result<QString>(const device::Context&, device::Servo&)> save{};
+    /// A servo with the factory's ID is about to be written to: whoever has a name under this ID in
+    /// the history is another one.
+    std::function<base::Result<void>(const device::Servo&)> meet{};
+    /// It has its ID, and this label belongs to it; `another`: nobody before was this one. Once
+    /// more where the label has become another since. A failure is a remark of its row.
+    std::function<base::Result<void>(const device::Servo&, const QString& label, bool another)>
+        name{};
 };
 
 enum class CommissionEnd : std::uint8_t { Stopped, IdsUsedUp, CountReached };

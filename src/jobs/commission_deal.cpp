@@ -12,29 +12,6 @@ using record::CommissionVerdict;
 
 namespace {
 const QString operation = QStringLiteral("commission");
-
-bool endsLine(ErrorCode code)
-{
-    switch (code) {
-    case ErrorCode::LinkLost:
-    case ErrorCode::Stopped:
-    case ErrorCode::Preempted:
-    case ErrorCode::Held:
-    case ErrorCode::FileUnwritable:
-    case ErrorCode::FileUnreadable:
-    case ErrorCode::FileFormat:
-    case ErrorCode::DiskFull:
-        return true;
-    default:
-        return false;
-    }
-}
-
-CommissionTrouble troubleOf(const base::Error& error)
-{
-    return {base::errorName(error.code),
-            error.registerKey.isEmpty() ? error.detail : error.registerKey};
-}
 } // namespace
 
 CommissionPending* CommissionLine::pendingOf(const CommissionWork& work)
@@ -205,15 +182,25 @@ base::Result<void> CommissionLine::begin(CommissionWork& work, CommissionView& v
         return tl::unexpected(twins.error());
     if (*twins)
         return base::fail(ErrorCode::IdInUse, operation, QStringLiteral("twins"), work.servo.id);
+    CommissionPending* known = pendingOf(work);
+    const QString first = known != nullptr && view.halfDone ? known->snapshot : QString();
+    if (hasWork(work)) {
+        view.step = CommissionStep::Snapshot;
+        show(view);
+        if (!view.halfDone && work.servo.id == factoryId && m_hooks.meet)
+            (void)m_hooks.meet(
+                work.servo); // a history that cannot be used refuses the write itself
+        if (const auto saved = saveTable(m_context, m_hooks, work); !saved)
+            return saved;
+    }
+    if (!first.isEmpty())
+        work.row.snapshot = first; // as it was when it came, not when it was left in the middle
+    view.snapshot = work.row.snapshot;
     if (!hasWork(work))
         return {};
-    view.step = CommissionStep::Snapshot;
-    show(view);
-    if (const auto saved = saveTable(m_context, m_hooks, work); !saved)
-        return saved;
-    CommissionPending* known = pendingOf(work);
-    CommissionPending now{work.row.at, work.row.servo, work.row.oldBaud,
-                          work.newId,  work.newBaud,   work.servo.id == work.newId};
+    CommissionPending now{work.row.at,      work.row.servo, work.row.oldBaud,
+                          work.newId,       work.newBaud,   work.servo.id == work.newId,
+                          work.row.snapshot};
     if (known != nullptr && view.halfDone) {
         now.at = known->at;
         now.idSent = now.idSent || known->idSent;
@@ -238,6 +225,12 @@ base::Result<void> CommissionLine::takeId(CommissionWork& work)
     return giveId(m_context, work);
 }
 
+/// As early as it has its ID, so that what is written from now on is its own in the history.
+base::Result<void> CommissionLine::placed(CommissionWork& work)
+{
+    return takeId(work).map([&] { (void)keepName(work, labelOf(work)); }); // tried again at the end
+}
+
 base::Result<void> CommissionLine::setUp(CommissionWork& work, CommissionView& view)
 {
     const auto step = [&](CommissionStep now, auto&& work_) -> base::Result<void> {
@@ -253,7 +246,7 @@ base::Result<void> CommissionLine::setUp(CommissionWork& work, CommissionView& v
             return step(CommissionStep::Template,
                         [&] { return applyTemplate(m_context, m_spec, work); });
         })
-        .and_then([&] { return step(CommissionStep::Id, [&] { return takeId(work); }); })
+        .and_then([&] { return step(CommissionStep::Id, [&] { return placed(work); }); })
         .and_then(
             [&] { return step(CommissionStep::Rate, [&] { return giveRate(m_context, work); }); })
         .and_then([&] {
@@ -262,70 +255,5 @@ base::Result<void> CommissionLine::setUp(CommissionWork& work, CommissionView& v
         .and_then([&] {
             return step(CommissionStep::Health, [&] { return checkHealth(m_context, work); });
         });
-}
-
-/// Ends the line, or waits for a servo that has gone away, or sets its failure down.
-base::Result<void> CommissionLine::failed(CommissionWork& work, const base::Error& error)
-{
-    if (endsLine(error.code))
-        return tl::unexpected(error);
-    const base::Protocol language = work.servo.protocol;
-    std::optional<Place> here;
-    for (const int baud : {work.servo.baud, work.newBaud, work.row.oldBaud}) {
-        for (const int id : {work.servo.id, work.newId, work.row.servo.id}) {
-            if (here || id < 0)
-                continue;
-            const auto present = m_look.present({language, id, baud});
-            if (!present)
-                return tl::unexpected(present.error());
-            if (*present)
-                here = Place{language, id, baud};
-        }
-    }
-    CommissionPending* one = pendingOf(work);
-    if (!here) {
-        m_lost = one != nullptr;
-        return {};
-    }
-    if (one != nullptr && here->id != work.newId && one->idSent) {
-        one->idSent = false; // it answers as before: nobody has the new ID
-        if (const auto kept = keep(); !kept)
-            return kept;
-    }
-    work.servo.id = here->id;
-    work.servo.baud = here->baud;
-    work.row.troubles.push_back(troubleOf(error));
-    work.row.verdict = CommissionVerdict::Failed;
-    return finish(work);
-}
-
-base::Result<void> CommissionLine::finish(CommissionWork& work)
-{
-    record::CommissionRow& row = work.row;
-    if (work.servo.id == work.newId) {
-        row.newId = work.newId;
-        row.newBaud = work.servo.baud;
-    }
-    const bool alarmed = std::any_of(row.troubles.begin(), row.troubles.end(), [](const auto& one) {
-        return one.word == QLatin1String("alarm");
-    });
-    if (row.verdict == CommissionVerdict::Good && !row.troubles.empty())
-        row.verdict = alarmed ? CommissionVerdict::Failed : CommissionVerdict::Remark;
-    row.label = row.newId < 0 ? QString() : record::commissionLabel(m_spec.labelFormat, row);
-    if (const CommissionPending* one = pendingOf(work))
-        m_batch.pending.erase(m_batch.pending.begin() + (one - m_batch.pending.data()));
-    m_batch.rows.push_back(row);
-    m_batch.onWire = {base::protocolName(work.servo.protocol), work.servo.id, work.servo.baud};
-    if (const auto kept = keep(); !kept)
-        return kept;
-    if (m_hooks.onRow)
-        m_hooks.onRow(row);
-    CommissionView view;
-    view.servo = row.servo;
-    view.baud = work.servo.baud;
-    view.newId = row.newId;
-    view.newBaud = row.newBaud;
-    view.concerns = row.troubles;
-    return awaitGone(placeOf(work.servo), view);
 }
 } // namespace jobs

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line itself: waits for servos, deals with each, keeps the batch. Lives for one call of
 // commission(); internal to jobs; its thread. commission_line.cpp knows who is there,
-// commission_deal.cpp what is done to a servo.
+// commission_deal.cpp what is done to a servo, commission_end.cpp what becomes of it.
 #pragma once
 
 #include "jobs/commission_look.h"
@@ -52,8 +52,11 @@ private:
     base::Result<void> setUp(CommissionWork& work, CommissionView& view);
     base::Result<void> begin(CommissionWork& work, CommissionView& view);
     base::Result<void> takeId(CommissionWork& work);
+    base::Result<void> placed(CommissionWork& work);
     base::Result<void> failed(CommissionWork& work, const base::Error& error);
     base::Result<void> finish(CommissionWork& work);
+    base::Result<void> keepName(CommissionWork& work, const QString& label);
+    QString labelOf(const CommissionWork& work) const;
     base::Result<bool> stillAlone(CommissionWork& work);
     bool recognise(CommissionWork& work, CommissionView& view);
     record::CommissionPending* pendingOf(const CommissionWork& work);

@@ -17,6 +17,7 @@ struct CommissionWork {
     std::optional<RestorePlan> plan{};
     bool center = false;
     bool saved = false; ///< its table is on the disk
+    QString named{};    ///< its label in the history
 };
 
 /// Reads the whole table, plans the template, and finds everything that speaks against going on:

@@ -52,6 +52,7 @@ struct CommissionPending {
     int newId = -1;
     int newBaud = 0;
     bool idSent = false; ///< it may have its new ID: nobody else gets it
+    QString snapshot{};  ///< file with its table before the first write
     bool operator==(const CommissionPending&) const = default;
 };
 

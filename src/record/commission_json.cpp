@@ -80,6 +80,7 @@ QByteArray pendingText(const CommissionPending& one)
         .integer("id", one.newId)
         .integer("baud", one.newBaud)
         .raw("id_sent", jsonFlag(one.idSent))
+        .text("snapshot", one.snapshot)
         .done();
 }
 
@@ -137,6 +138,8 @@ CommissionPending readPending(const JsonReader& json)
     one.newId = json.small("id");
     one.newBaud = json.small("baud");
     one.idSent = json.flag("id_sent");
+    if (json.has("snapshot")) // not in files of earlier versions
+        one.snapshot = json.text("snapshot");
     return one;
 }
 

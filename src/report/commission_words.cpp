@@ -30,6 +30,8 @@ constexpr std::array troubleWords{
     TroubleWords{"no-id-left", "no ID is left for it", "ID 已用完"},
     TroubleWords{"already-done", "it is done already", "此舵机已设置完成"},
     TroubleWords{"by-hand", "set aside by hand", "手动剔除"},
+    TroubleWords{"label-not-kept", "its label could not be kept in the history (%1)",
+                 "标签未能写入历史记录（%1）"},
     TroubleWords{"rate-after-restart", "%1 baud acts after a restart only", "波特率 %1 重启后生效"},
     TroubleWords{"rate-differs", "its register says %1 baud", "寄存器中的波特率为 %1"},
     TroubleWords{"torque-was-on", "torque was on; it has been switched off",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/commissioning.h"
 
+#include "session/commission_names.h"
 #include "session/safety_snapshot.h"
 
 #include <QFileInfo>
@@ -111,6 +112,11 @@ bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPa
         hooks.answer = [live] { return live->answer.exchange(jobs::CommissionAnswer::None); };
         hooks.save = [](const device::Context& with, device::Servo& servo) {
             return saveSafetySnapshot(with, servo, record::SnapshotReason::Commission);
+        };
+        CommissionNames names;
+        hooks.meet = [&names](const device::Servo& servo) { return names.meet(servo); };
+        hooks.name = [&names](const device::Servo& servo, const QString& label, bool another) {
+            return names.name(servo, label, another);
         };
         const auto end = jobs::commission(context.device, order, *batch, csvPath, hooks);
         live->show(*batch);

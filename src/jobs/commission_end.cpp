@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of a servo on the line: its row, its name in the history.
+#include "jobs/commission_line.h"
+
+#include <algorithm>
+
+namespace jobs {
+using base::ErrorCode;
+using record::CommissionPending;
+using record::CommissionTrouble;
+using record::CommissionVerdict;
+
+namespace {
+bool endsLine(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::LinkLost:
+    case ErrorCode::Stopped:
+    case ErrorCode::Preempted:
+    case ErrorCode::Held:
+    case ErrorCode::FileUnwritable:
+    case ErrorCode::FileUnreadable:
+    case ErrorCode::FileFormat:
+    case ErrorCode::DiskFull:
+        return true;
+    default:
+        return false;
+    }
+}
+
+CommissionTrouble troubleOf(const base::Error& error)
+{
+    return {base::errorName(error.code),
+            error.registerKey.isEmpty() ? error.detail : error.registerKey};
+}
+} // namespace
+
+/// Ends the line, or waits for a servo that has gone away, or sets its failure down.
+base::Result<void> CommissionLine::failed(CommissionWork& work, const base::Error& error)
+{
+    if (endsLine(error.code))
+        return tl::unexpected(error);
+    const base::Protocol language = work.servo.protocol;
+    std::optional<Place> here;
+    for (const int baud : {work.servo.baud, work.newBaud, work.row.oldBaud}) {
+        for (const int id : {work.servo.id, work.newId, work.row.servo.id}) {
+            if (here || id < 0)
+                continue;
+            const auto present = m_look.present({language, id, baud});
+            if (!present)
+                return tl::unexpected(present.error());
+            if (*present)
+                here = Place{language, id, baud};
+        }
+    }
+    CommissionPending* one = pendingOf(work);
+    if (!here) {
+        m_lost = one != nullptr;
+        return {};
+    }
+    if (one != nullptr && here->id != work.newId && one->idSent) {
+        one->idSent = false; // it answers as before: nobody has the new ID
+        if (const auto kept = keep(); !kept)
+            return kept;
+    }
+    work.servo.id = here->id;
+    work.servo.baud = here->baud;
+    work.row.troubles.push_back(troubleOf(error));
+    work.row.verdict = CommissionVerdict::Failed;
+    return finish(work);
+}
+
+QString CommissionLine::labelOf(const CommissionWork& work) const
+{
+    record::CommissionRow row = work.row;
+    row.newId = work.newId;
+    row.newBaud = row.newBaud > 0 ? row.newBaud : work.newBaud;
+    return record::commissionLabel(m_spec.labelFormat, row).trimmed();
+}
+
+base::Result<void> CommissionLine::keepName(CommissionWork& work, const QString& label)
+{
+    if (!m_hooks.name || label.isEmpty() || label == work.named)
+        return {};
+    const bool another = work.row.servo.id != work.newId || work.newId == factoryId;
+    const auto named = m_hooks.name(work.servo, label, another);
+    if (named)
+        work.named = label;
+    return named;
+}
+
+base::Result<void> CommissionLine::finish(CommissionWork& work)
+{
+    record::CommissionRow& row = work.row;
+    if (work.servo.id == work.newId) {
+        row.newId = work.newId;
+        row.newBaud = work.servo.baud;
+    }
+    row.label = row.newId < 0 ? QString() : labelOf(work);
+    if (const auto named = keepName(work, row.label); !named)
+        row.troubles.push_back({QStringLiteral("label-not-kept"), troubleOf(named.error()).word});
+    const bool alarmed = std::any_of(row.troubles.begin(), row.troubles.end(), [](const auto& one) {
+        return one.word == QLatin1String("alarm");
+    });
+    if (row.verdict == CommissionVerdict::Good && !row.troubles.empty())
+        row.verdict = alarmed ? CommissionVerdict::Failed : CommissionVerdict::Remark;
+    if (const CommissionPending* one = pendingOf(work))
+        m_batch.pending.erase(m_batch.pending.begin() + (one - m_batch.pending.data()));
+    m_batch.rows.push_back(row);
+    m_batch.onWire = {base::protocolName(work.servo.protocol), work.servo.id, work.servo.baud};
+    if (const auto kept = keep(); !kept)
+        return kept;
+    if (m_hooks.onRow)
+        m_hooks.onRow(row);
+    CommissionView view;
+    view.servo = row.servo;
+    view.baud = work.servo.baud;
+    view.newId = row.newId;
+    view.newBaud = row.newBaud;
+    view.concerns = row.troubles;
+    view.snapshot = row.snapshot;
+    return awaitGone(placeOf(work.servo), view);
+}
+} // namespace jobs

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/commission_names.h"
+
+#include "record/history.h"
+
+namespace session {
+namespace {
+base::Result<void> withoutServo(const base::Result<record::HistoryServo>& servo)
+{
+    return servo ? base::Result<void>() : tl::unexpected(servo.error());
+}
+
+/// `own`: its present name, if it has one, was given to this very servo.
+base::Result<void> giveName(const record::HistoryLog& log, const base::ServoIdentity& who,
+                            const QString& label, bool own)
+{
+    const auto known = log.of(who);
+    if (!known)
+        return tl::unexpected(known.error());
+    if (*known && (*known)->label == label)
+        return {};
+    if (*known && !own)
+        return withoutServo(log.another((*known)->number, label));
+    const auto met = log.meet(who);
+    if (!met)
+        return tl::unexpected(met.error());
+    const auto named = log.setLabel(met->number, label);
+    const bool inUse = !named && named.error().code == base::ErrorCode::BadArgument;
+    return inUse ? withoutServo(log.another(met->number, label)) : named;
+}
+} // namespace
+
+base::Result<void> CommissionNames::meet(const device::Servo& servo)
+{
+    m_given.clear();
+    const base::ServoIdentity who = servo.identity();
+    const auto history = record::History::open(m_history);
+    if (!history)
+        return tl::unexpected(history.error());
+    const record::HistoryLog log = (*history)->log();
+    const auto known = log.of(who);
+    if (!known)
+        return tl::unexpected(known.error());
+    if (!*known || (*known)->label.isEmpty())
+        return {};
+    if (const auto parted = log.another((*known)->number, QString()); !parted)
+        return tl::unexpected(parted.error());
+    m_aside = Aside{who, (*known)->label};
+    return {};
+}
+
+base::Result<void> CommissionNames::name(const device::Servo& servo, const QString& label,
+                                         bool another)
+{
+    const base::ServoIdentity who = servo.identity();
+    const auto history = record::History::open(m_history);
+    if (!history)
+        return tl::unexpected(history.error());
+    const record::HistoryLog log = (*history)->log();
+    const auto known = log.of(who);
+    if (!known)
+        return tl::unexpected(known.error());
+    const bool given = *known && !m_given.isEmpty() && (*known)->label == m_given;
+    if (const auto named = giveName(log, who, label, given || !another); !named)
+        return named;
+    m_given = label;
+    const auto aside = std::exchange(m_aside, std::nullopt);
+    const bool free = aside && !(aside->who.id == who.id && aside->who.sameKind(who));
+    return free ? giveName(log, aside->who, aside->label, false) : base::Result<void>();
+}
+} // namespace session
