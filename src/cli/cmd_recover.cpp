@@ -83,6 +83,9 @@ Json jsonRecovered(const jobs::Recovered& one)
         .add("found_baud", one.before.foundBaud > 0 ? Json(one.before.foundBaud) : Json())
         .add("lock_open", one.before.lockOpen)
         .add("done", one.done);
+    if (one.action != jobs::RecoverAction::Look)
+        json.add("action", one.action == jobs::RecoverAction::Undo ? QStringLiteral("undo")
+                                                                   : QStringLiteral("finish"));
     if (one.report)
         json.add("result", jsonWrites(*one.report));
     if (one.error)
@@ -105,7 +108,16 @@ QString lockShown(const std::optional<bool>& open)
                                   : QStringLiteral("closed"));
 }
 
-Table recoveredTable(const std::vector<jobs::Recovered>& all)
+/// A restore whose way back had begun is undone even if finishing was asked for.
+QString settledWord(const jobs::Recovered& one, jobs::RecoverAction asked)
+{
+    if (!one.done)
+        return translate("cli", "no");
+    const bool undone = asked == jobs::RecoverAction::Finish && one.action != asked;
+    return undone ? translate("cli", "undone") : translate("cli", "yes");
+}
+
+Table recoveredTable(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
 {
     Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
                  translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Found"),
@@ -117,8 +129,7 @@ Table recoveredTable(const std::vector<jobs::Recovered>& all)
                    intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
                    QString::number(intent.servo.id), kindName(intent), changesOf(intent),
                    translate("cli", findingWord(one.before.finding).shown),
-                   lockShown(one.before.lockOpen),
-                   one.done ? translate("cli", "yes") : translate("cli", "no")});
+                   lockShown(one.before.lockOpen), settledWord(one, action)});
     }
     return table;
 }
@@ -129,7 +140,7 @@ void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction
     for (const jobs::Recovered& one : all)
         intents.push_back(jsonRecovered(one));
     QString text = all.empty() ? translate("cli", "No change was left open.") + QLatin1Char('\n')
-                               : recoveredTable(all).text();
+                               : recoveredTable(all, action).text();
     for (const jobs::Recovered& one : all) {
         if (one.error)
             text += text::describe(*one.error).what + QLatin1Char('\n');

@@ -195,7 +195,8 @@ base::Result<void> checkValues(const Context& context, const Servo& servo,
             context.note(NoticeCode::AboveUsual, servo.id, item.reg->key, *item.reg->warnAbove);
     }
     for (const Pair& pair : pairs) {
-        if (const auto good = checkPair(servo, items, pair); !good)
+        const auto good = checkPair(servo, items, pair);
+        if (!good && !asBefore)
             return good;
     }
     return {};

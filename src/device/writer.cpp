@@ -72,6 +72,12 @@ base::Intent intentFor(const Servo& servo, const RegisterValues& items, const Wr
         intent.items.push_back(
             {item.reg->key, item.reg->address, servo.raw(*item.reg).value_or(0), item.raw});
     }
+    // A restore without a difference is one whose values the servo itself chose (0x06).
+    const bool differs =
+        std::any_of(intent.items.begin(), intent.items.end(),
+                    [](const base::JournalItem& item) { return item.oldRaw != item.newRaw; });
+    if (intent.kind == base::IntentKind::Restore && !differs)
+        intent.kind = base::IntentKind::Write;
     return intent;
 }
 } // namespace

@@ -46,7 +46,7 @@ struct WriteOptions {
     bool temporary = false;
     bool dangerous = false; ///< the user's consent to dangerous registers
     base::IntentKind kind = base::IntentKind::Write;
-    /// The values are those this servo had before: they may lie outside the documented range.
+    /// Values that this servo had before: outside the documented range, or a pair upside down.
     bool asBefore = false;
     /// Torque goes off before anything is written, whatever the registers ask for; it stays off.
     bool torqueOff = false;

@@ -4,6 +4,9 @@
 #include "jobs/recover_look.h"
 #include "jobs/recover_settle.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace jobs {
 using base::ErrorCode;
 using base::IntentKind;
@@ -21,6 +24,58 @@ std::vector<base::ItemEnd> itemEnds(const base::Intent& intent, const Recovered&
     return ends;
 }
 
+bool ofOneServo(const base::Intent& a, const base::Intent& b)
+{
+    return a.servo.id == b.servo.id && a.servo.port == b.servo.port && a.servo.sameKind(b.servo) &&
+           isSnapshotRestore(a) && isSnapshotRestore(b);
+}
+
+/// The way back of a restore that did not succeed: it writes what that one had found.
+bool leadsBack(const base::Intent& later, const base::Intent& restore)
+{
+    const auto found = [&](const base::JournalItem& item) {
+        return std::any_of(restore.items.begin(), restore.items.end(), [&](const auto& before) {
+            return before.key == item.key && before.oldRaw == item.newRaw;
+        });
+    };
+    return ofOneServo(later, restore) && std::all_of(later.items.begin(), later.items.end(), found);
+}
+
+struct Wish {
+    base::Intent intent;
+    RecoverAction action = RecoverAction::Look;
+};
+
+/// Oldest first, and undone from the latest on. A restore whose way back had begun was given up
+/// then, with every try to finish it: that ends with the values before, whatever is asked of all.
+std::vector<Wish> wishesFor(const std::vector<base::Intent>& open, RecoverAction action)
+{
+    std::vector<Wish> wishes;
+    for (const base::Intent& intent : open)
+        wishes.push_back({intent, action});
+    if (action == RecoverAction::Look)
+        return wishes;
+    const auto place = [](std::size_t at) { return static_cast<std::ptrdiff_t>(at); };
+    for (std::size_t back = open.size(); back-- > 0;) {
+        std::size_t first = 0;
+        while (first < back && !leadsBack(open[back], open[first]))
+            ++first;
+        if (first == back)
+            continue;
+        for (std::size_t i = first; i < back; ++i) {
+            if (ofOneServo(open[i], open[back]))
+                wishes[i].action = RecoverAction::Undo;
+        }
+        wishes[back].action = RecoverAction::Finish;
+        if (action == RecoverAction::Finish)
+            std::reverse(wishes.begin() + place(first), wishes.begin() + place(back + 1));
+        back = first;
+    }
+    if (action == RecoverAction::Undo)
+        std::reverse(wishes.begin(), wishes.end());
+    return wishes;
+}
+
 /// A restore leaves torque off, also one that is ended later.
 void noteTorque(const device::Context& context, const Recovered& one)
 {
@@ -33,6 +88,7 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
                                    RecoverAction action, const BeforeWrite& beforeWrite)
 {
     Recovered recovered;
+    recovered.action = action;
     device::Servo servo;
     const auto before = look(context, intent, servo);
     if (!before)
@@ -82,16 +138,17 @@ base::Result<std::vector<Recovered>> recover(const device::Context& outer, Recov
         return tl::unexpected(open.error());
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
+    std::vector<base::Intent> asked;
+    std::copy_if(open->begin(), open->end(), std::back_inserter(asked), [&](const auto& intent) {
+        return (options.anyPort || intent.servo.port == context.bus.portName()) &&
+               (options.uuid.isEmpty() || intent.uuid == options.uuid);
+    });
     std::vector<Recovered> all;
     const int baudBefore = context.bus.baud();
-    for (const base::Intent& intent : *open) {
-        if (!options.anyPort && intent.servo.port != context.bus.portName())
-            continue;
-        if (!options.uuid.isEmpty() && intent.uuid != options.uuid)
-            continue;
+    for (const Wish& wish : wishesFor(asked, action)) {
         if (context.stop.requested())
             return base::fail(ErrorCode::Stopped, QStringLiteral("recover"));
-        auto one = recoverOne(context, intent, action, options.beforeWrite);
+        auto one = recoverOne(context, wish.intent, wish.action, options.beforeWrite);
         if (context.bus.hasBaud()) // also after an error: whoever comes next counts on it
             (void)context.bus.setBaud(baudBefore);
         if (!one)

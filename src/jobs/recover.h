@@ -29,6 +29,8 @@ enum class RecoverAction : std::uint8_t { Look, Finish, Undo };
 
 struct Recovered {
     OpenIntent before;
+    /// What was done, or tried: not always what was asked for, see recover().
+    RecoverAction action = RecoverAction::Look;
     bool done = false;
     /// Of a snapshot's restore every row of the intent; of others what was written, if anything.
     std::optional<device::WriteReport> report;
@@ -43,6 +45,8 @@ struct RecoverOptions {
     BeforeWrite beforeWrite{};
 };
 
+/// Finishes from the oldest on, undoes from the latest on. Where both a restore and its way back
+/// were broken off, the way back is finished and the restore undone, unless one is named by `uuid`.
 base::Result<std::vector<Recovered>> recover(const device::Context& context, RecoverAction action,
                                              const RecoverOptions& options = {});
 } // namespace jobs

@@ -101,7 +101,39 @@ bool comparable(const base::Intent& intent, const device::Servo& servo,
     return reg != nullptr && concernsRecovery(intent, *reg);
 }
 
-Finding compare(const base::Intent& intent, const device::Servo& servo)
+/// What was begun later for a servo like this.
+base::Result<std::vector<base::JournalEntry>> laterThan(const device::Context& context,
+                                                        const base::Intent& intent)
+{
+    auto entries = context.journal.entriesOf(intent.servo, entriesLookedAt);
+    if (!entries)
+        return entries;
+    const auto own = std::find_if(entries->begin(), entries->end(), [&](const auto& entry) {
+        return entry.intent.uuid == intent.uuid;
+    });
+    if (own != entries->end())
+        entries->erase(entries->begin(), own + 1);
+    return entries;
+}
+
+/// A later try that did not succeed may have left a third value. Its last reading tells.
+bool leftByLaterTry(const std::vector<base::JournalEntry>& later, const base::Intent& intent,
+                    const QString& key, std::int64_t raw)
+{
+    std::optional<std::int64_t> last;
+    for (const base::JournalEntry& entry : later) {
+        if (!entry.end || entry.intent.servo.port != intent.servo.port)
+            continue;
+        for (const base::ItemEnd& item : entry.end->items) {
+            if (item.key == key && item.readBack)
+                last = item.readBack;
+        }
+    }
+    return last == raw;
+}
+
+Finding compare(const base::Intent& intent, const device::Servo& servo,
+                const std::vector<base::JournalEntry>& later)
 {
     int asOld = 0;
     int asNew = 0;
@@ -113,9 +145,15 @@ Finding compare(const base::Intent& intent, const device::Servo& servo)
             ++(raw == item.oldRaw ? asOld : asNew);
             continue;
         }
-        if (raw != item.oldRaw && raw != item.newRaw)
-            return Finding::OtherServo;
-        ++(raw == item.newRaw ? asNew : asOld);
+        const bool isNew = raw == item.newRaw;
+        if (raw != item.oldRaw && !isNew) {
+            if (!raw || !leftByLaterTry(later, intent, item.key, *raw))
+                return Finding::OtherServo;
+            ++asOld; // neither
+            ++asNew;
+            continue;
+        }
+        ++(isNew ? asNew : asOld);
     }
     if (asOld == 0)
         return Finding::AllNew;
@@ -169,7 +207,10 @@ base::Result<OpenIntent> look(const device::Context& context, const base::Intent
         return tl::unexpected(fresh.error());
     result.foundId = servo.id;
     result.foundBaud = servo.baud;
-    result.finding = compare(intent, servo);
+    const auto later = laterThan(context, intent);
+    if (!later)
+        return tl::unexpected(later.error());
+    result.finding = compare(intent, servo, *later);
     if (const auto flag = servo.raw(Role::Lock))
         result.lockOpen = device::isOpen(*flag);
     return result;

@@ -13,6 +13,9 @@ bool newValuesKnown(const base::Intent& intent);
 /// Whichever way it is settled, the old values are wanted.
 bool onlyBack(const base::Intent& intent);
 
+/// As many of a servo's past writes are looked through for what it held.
+constexpr int entriesLookedAt = 1000;
+
 /// What recovery brings to one side or the other: registers that survive a power-off, and a mode
 /// that a test has set, though it may be forgotten then (LX).
 bool concernsRecovery(const base::Intent& intent, const catalog::Register& reg);

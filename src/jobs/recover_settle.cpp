@@ -69,6 +69,27 @@ Settled asSettled(base::Result<device::WriteReport> written)
     return {base::fail(ErrorCode::LockOpen, QStringLiteral("recover"), {}, written->id), *written};
 }
 
+/// Finishing a way back: each of these values is one that this servo was once found with.
+bool heldBefore(const device::Context& context, const base::Intent& intent,
+                const std::vector<device::WriteItem>& items)
+{
+    const auto entries = context.journal.entriesOf(intent.servo, entriesLookedAt);
+    if (!entries)
+        return false;
+    const auto found = [&](const device::WriteItem& wanted) {
+        for (const base::JournalEntry& entry : *entries) {
+            if (entry.intent.servo.port != intent.servo.port)
+                continue;
+            for (const base::JournalItem& item : entry.intent.items) {
+                if (item.key == wanted.key && item.oldRaw == wanted.raw)
+                    return true;
+            }
+        }
+        return false;
+    };
+    return std::all_of(items.begin(), items.end(), found);
+}
+
 Settled writeItems(const device::Context& context, const base::Intent& intent, device::Servo& servo,
                    const std::vector<device::WriteItem>& items, RecoverAction action)
 {
@@ -88,7 +109,8 @@ Settled writeItems(const device::Context& context, const base::Intent& intent, d
     device::WriteOptions options;
     options.dangerous = true; // consent was given when the intent was made
     options.temporary = intent.temporary;
-    options.asBefore = action == RecoverAction::Undo || onlyBack(intent);
+    options.asBefore =
+        action == RecoverAction::Undo || onlyBack(intent) || heldBefore(context, intent, items);
     if (isSnapshotRestore(intent)) {
         options.kind = IntentKind::Restore;
         options.torqueOff = true;

@@ -94,6 +94,8 @@ bool Restorer::finishEarlier(const std::vector<base::Intent>& intents)
         if (!one || !one->report)
             continue;
         m_openIntents << intent.uuid;
+        if (!one->report->openIntent.isEmpty())
+            m_openIntents << one->report->openIntent;
         return false;
     }
     // What they have changed; if it does not come now, the next read says so.

@@ -17,6 +17,7 @@ struct Step {
     QString outcome; ///< of the register, else of the whole; empty: nobody knows
     base::IntentKind kind = base::IntentKind::Write;
     bool temporary = false;
+    bool valuesKnown = true; ///< beforehand: some row of its intent was to change
 };
 
 base::Result<std::vector<Step>> stepsBetween(const HistoryFile& file, std::int64_t servo,
@@ -24,9 +25,10 @@ base::Result<std::vector<Step>> stepsBetween(const HistoryFile& file, std::int64
 {
     const auto rows =
         file.run(QStringLiteral("SELECT w.\"key\", w.old, w.new, w.read_back, w.outcome, "
-                                "i.outcome, i.kind, i.temporary FROM writes w JOIN intents i ON "
-                                "i.number = w.intent WHERE w.servo = ? AND w.at >= ? AND w.at <= ? "
-                                "ORDER BY w.at, w.number"),
+                                "i.outcome, i.kind, i.temporary, EXISTS (SELECT 1 FROM writes o "
+                                "WHERE o.intent = w.intent AND o.old <> o.new) FROM writes w JOIN "
+                                "intents i ON i.number = w.intent WHERE w.servo = ? AND w.at >= ? "
+                                "AND w.at <= ? ORDER BY w.at, w.number"),
                  {qint64(servo), from.toMSecsSinceEpoch(), until.toMSecsSinceEpoch()});
     if (!rows)
         return tl::unexpected(rows.error());
@@ -43,6 +45,7 @@ base::Result<std::vector<Step>> stepsBetween(const HistoryFile& file, std::int64
         step.kind =
             base::intentKindFromName(row.value(6).toString()).value_or(base::IntentKind::Write);
         step.temporary = row.value(7).toBool();
+        step.valuesKnown = row.value(8).toBool();
         steps.push_back(std::move(step));
     }
     return steps;
@@ -62,10 +65,10 @@ public:
         // Gone with the next power-off, by design; what a test or blinking had set is put back.
         if (step.temporary || step.outcome == QLatin1String("temporary"))
             return;
-        // Old and new are the same where the servo took what it had stored itself (0x06); the
-        // values of a restored snapshot are known.
+        // Old and new are the same in all rows where the servo took what it had stored itself
+        // (0x06); the values of a restored snapshot are known.
         const bool measured = step.kind == base::IntentKind::Calibrate; // by the servo itself
-        if (step.kind == base::IntentKind::Restore && step.oldRaw == step.newRaw) {
+        if (step.kind == base::IntentKind::Restore && !step.valuesKnown) {
             forgetSettings();
         } else if (!measured && (step.outcome == QLatin1String("kept") ||
                                  step.outcome == QLatin1String("done"))) {

@@ -2,7 +2,7 @@
 // Restoring a snapshot on every family: what was saved comes back whatever was in the servo, in one
 // transaction, and a second time nothing is written. What is claimed is held against what the servo
 // really has.
-#include "integration/restore_help.h"
+#include "integration/restore_trouble.h"
 #include "jobs/change.h"
 #include "jobs/recover.h"
 #include "jobs/restore.h"
@@ -16,6 +16,9 @@
 using jobs::RestoreReason;
 using jobs::RestoreStage;
 using jobs::RestoreVerdict;
+using support::cutAtWrite;
+using support::disturb;
+using support::meddle;
 using support::SimBench;
 using support::TableValues;
 
@@ -343,37 +346,12 @@ void TestRestore::limitsAreNeverTheWrongWayRound()
     QVERIFY(bench.onlyAsked());
 }
 
-namespace {
-/// Seven rows that differ, far enough apart for frames of their own.
-void disturb(SimBench& bench)
-{
-    support::pokeKept(bench, text("max_temperature"), 60);
-    support::pokeKept(bench, text("max_torque"), 900);
-    support::pokeKept(bench, text("position_p"), 50);
-    support::pokeKept(bench, text("position_i"), 5);
-    support::pokeKept(bench, text("cw_dead_zone"), 3);
-    support::pokeKept(bench, text("protection_torque"), 33);
-    support::pokeKept(bench, text("speed_p"), 77);
-}
-
-/// As if somebody else wrote this register right after we did, every time.
-void meddle(SimBench& bench, std::uint8_t address, const char* key, std::int64_t raw, int times)
-{
-    bench.tap().onWrite = [&bench, address, key, raw, times,
-                           pending = false](const base::Bytes& frame) mutable {
-        if (pending && times-- > 0)
-            bench.poke(1, text(key), raw);
-        pending = frame.size() > 5 && frame[4] == support::Write && frame[5] == address;
-    };
-}
-} // namespace
-
 void TestRestore::aRefusedRowStopsTheRest()
 {
     SimBench bench(text("sts3215@1"));
     const record::Snapshot snapshot = saved(bench);
     disturb(bench);
-    meddle(bench, 21, "position_p", 99, 1);
+    meddle(bench, 21, text("position_p"), 99, 1);
     const auto outcome = restored(bench, snapshot, {}, {});
     bench.tap().onWrite = nullptr;
     QCOMPARE(outcome.verdict, RestoreVerdict::Failed);
@@ -406,7 +384,7 @@ void TestRestore::aRefusedRowRollsBack()
     const record::Snapshot snapshot = saved(bench);
     disturb(bench);
     const TableValues before = support::held(bench);
-    meddle(bench, 21, "position_p", 99, 1);
+    meddle(bench, 21, text("position_p"), 99, 1);
     jobs::RestoreOptions options;
     options.onFailure = jobs::OnFailure::RollBack;
     const auto outcome = restored(bench, snapshot, {}, options);
@@ -569,7 +547,7 @@ void TestRestore::aLockThatStaysOpenIsAFailure()
     const record::Snapshot snapshot = saved(bench);
     bench.poke(1, text("lock"), 0);
     constexpr std::uint8_t lockAddress = 55;
-    meddle(bench, lockAddress, "lock", 0, 100);
+    meddle(bench, lockAddress, text("lock"), 0, 100);
     const auto outcome = restored(bench, snapshot, {}, {});
     bench.tap().onWrite = nullptr;
     QVERIFY(support::lockIsOpen(bench));
@@ -579,15 +557,6 @@ void TestRestore::aLockThatStaysOpenIsAFailure()
 }
 
 namespace {
-/// Ends the link when the `count`th WRITE frame goes out.
-void cutAtWrite(SimBench& bench, int count)
-{
-    bench.tap().onWrite = [&bench, count](const base::Bytes& frame) mutable {
-        if (frame.size() > 5 && frame[4] == support::Write && --count == 0)
-            bench.cutLink();
-    };
-}
-
 /// disturb() made good in part: the link is cut before the fourth of seven rows.
 void breakOff(SimBench& bench, const record::Snapshot& snapshot)
 {
@@ -692,8 +661,7 @@ void TestRestore::finishingStopsAtTheFirstFailure()
         return bench.raw(1, item.key) != item.newRaw;
     });
     QVERIFY(missing != open.items.end() && missing + 1 != open.items.end());
-    const QByteArray key = missing->key.toLatin1();
-    meddle(bench, std::uint8_t(missing->address), key.constData(), missing->newRaw + 1, 1);
+    meddle(bench, std::uint8_t(missing->address), missing->key, missing->newRaw + 1, 1);
     const auto outcome = restored(bench, snapshot, {}, {});
     bench.tap().onWrite = nullptr;
     QCOMPARE(outcome.verdict, RestoreVerdict::Failed);
@@ -716,17 +684,8 @@ void TestRestore::whatIsRolledBackIsUndoneInTheJournal()
     const record::Snapshot snapshot = saved(bench);
     disturb(bench);
     const TableValues before = support::held(bench);
-    // From the third row on it obeys without a word, until all hope for the lock is given up.
     constexpr int thirdRow = 4;
-    bench.tap().onWrite = [&bench, count = 0](const base::Bytes& frame) mutable {
-        count += frame.size() > 5 && frame[4] == support::Write ? 1 : 0;
-        const auto& notices = bench.notices();
-        const bool givenUp = std::any_of(notices.begin(), notices.end(), [](const auto& notice) {
-            return notice.code == device::NoticeCode::LockLeftOpen;
-        });
-        bench.wireConfig().faults.muteIds =
-            count >= thirdRow && !givenUp ? std::vector<int>{1} : std::vector<int>{};
-    };
+    support::fallSilent(bench, thirdRow);
     jobs::RestoreOptions options;
     options.onFailure = jobs::OnFailure::RollBack;
     const auto outcome = restored(bench, snapshot, {}, options);
