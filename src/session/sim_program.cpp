@@ -86,7 +86,6 @@ base::Result<void> runSimulator(const SimOptions& options,
         return tl::unexpected(device.error());
     sim::PtyHost host(**bus, **device, options.wireTime);
     const StopBySignal stopBySignal(host);
-    announce((*device)->path());
 
     base::Result<void> saved;
     int ticks = 0;
@@ -94,6 +93,7 @@ base::Result<void> runSimulator(const SimOptions& options,
         if (tell)
             tell(line);
     });
+    announce((*device)->path()); // whoever reads it may signal at once
     const auto housekeeping = [&] {
         bag.look();
         if (!store || ++ticks % ticksPerSave != 0)

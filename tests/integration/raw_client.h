@@ -128,6 +128,19 @@ public:
             return -1;
         return m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
     }
+    /// A line for its standard input.
+    void tell(const char* line)
+    {
+        m_process.write(line);
+        m_process.write("\n");
+    }
+    /// The next line it says after the first; empty when patience ends.
+    QString nextLine()
+    {
+        while (!m_process.canReadLine() && m_process.waitForReadyRead(patienceMs)) {
+        }
+        return QString::fromUtf8(m_process.readLine()).trimmed();
+    }
     QString complaint() { return QString::fromUtf8(m_process.readAllStandardError()); }
 
 private:

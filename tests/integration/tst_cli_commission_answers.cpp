@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What somebody types while servos are set up one after the other: Enter, a, s, or nothing any
+// more; and the hand that plugs the servos of servodesk-sim in and out by lines on its standard
+// input and by a signal.
+#include "integration/raw_client.h"
+#include "record/commission_batch.h"
+#include "support/cli_program.h"
+
+#include <QFile>
+#include <QJsonDocument>
+#include <QRegularExpression>
+#include <QTest>
+
+using support::CliProgram;
+using support::Ran;
+
+namespace {
+QString text(const char* word)
+{
+    return QString::fromLatin1(word);
+}
+
+/// The command on a bag of six, with somebody at the keys.
+class Keyboard {
+public:
+    Keyboard() { m_cli.setPort(text("sim:line")); }
+
+    QString csv() const { return m_cli.dataFolder() + text("/batch.csv"); }
+    void start(const char* line) { m_cli.start(support::words(line) << text("--batch") << csv()); }
+    /// What it asks; false: it has ended without.
+    bool asks(const char* question) { return m_cli.waitForRemark(question); }
+    void press(const char* keys) { m_cli.process().write(keys); }
+    Ran finish() { return m_cli.finish(); }
+
+    /// The rows that are on the disk by now.
+    std::vector<record::CommissionRow> rows() const
+    {
+        const auto batch = record::openCommissionBatch(csv());
+        if (!batch)
+            qFatal("no batch");
+        return batch->rows;
+    }
+
+private:
+    CliProgram m_cli;
+};
+
+const QByteArray pong = raw::bytes("FFFF010200FC"); // of ID 1, no alarm
+
+/// A bag in a program of its own, and whoever listens on its wire.
+class Bag {
+public:
+    QString says() { return m_simulator.nextLine(); }
+    void tell(const char* line) { m_simulator.tell(line); }
+    void signal(int number) const { kill(static_cast<pid_t>(m_simulator.pid()), number); }
+    /// Whoever is plugged in answers under the factory's ID, once it has started.
+    QByteArray ping() const { return m_client.askUntilAnswered("FFFF010201FB", pong.size()); }
+    bool silent() const
+    {
+        m_client.say(raw::bytes("FFFF010201FB"));
+        constexpr int hundredsOfRepliesMs = 100;
+        return !m_client.readable(hundredsOfRepliesMs);
+    }
+    int end() { return m_simulator.end(); }
+
+private:
+    raw::Simulator m_simulator{support::words("--preset line --eprom-ms 1")};
+    raw::Client m_client{m_simulator.port()};
+};
+} // namespace
+
+class TestCliCommissionAnswers : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void enterSetsItUp();
+    void aSetsItAside();
+    void sSaysThatItIsTheOneLeftInTheMiddle_data();
+    void sSaysThatItIsTheOneLeftInTheMiddle();
+    void nobodyAtTheKeysEndsTheLine();
+    void theBagObeysLines();
+    void theBagObeysASignal();
+    void whatTheBagDoesNotUnderstandItSays();
+};
+
+void TestCliCommissionAnswers::enterSetsItUp()
+{
+    Keyboard keys;
+    keys.start("commission --first-id 5 --count 2");
+    QVERIFY(keys.asks("gets ID 5."));
+    QVERIFY(keys.rows().empty()); // not before somebody has said so
+    keys.press("\n");
+    QVERIFY(keys.asks("gets ID 6."));
+    QCOMPARE(keys.rows().size(), std::size_t(1));
+    keys.press("\n");
+    const Ran ran = keys.finish();
+    QVERIFY2(ran.exit == 0, qPrintable(ran.err));
+    const auto rows = keys.rows();
+    QCOMPARE(rows.size(), std::size_t(2));
+    for (int i = 0; i < 2; ++i) {
+        QCOMPARE(rows[std::size_t(i)].verdict, record::CommissionVerdict::Good);
+        QCOMPARE(rows[std::size_t(i)].newId, 5 + i);
+        QVERIFY(ran.out.contains(QStringLiteral("ID %1").arg(5 + i)));
+    }
+}
+
+void TestCliCommissionAnswers::aSetsItAside()
+{
+    Keyboard keys;
+    keys.start("commission --first-id 5 --count 1");
+    QVERIFY(keys.asks("a and Enter: set it aside"));
+    keys.press("a\n");
+    QVERIFY(keys.asks("Unplug it.\n"));
+    const auto aside = keys.rows();
+    QCOMPARE(aside.size(), std::size_t(1));
+    QCOMPARE(aside[0].verdict, record::CommissionVerdict::Aside);
+    QCOMPARE(aside[0].newId, -1);
+    QVERIFY2(aside[0].snapshot.isEmpty(), "nothing is written, so nothing is saved");
+    // The ID waits for the next one.
+    QVERIFY(keys.asks("Unplug it.\nConnect the next servo (it gets ID 5).\nSTS3215, ID 1 at"));
+    keys.press("\n");
+    const Ran ran = keys.finish();
+    QCOMPARE(ran.exit, 1); // one was not set up
+    const auto rows = keys.rows();
+    QCOMPARE(rows.size(), std::size_t(2));
+    QCOMPARE(rows[1].verdict, record::CommissionVerdict::Good);
+    QCOMPARE(rows[1].newId, 5);
+    QVERIFY(ran.err.contains(text("1 set up, 0 failed, 1 set aside; 0 unfinished")));
+}
+
+void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle_data()
+{
+    QTest::addColumn<QByteArray>("answer");
+    QTest::addColumn<int>("id");
+    QTest::addColumn<int>("unfinished");
+    QTest::newRow("s") << QByteArray("s\n") << 9 << 0;
+    QTest::newRow("another one") << QByteArray("\n") << 5 << 1;
+}
+
+void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle()
+{
+    QFETCH(const QByteArray, answer);
+    QFETCH(const int, id);
+    QFETCH(const int, unfinished);
+    // Whoever comes first out of the bag, as this program meets it.
+    Keyboard first;
+    first.start("commission --first-id 5 --count 1");
+    QVERIFY(first.asks("gets ID 5."));
+    first.press("\n");
+    QCOMPARE(first.finish().exit, 0);
+    const record::CommissionRow met = first.rows().front();
+
+    // One like it was to have ID 9 when the program was killed; nobody knows whether it has it.
+    Keyboard keys;
+    record::CommissionPending left;
+    left.at = met.at;
+    left.servo = met.servo;
+    left.oldBaud = left.newBaud = met.oldBaud;
+    left.newId = 9;
+    left.idSent = true;
+    record::CommissionBatch batch;
+    batch.pending = {left};
+    QVERIFY(record::saveCommissionBatch(batch, keys.csv()));
+
+    keys.start("commission --first-id 5 --count 1");
+    QVERIFY(keys.asks("to have ID 9, press s and Enter"));
+    keys.press(answer.constData());
+    const Ran ran = keys.finish();
+    QCOMPARE(ran.exit, unfinished);
+    const auto after = record::openCommissionBatch(keys.csv());
+    QVERIFY(after);
+    QCOMPARE(after->rows.size(), std::size_t(1));
+    QCOMPARE(after->rows[0].verdict, record::CommissionVerdict::Good);
+    QCOMPARE(after->rows[0].newId, id);
+    QCOMPARE(after->pending.size(), std::size_t(unfinished));
+}
+
+void TestCliCommissionAnswers::nobodyAtTheKeysEndsTheLine()
+{
+    Keyboard keys;
+    keys.start("commission --first-id 5 --count 1");
+    QVERIFY(keys.asks("gets ID 5."));
+    const Ran ran = keys.finish(); // the end of its standard input
+    QCOMPARE(ran.exit, 0);
+    QVERIFY(keys.rows().empty());
+    QVERIFY(ran.err.contains(text("0 set up, 0 failed, 0 set aside; 0 unfinished")));
+}
+
+void TestCliCommissionAnswers::theBagObeysLines()
+{
+    Bag bag;
+    QVERIFY2(bag.silent(), "nobody is plugged in yet");
+    bag.tell("next");
+    const QString plugged = bag.says();
+    QVERIFY2(plugged.startsWith(text("plugged: ")) && plugged.endsWith(text("(1 of 6)")),
+             qPrintable(plugged));
+    QCOMPARE(bag.ping(), pong);
+    bag.tell("unplug");
+    QCOMPARE(bag.says(), text("unplugged"));
+    QVERIFY(bag.silent());
+    bag.tell("plug 3");
+    QVERIFY(bag.says().endsWith(text("(3 of 6)")));
+    QCOMPARE(bag.ping(), pong);
+    // The next one of the bag takes its place; what has been out of it does not come again.
+    for (const int place : {2, 4, 5, 6}) {
+        bag.tell("next");
+        QVERIFY(bag.says().endsWith(QStringLiteral("(%1 of 6)").arg(place)));
+        QCOMPARE(bag.ping(), pong);
+    }
+    bag.tell("next");
+    QCOMPARE(bag.says(), text("unplugged; the bag is empty"));
+    QVERIFY(bag.silent());
+    QCOMPARE(bag.end(), 0);
+}
+
+void TestCliCommissionAnswers::theBagObeysASignal()
+{
+    Bag bag;
+    for (int place = 1; place <= 6; ++place) {
+        bag.signal(SIGUSR1);
+        QVERIFY(bag.says().endsWith(QStringLiteral("(%1 of 6)").arg(place)));
+        QCOMPARE(bag.ping(), pong);
+    }
+    bag.signal(SIGUSR1);
+    QCOMPARE(bag.says(), text("unplugged; the bag is empty"));
+    QVERIFY(bag.silent());
+    QCOMPARE(bag.end(), 0);
+}
+
+void TestCliCommissionAnswers::whatTheBagDoesNotUnderstandItSays()
+{
+    Bag bag;
+    for (const char* line : {"plug", "plug 0", "plug 7", "plug one", "plug 1 2", "shake", "NEXT"}) {
+        bag.tell(line);
+        QCOMPARE(bag.says(), text("not understood: ") + text(line));
+    }
+    QVERIFY(bag.silent());
+    // An empty line is nothing.
+    bag.tell("");
+    bag.tell("next");
+    QVERIFY(bag.says().endsWith(text("(1 of 6)")));
+    QCOMPARE(bag.ping(), pong);
+}
+
+QTEST_GUILESS_MAIN(TestCliCommissionAnswers)
+#include "tst_cli_commission_answers.moc"
