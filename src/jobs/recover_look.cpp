@@ -116,20 +116,22 @@ base::Result<std::vector<base::JournalEntry>> laterThan(const device::Context& c
     return entries;
 }
 
-/// A later try that did not succeed may have left a third value. Its last reading tells.
+/// A later try that did not succeed may have left a third value, as its last reading tells. One
+/// that somebody has written since on purpose is none of ours.
 bool leftByLaterTry(const std::vector<base::JournalEntry>& later, const base::Intent& intent,
                     const QString& key, std::int64_t raw)
 {
-    std::optional<std::int64_t> last;
+    std::optional<base::ItemEnd> last;
     for (const base::JournalEntry& entry : later) {
         if (!entry.end || entry.intent.servo.port != intent.servo.port)
             continue;
         for (const base::ItemEnd& item : entry.end->items) {
             if (item.key == key && item.readBack)
-                last = item.readBack;
+                last = item;
         }
     }
-    return last == raw;
+    const QString left = device::outcomeName(device::WriteOutcome::Mismatch);
+    return last && last->readBack == raw && last->outcome == left;
 }
 
 Finding compare(const base::Intent& intent, const device::Servo& servo,

@@ -218,6 +218,7 @@ private Q_SLOTS:
     void aWayBackBrokenOffIsGoneToItsEnd();
     void onlyTheWayBackIsOpen_data();
     void onlyTheWayBackIsOpen();
+    void whatSomebodyWroteSinceIsLeftAlone();
     void whatNobodyHeldIsRefused();
 };
 
@@ -411,6 +412,25 @@ void TestRestoreUndo::onlyTheWayBackIsOpen()
     QCOMPARE(bench.historyLies(), QString());
     if (RecoverAction(action) == RecoverAction::Finish)
         QCOMPARE(bench.notAsBefore(), QString());
+}
+
+void TestRestoreUndo::whatSomebodyWroteSinceIsLeftAlone()
+{
+    UndoBench bench;
+    bench.breakOff();
+    const base::JournalItem missing = bench.nextMissing();
+    device::Servo servo = support::wholeServo(bench.bench);
+    const auto written =
+        device::write(bench.context(), servo, {{missing.key, missing.newRaw + 1}}, {});
+    QVERIFY(written && written->allGood());
+    bench.bench.forgetFrames();
+    for (const RecoverAction action : {RecoverAction::Finish, RecoverAction::Undo}) {
+        const auto one = bench.recover(action);
+        QVERIFY(one && one->size() == 1 && !one->front().done);
+        QCOMPARE(one->front().before.finding, jobs::Finding::OtherServo);
+    }
+    QVERIFY(bench.bench.onlyAsked());
+    QCOMPARE(bench.bench.raw(1, missing.key), missing.newRaw + 1);
 }
 
 /// Finishing is no way around the sheet.
