@@ -24,7 +24,8 @@ CommissionPending* CommissionLine::pendingOf(const CommissionWork& work)
 }
 
 /// Is it one that was left in the middle? Then it goes on with what it was to get. At its old place
-/// it may as well be another one of the kind, if the new ID may have been written already.
+/// it may as well be another one of the kind, if the new ID may have been written already, unless
+/// its lock still stands open.
 bool CommissionLine::recognise(CommissionWork& work, CommissionView& view)
 {
     const record::SnapshotServo who = servoRecord(work.servo);
@@ -37,7 +38,7 @@ bool CommissionLine::recognise(CommissionWork& work, CommissionView& view)
         const bool rate = work.servo.baud == one.oldBaud || work.servo.baud == one.newBaud;
         if (!sameKind || !rate || !(atNew || atOld))
             continue;
-        if (!atNew && one.idSent) {
+        if (!atNew && one.idSent && !leftOpen(m_context, work.servo, one)) {
             view.doubtfulId = one.newId;
             continue;
         }
@@ -169,6 +170,8 @@ base::Result<void> CommissionLine::setAside(const CommissionWork& work,
 base::Result<void> CommissionLine::begin(CommissionWork& work, CommissionView& view)
 {
     if (view.halfDone) {
+        if (work.servo.id == work.newId)
+            (void)keepName(work, labelOf(work)); // before anything more is written to it
         const CommissionPending* one = pendingOf(work);
         const auto since = one != nullptr ? one->at : work.row.at;
         if (const auto settled = settleIntents(m_context, work.servo, since); !settled)

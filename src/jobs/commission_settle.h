@@ -5,9 +5,16 @@
 #pragma once
 
 #include "jobs/recover.h"
+#include "record/commission_batch.h"
 
 namespace jobs {
 /// Concerns intents of this port and this kind of servo begun at `since` or later.
 base::Result<void> settleIntents(const device::Context& context, device::Servo& servo,
                                  const QDateTime& since);
+
+/// At its old place: is it the very one? Yes where the journal has us open the lock of such a
+/// servo to give it its ID, the lock is open still, and was closed when the servo came. Losing
+/// power closes it, so nobody has pulled this one since.
+bool leftOpen(const device::Context& context, device::Servo& servo,
+              const record::CommissionPending& begun);
 } // namespace jobs

@@ -3,7 +3,6 @@
 // goes wrong at a bench: two servos at once, foreign rates, alarms, servos pulled in the middle,
 // the program killed, IDs used up, a template of another model.
 #include "device/reader.h"
-#include "jobs/snapshot.h"
 #include "support/commission_bench.h"
 #include "support/deaf_acks.h"
 
@@ -22,6 +21,7 @@ using jobs::CommissionView;
 using record::CommissionRow;
 using record::CommissionVerdict;
 using support::CommissionBench;
+using support::templateOf;
 
 namespace {
 QString q(const char* text)
@@ -35,25 +35,6 @@ QStringList words(const CommissionRow& row)
     for (const record::CommissionTrouble& trouble : row.troubles)
         all.append(trouble.word);
     return all;
-}
-
-/// A template with these values, from a servo of this model.
-record::Snapshot templateOf(const char* model,
-                            const std::vector<std::pair<const char*, std::int64_t>>& values)
-{
-    support::SimBench other(q(model) + q("@1"));
-    auto context = other.context();
-    device::Servo servo = other.servo(1);
-    record::Snapshot snapshot = *jobs::takeSnapshot(context, servo, q("test"));
-    std::vector<record::SnapshotRegister> rows;
-    for (const auto& value : values) {
-        record::SnapshotRegister row = *snapshot.find(q(value.first));
-        row.raw = value.second;
-        rows.push_back(row);
-    }
-    snapshot.registers = rows;
-    snapshot.isTemplate = true;
-    return snapshot;
 }
 
 /// Everything there is to be written.

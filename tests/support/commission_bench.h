@@ -4,11 +4,31 @@
 #pragma once
 
 #include "jobs/commission.h"
+#include "jobs/snapshot.h"
 #include "support/sim_bench.h"
 
 #include <QTemporaryDir>
 
 namespace support {
+/// A template with these values, from a servo of this model.
+inline record::Snapshot templateOf(const char* model,
+                                   const std::vector<std::pair<const char*, std::int64_t>>& values)
+{
+    SimBench other(QString::fromLatin1(model) + QStringLiteral("@1"));
+    auto context = other.context();
+    device::Servo servo = other.servo(1);
+    record::Snapshot snapshot = *jobs::takeSnapshot(context, servo, QStringLiteral("test"));
+    std::vector<record::SnapshotRegister> rows;
+    for (const auto& value : values) {
+        record::SnapshotRegister row = *snapshot.find(QString::fromLatin1(value.first));
+        row.raw = value.second;
+        rows.push_back(row);
+    }
+    snapshot.registers = rows;
+    snapshot.isTemplate = true;
+    return snapshot;
+}
+
 class CommissionBench {
 public:
     explicit CommissionBench(const QString& servos = QStringLiteral("line"))

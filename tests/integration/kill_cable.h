@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A cable between a program and the simulator's terminal, as a terminal of its own: what is said on
+// one side is heard on the other, at the rate it was said at. Kills the program (SIGKILL) at the
+// WRITE of one register, before the servo has heard it or after. A thread of its own; killAt(),
+// killed() and connectAnew() from the test's, the last while no program is at it. POSIX only.
+#pragma once
+
+#include "transport/tty_speed.h"
+
+#include <QString>
+
+#include <atomic>
+#include <csignal>
+#include <fcntl.h>
+#include <mutex>
+#include <optional>
+#include <poll.h>
+#include <stdlib.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <thread>
+#include <unistd.h>
+
+namespace support {
+struct KillPoint {
+    int address = -1; ///< first one of the frame
+    bool heard = false;
+};
+
+class KillCable {
+public:
+    explicit KillCable(const QString& terminal)
+        : m_terminal(open(qPrintable(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC))
+        , m_master(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC))
+    {
+        grantpt(m_master);
+        unlockpt(m_master);
+        m_port = QString::fromLocal8Bit(ptsname(m_master));
+        // Held open, so that the rate can be asked for and nobody's leaving hangs it up.
+        m_slave = open(qPrintable(m_port), O_RDWR | O_NOCTTY | O_CLOEXEC);
+        for (const int side : {m_terminal, m_slave}) {
+            termios settings{};
+            tcgetattr(side, &settings);
+            cfmakeraw(&settings);
+            tcsetattr(side, TCSANOW, &settings);
+        }
+        m_thread = std::thread([this] { serve(); });
+    }
+    ~KillCable()
+    {
+        m_over = true;
+        m_thread.join();
+        for (const int side : {m_slave, m_master, m_terminal})
+            close(side);
+    }
+    KillCable(const KillCable&) = delete;
+    KillCable& operator=(const KillCable&) = delete;
+
+    QString port() const { return m_port; }
+    void killAt(const KillPoint& point, qint64 program)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_point = point;
+        m_program = static_cast<pid_t>(program);
+    }
+    bool killed()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_killed;
+    }
+    /// For the next program: nothing of the one before is left in it.
+    void connectAnew()
+    {
+        const std::lock_guard lock(m_mutex);
+        ioctl(m_slave, TIOCNXCL); // a killed program has not given this back
+        tcflush(m_slave, TCIOFLUSH);
+        m_point.reset();
+        m_killed = false;
+    }
+
+private:
+    void serve()
+    {
+        while (!m_over) {
+            pollfd states[2] = {{m_master, POLLIN, 0}, {m_terminal, POLLIN, 0}};
+            if (poll(states, 2, 20) <= 0)
+                continue;
+            const std::lock_guard lock(m_mutex);
+            if ((states[0].revents & POLLIN) != 0)
+                fromHost();
+            if ((states[1].revents & POLLIN) != 0)
+                pass(m_terminal, m_master);
+        }
+    }
+
+    static ssize_t pass(int from, int to)
+    {
+        char chunk[512];
+        const ssize_t got = read(from, chunk, sizeof chunk);
+        return got > 0 ? write(to, chunk, std::size_t(got)) : got;
+    }
+
+    /// The program says one frame at a time and waits for its answer.
+    void fromHost()
+    {
+        unsigned char frame[512];
+        const ssize_t got = read(m_master, frame, sizeof frame);
+        if (got <= 0 || m_killed)
+            return;
+        const auto rate = transport::ttySpeed(m_slave);
+        if (rate && transport::ttySpeed(m_terminal) != rate)
+            transport::setTtySpeed(m_terminal, *rate);
+        constexpr unsigned char writeInstruction = 3;
+        const bool here = m_point && got > 5 && frame[0] == 0xFF && frame[1] == 0xFF &&
+                          frame[4] == writeInstruction && frame[5] == m_point->address;
+        if ((!here || m_point->heard) && write(m_terminal, frame, std::size_t(got)) != got)
+            qFatal("terminal");
+        if (!here)
+            return;
+        kill(m_program, SIGKILL);
+        m_killed = true;
+    }
+
+    int m_terminal;
+    int m_master;
+    int m_slave = -1;
+    QString m_port;
+    std::atomic<bool> m_over{false};
+    std::mutex m_mutex;
+    std::optional<KillPoint> m_point;
+    pid_t m_program = 0;
+    bool m_killed = false;
+    std::thread m_thread;
+};
+} // namespace support
