@@ -10,29 +10,14 @@ namespace {
 const QLatin1String formatName("servodesk-commission");
 constexpr int formatVersion = 1;
 
-/// One object, its members in the order they are added.
-class Line {
-public:
-    Line& raw(const char* key, const QByteArray& value)
-    {
-        m_text += (m_text.size() > 1 ? ", \"" : "\"") + QByteArray(key) + "\": " + value;
-        return *this;
-    }
-    Line& text(const char* key, const QString& value) { return raw(key, jsonText(value)); }
-    Line& integer(const char* key, int value) { return raw(key, QByteArray::number(value)); }
-    Line& time(const char* key, const QDateTime& at)
-    {
-        return text(key, at.toUTC().toString(Qt::ISODate));
-    }
-    QByteArray done() const { return m_text + '}'; }
-
-private:
-    QByteArray m_text = "{";
-};
+QString timeText(const QDateTime& at)
+{
+    return at.toUTC().toString(Qt::ISODate);
+}
 
 QByteArray servoText(const SnapshotServo& servo)
 {
-    return Line()
+    return JsonLine()
         .integer("id", servo.id)
         .text("model", servo.model)
         .text("model_id", servo.modelId)
@@ -47,14 +32,14 @@ QByteArray troublesText(const std::vector<CommissionTrouble>& troubles)
     QByteArray text;
     for (const CommissionTrouble& trouble : troubles)
         text += (text.isEmpty() ? "" : ", ") +
-                Line().text("word", trouble.word).text("detail", trouble.detail).done();
+                JsonLine().text("word", trouble.word).text("detail", trouble.detail).done();
     return '[' + text + ']';
 }
 
 QByteArray rowText(const CommissionRow& row)
 {
-    return Line()
-        .time("time", row.at)
+    return JsonLine()
+        .text("time", timeText(row.at))
         .raw("servo", servoText(row.servo))
         .integer("was_baud", row.oldBaud)
         .integer("id", row.newId)
@@ -73,8 +58,8 @@ QByteArray rowText(const CommissionRow& row)
 
 QByteArray pendingText(const CommissionPending& one)
 {
-    return Line()
-        .time("time", one.at)
+    return JsonLine()
+        .text("time", timeText(one.at))
         .raw("servo", servoText(one.servo))
         .integer("was_baud", one.oldBaud)
         .integer("id", one.newId)
@@ -157,7 +142,7 @@ QByteArray encodeCommissionBatch(const CommissionBatch& batch)
                       ",\n  \"servos\": " + list(batch.rows, rowText) +
                       ",\n  \"unfinished\": " + list(batch.pending, pendingText);
     if (batch.onWire)
-        text += ",\n  \"on_wire\": " + Line()
+        text += ",\n  \"on_wire\": " + JsonLine()
                                            .text("protocol", batch.onWire->protocol)
                                            .integer("id", batch.onWire->id)
                                            .integer("baud", batch.onWire->baud)

@@ -22,6 +22,7 @@ const QString driver = QStringLiteral("QSQLITE");
 
 // The result codes of SQLite, as its documentation fixes them; the low byte of the extended ones.
 enum SqliteCode : int {
+    unfit = 1, ///< "no such column": not the tables of this program
     damaged = 11,
     full = 13,
     noDatabase = 26,
@@ -78,6 +79,7 @@ base::Error HistoryFile::error(const QSqlError& error) const
 {
     base::ErrorCode code = base::ErrorCode::FileUnwritable;
     switch (error.nativeErrorCode().toInt() & baseCode) {
+    case unfit:
     case damaged:
     case noDatabase:
         code = base::ErrorCode::FileFormat;

@@ -7,6 +7,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <cstdint>
 #include <optional>
 
 namespace record {
@@ -16,4 +17,24 @@ QByteArray jsonFlag(bool value);
 
 /// The shortest text that reads as the same number again; with `digits`, not more of them.
 QByteArray jsonNumber(std::optional<double> value, std::optional<int> digits = {});
+
+/// One object on one line, its members in the order they are added.
+class JsonLine {
+public:
+    JsonLine& raw(const char* key, const QByteArray& value);
+    JsonLine& text(const char* key, const QString& value) { return raw(key, jsonText(value)); }
+    JsonLine& flag(const char* key, bool value) { return raw(key, jsonFlag(value)); }
+    JsonLine& number(const char* key, std::optional<double> value)
+    {
+        return raw(key, jsonNumber(value));
+    }
+    JsonLine& integer(const char* key, std::int64_t value)
+    {
+        return raw(key, QByteArray::number(qint64(value)));
+    }
+    QByteArray done() const { return m_text + '}'; }
+
+private:
+    QByteArray m_text = "{";
+};
 } // namespace record

@@ -12,30 +12,6 @@
 
 namespace record {
 namespace {
-/// One object, its members in the order they are added.
-class Line {
-public:
-    Line& raw(const char* key, const QByteArray& value)
-    {
-        m_text += (m_text.size() > 1 ? ", \"" : "\"") + QByteArray(key) + "\": " + value;
-        return *this;
-    }
-    Line& text(const char* key, const QString& value) { return raw(key, jsonText(value)); }
-    Line& number(const char* key, std::optional<double> value)
-    {
-        return raw(key, jsonNumber(value));
-    }
-    Line& integer(const char* key, std::int64_t value)
-    {
-        return raw(key, QByteArray::number(qint64(value)));
-    }
-    Line& flag(const char* key, bool value) { return raw(key, jsonFlag(value)); }
-    QByteArray done() const { return m_text + '}'; }
-
-private:
-    QByteArray m_text = "{";
-};
-
 template <typename Items, typename Write>
 QByteArray list(const Items& items, const QByteArray& indent, const Write& write)
 {
@@ -47,7 +23,7 @@ QByteArray list(const Items& items, const QByteArray& indent, const Write& write
 
 QByteArray gainText(const StepGain& gain)
 {
-    return Line().text("key", gain.key).integer("raw", gain.raw).done();
+    return JsonLine().text("key", gain.key).integer("raw", gain.raw).done();
 }
 
 QByteArray gainsText(const std::vector<StepGain>& gains)
@@ -57,7 +33,7 @@ QByteArray gainsText(const std::vector<StepGain>& gains)
 
 QByteArray figuresText(const StepFigures& figures)
 {
-    Line line;
+    JsonLine line;
     for (const StepFigure& figure : stepFigures)
         line.number(figure.key, figures.*figure.member);
     return line.done();
@@ -65,7 +41,7 @@ QByteArray figuresText(const StepFigures& figures)
 
 QByteArray specText(const StepSpec& spec)
 {
-    return Line()
+    return JsonLine()
         .text("size", spec.size)
         .text("from", spec.from)
         .integer("repeats", spec.repeats)
@@ -80,7 +56,7 @@ QByteArray specText(const StepSpec& spec)
 
 QByteArray axisText(const SweepAxis& axis)
 {
-    return Line()
+    return JsonLine()
         .number("from", axis.from)
         .number("to", axis.to)
         .number("steps_per_turn", axis.stepsPerTurn)
@@ -102,7 +78,7 @@ QByteArray responseText(const StepResponse& response)
     QByteArray samples;
     for (const StepSample& sample : response.samples)
         samples += (samples.isEmpty() ? "" : ", ") + sampleText(sample);
-    return Line()
+    return JsonLine()
         .integer("number", response.number)
         .number("start", response.start)
         .number("target", response.target)
@@ -153,7 +129,7 @@ const char* changeName(StepChange change)
 
 QByteArray differenceText(const StepDifference& row)
 {
-    return Line()
+    return JsonLine()
         .text("figure", QString::fromLatin1(row.figure.key))
         .text("unit", QString::fromUtf8(row.figure.unit))
         .number("before", row.before)
@@ -165,7 +141,7 @@ QByteArray differenceText(const StepDifference& row)
 
 QByteArray adviceText(const StepAdvice& advice)
 {
-    Line line;
+    JsonLine line;
     line.text("symptom", stepSymptomName(advice.symptom))
         .text("remedy", stepRemedyName(advice.remedy));
     if (!advice.key.isEmpty())

@@ -10,35 +10,6 @@ namespace record {
 namespace {
 constexpr qsizetype pieceSize = 65536;
 
-/// One object, its members in the order they are added.
-class Line {
-public:
-    Line& raw(const char* key, const QByteArray& value)
-    {
-        m_text += (m_text.size() > 1 ? ", \"" : "\"") + QByteArray(key) + "\": " + value;
-        return *this;
-    }
-    Line& text(const char* key, const QString& value) { return raw(key, jsonText(value)); }
-    Line& flag(const char* key, bool value) { return raw(key, jsonFlag(value)); }
-    Line& number(const char* key, std::optional<double> value)
-    {
-        return raw(key, jsonNumber(value));
-    }
-    template <typename Integer>
-    Line& integer(const char* key, Integer value)
-    {
-        return raw(key, QByteArray::number(value));
-    }
-    Line& ms(const char* key, std::optional<base::Duration> span)
-    {
-        return number(key, inMs(span));
-    }
-    QByteArray done() const { return m_text + '}'; }
-
-private:
-    QByteArray m_text = "{";
-};
-
 template <typename Items, typename Write>
 QByteArray list(const Items& items, const Write& write)
 {
@@ -54,41 +25,41 @@ QByteArray indented(const QByteArray& document)
     return document.trimmed().replace("\n", "\n      ");
 }
 
-Line& addRange(Line& line, const SweepRange& range)
+JsonLine& addRange(JsonLine& line, const SweepRange& range)
 {
     return line.text("from", range.from).text("to", range.to);
 }
 
 QByteArray rangeText(const std::pair<const int, SweepRange>& item)
 {
-    Line line;
+    JsonLine line;
     line.integer("servo", item.first);
     return addRange(line, item.second).done();
 }
 
 QByteArray pointText(const SweepPoint& point)
 {
-    return Line().text("target", point.target).ms("pause_ms", point.pause).done();
+    return JsonLine().text("target", point.target).number("pause_ms", inMs(point.pause)).done();
 }
 
 QByteArray testText(const SweepSpec& spec)
 {
-    Line line;
+    JsonLine line;
     line.text("shape", sweepShapeName(spec.shape));
     addRange(line, spec.range)
         .raw("ranges", list(spec.ranges, rangeText))
         .text("step", spec.step)
         .raw("points", list(spec.points, pointText))
         .integer("seed", spec.seed)
-        .ms("period_ms", spec.period)
+        .number("period_ms", inMs(spec.period))
         .text("pace", sweepPaceName(spec.pace))
-        .ms("pause_ms", spec.pause)
+        .number("pause_ms", inMs(spec.pause))
         .integer("cycles", spec.cycles)
-        .ms("length_ms", spec.length)
+        .number("length_ms", inMs(spec.length))
         .text("speed", spec.speed)
         .text("acceleration", spec.acceleration)
         .text("time", spec.time)
-        .ms("warm_up_ms", spec.warmUp)
+        .number("warm_up_ms", inMs(spec.warmUp))
         .flag("release_at_end", spec.releaseAtEnd)
         .flag("stop_on_alarm", spec.stopOnAlarm)
         .flag("stop_on_stall", spec.stopOnStall)
@@ -100,7 +71,7 @@ QByteArray testText(const SweepSpec& spec)
 
 QByteArray axisText(const SweepAxis& axis)
 {
-    return Line()
+    return JsonLine()
         .number("from", axis.from)
         .number("to", axis.to)
         .number("step", axis.step)
@@ -114,7 +85,7 @@ QByteArray axisText(const SweepAxis& axis)
 
 QByteArray errorsText(const SweepErrors& errors)
 {
-    return Line()
+    return JsonLine()
         .integer("asked", errors.asked)
         .integer("time_outs", errors.timeOuts)
         .integer("bad_checks", errors.badChecks)
@@ -125,7 +96,7 @@ QByteArray errorsText(const SweepErrors& errors)
 
 QByteArray verdictText(const VerdictLine& line)
 {
-    return Line()
+    return JsonLine()
         .text("metric", line.limit.metric)
         .text("unit", line.limit.unit)
         .flag("at_least", line.limit.atLeast)
@@ -152,7 +123,7 @@ QByteArray servoText(const SweepServo& servo)
 
 QByteArray metricText(int servo, const SweepMetric& metric)
 {
-    return Line()
+    return JsonLine()
         .integer("servo", servo)
         .text("metric", metric.key)
         .text("unit", metric.unit)
@@ -166,16 +137,16 @@ QByteArray metricText(int servo, const SweepMetric& metric)
 
 QByteArray legText(int servo, const SweepLeg& leg)
 {
-    Line line;
+    JsonLine line;
     line.integer("servo", servo)
         .integer("leg", leg.number)
         .integer("cycle", leg.cycle)
-        .ms("at_ms", leg.at)
-        .ms("span_ms", leg.span)
+        .number("at_ms", inMs(leg.at))
+        .number("span_ms", inMs(leg.span))
         .number("start", leg.start)
         .number("target", leg.target)
-        .ms("time_ms", leg.timeToTarget)
-        .ms("settling_ms", leg.settling);
+        .number("time_ms", inMs(leg.timeToTarget))
+        .number("settling_ms", inMs(leg.settling));
     for (const LegFigure& figure : legFigures)
         line.number(figure.key, leg.*figure.member);
     return line.integer("samples", leg.samples)
@@ -188,7 +159,7 @@ QByteArray legText(int servo, const SweepLeg& leg)
 
 QByteArray gapText(const SweepGap& gap)
 {
-    return Line().ms("at_ms", gap.at).ms("span_ms", gap.span).done();
+    return JsonLine().number("at_ms", inMs(gap.at)).number("span_ms", inMs(gap.span)).done();
 }
 
 QByteArray headText(const SweepRun& run)

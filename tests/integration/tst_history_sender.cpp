@@ -9,7 +9,7 @@
 #include "session/server_source.h"
 #include "support/cli_program.h"
 #include "support/history_example.h"
-#include "support/postgres.h"
+#include "support/server_bench.h"
 #include "support/silent_server.h"
 #include "support/sim_bench.h"
 
@@ -53,41 +53,21 @@ HistorySender::Times quick()
 }
 } // namespace
 
-class TestHistorySender : public QObject {
+class TestHistorySender : public QObject, private support::ServerBench {
     Q_OBJECT
 
 private:
-    std::unique_ptr<History> browse()
-    {
-        auto server =
-            record::connectHistoryServer(m_pg.address(m_database), HistoryServer::Purpose::Browse);
-        if (!server)
-            qCritical("%s", qPrintable(server.error().detail));
-        return std::make_unique<History>(std::move(*server));
-    }
-
     void verifyCopied(const Bench& bench)
     {
         QCOMPARE(everything(*browse()), everything(*bench.open()));
     }
 
-    support::Postgres m_pg;
-    QString m_database;
-    int m_databases = 0;
-
 private Q_SLOTS:
-    void initTestCase()
-    {
-        if (!support::Postgres::installed())
-            QFAIL("PostgreSQL is not installed (packaging/test-packages.txt)");
-        QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
-    }
+    void initTestCase() { startServer(); }
     void init()
     {
         QTest::failOnWarning(QRegularExpression(utf8(".*")));
-        m_database = utf8("shop %1").arg(++m_databases);
-        m_pg.query(utf8("postgres"), utf8("CREATE DATABASE \"%1\"").arg(m_database));
-        QVERIFY2(m_pg.why().isEmpty(), qPrintable(m_pg.why()));
+        newDatabase();
     }
 
     void offUntilAServerIsSet();
@@ -126,7 +106,7 @@ void TestHistorySender::whatComesIsSent()
     QList<Phase> phases;
     connect(&sender, &HistorySender::stateChanged, this,
             [&] { phases.append(sender.state().phase); });
-    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
     QVERIFY(phases.contains(Phase::Sending));
     QVERIFY(sender.state().upToDate.isValid());
@@ -146,7 +126,7 @@ void TestHistorySender::otherProgramsChangesAreSentToo()
 {
     Bench bench;
     HistorySender sender(bench.path, quick());
-    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
     history_example::write(bench.journal, 4, 1); // nobody pokes
     const QString count = utf8("SELECT count(*) FROM servodesk.writes");
@@ -160,7 +140,7 @@ void TestHistorySender::awayAtFirstThenThere()
     m_pg.stop();
     {
         HistorySender sender(bench.path, quick());
-        sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+        sender.setServer(address(), utf8("Bench 1"));
         QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
         QCOMPARE(kindOf(*sender.state().error), utf8("away"));
         QVERIFY(sender.state().nextTry.isValid());
@@ -174,14 +154,14 @@ void TestHistorySender::awayAtFirstThenThere()
     m_pg.stop();
     {
         HistorySender sender(bench.path, quick());
-        sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+        sender.setServer(address(), utf8("Bench 1"));
         history_example::write(bench.journal, 1, 99);
         sender.poke();
         QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
     }
     QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
     HistorySender sender(bench.path, quick());
-    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
     verifyCopied(bench);
 }
@@ -190,7 +170,7 @@ void TestHistorySender::aServerThatRestartsMissesNothing()
 {
     Bench bench;
     HistorySender sender(bench.path, quick());
-    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    sender.setServer(address(), utf8("Bench 1"));
     for (int round = 0; round < 3; ++round) {
         for (int i = 0; i < 40; ++i)
             history_example::write(bench.journal, 1 + i % 3, i);
@@ -209,7 +189,7 @@ void TestHistorySender::aHungServerCountsAsTrouble()
     Bench bench;
     history_example::fill(bench);
     HistorySender sender(bench.path, quick());
-    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
     m_pg.freeze();
     history_example::write(bench.journal, 1, 1);
@@ -250,7 +230,7 @@ void TestHistorySender::servoWritesDoNotWait()
     QVERIFY(bench.journal.open().value().empty());
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
     QCOMPARE(kindOf(*sender.state().error), utf8("hung"));
-    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
     verifyCopied(bench);
 }
@@ -275,7 +255,7 @@ void TestHistorySender::theEndDoesNotWait()
     if (connecting) {
         sender->setServer(silent.address() + utf8(" connect_timeout=100000"), utf8("Bench 1"));
     } else {
-        sender->setServer(m_pg.address(m_database), utf8("Bench 1"));
+        sender->setServer(address(), utf8("Bench 1"));
         QTRY_COMPARE_WITH_TIMEOUT(int(sender->state().phase), int(Phase::UpToDate), patienceMs);
         m_pg.freeze();
         history_example::write(bench.journal, 1, 1);
@@ -292,7 +272,7 @@ void TestHistorySender::anotherServerMidway()
     const support::SilentServer silent;
     HistorySender sender(bench.path, quick());
     sender.setServer(silent.address(), utf8("Bench 1"));
-    sender.setServer(m_pg.address(m_database), utf8("Bench 1"));
+    sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
     verifyCopied(bench);
     sender.setServer(QString(), QString());
@@ -306,11 +286,11 @@ void TestHistorySender::theWindowBrowses()
     history_example::fill(one);
     history_example::write(two.journal, 9, 1);
     for (const Bench* bench : {&one, &two}) {
-        session::HistorySending sending(bench->path, m_pg.address(m_database),
+        session::HistorySending sending(bench->path, address(),
                                         bench == &one ? utf8("A") : utf8("B"));
         QVERIFY(sending.send().has_value());
     }
-    session::Archive archive(std::make_unique<session::ServerSource>(m_pg.address(m_database)));
+    session::Archive archive(std::make_unique<session::ServerSource>(address()));
     std::optional<std::vector<record::HistoryBench>> benches;
     archive.benches(this, [&](const auto& found) { benches = found.value(); });
     QTRY_VERIFY_WITH_TIMEOUT(benches.has_value(), patienceMs);
@@ -360,10 +340,10 @@ void TestHistorySender::browsingAHungServer()
 {
     Bench bench;
     history_example::fill(bench);
-    session::HistorySending sending(bench.path, m_pg.address(m_database), utf8("A"));
+    session::HistorySending sending(bench.path, address(), utf8("A"));
     QVERIFY(sending.send().has_value());
     auto archive = std::make_unique<session::Archive>(
-        std::make_unique<session::ServerSource>(m_pg.address(m_database), 200ms));
+        std::make_unique<session::ServerSource>(address(), 200ms));
     std::optional<std::int64_t> count;
     archive->countWrites({}, this, [&](const auto& found) { count = found.value(); });
     QTRY_VERIFY_WITH_TIMEOUT(count.has_value(), patienceMs);
@@ -407,9 +387,9 @@ void TestHistorySender::theCommandLineSendsAndBrowses()
     QCOMPARE(cli.run("write 1 max_temperature=61").exit, 0);
     cli.setPort(QString());
     QCOMPARE(cli.run("history sync").exit, 2); // no server is set
-    const QString address = m_pg.address(m_database);
+    const QString server = address();
     const QStringList sync{utf8("history"), utf8("sync"),    utf8("--json"), utf8("--server"),
-                           address,         utf8("--bench"), utf8("Tor 3"),  utf8("--remember")};
+                           server,          utf8("--bench"), utf8("Tor 3"),  utf8("--remember")};
     const support::Ran sent = cli.run(sync);
     QVERIFY2(sent.exit == 0, qPrintable(sent.err));
     QVERIFY(sent.json().value(utf8("sent")).toInt() > 0);

@@ -6,7 +6,7 @@
 #include "record/history_server_schema.h"
 #include "session/history_sending.h"
 #include "support/history_example.h"
-#include "support/postgres.h"
+#include "support/server_bench.h"
 #include "text/error_words.h"
 
 #include <QtTest>
@@ -33,27 +33,17 @@ QString kindOf(const base::Error& error)
 }
 } // namespace
 
-class TestHistoryServer : public QObject {
+class TestHistoryServer : public QObject, private support::ServerBench {
     Q_OBJECT
 
 private:
     std::int64_t send(const Bench& bench, const char* name = "Bench 1")
     {
-        HistorySending sending(bench.path, m_pg.address(m_database), utf8(name));
+        HistorySending sending(bench.path, address(), utf8(name));
         const auto sent = sending.send();
         if (!sent)
             qCritical("%s", qPrintable(sent.error().detail));
         return sent ? sent->sent : -1;
-    }
-
-    /// The copies as another computer sees them.
-    std::unique_ptr<History> browse()
-    {
-        auto server =
-            record::connectHistoryServer(m_pg.address(m_database), HistoryServer::Purpose::Browse);
-        if (!server)
-            qCritical("%s", qPrintable(server.error().detail));
-        return std::make_unique<History>(std::move(*server));
     }
 
     const HistoryServer& serverOf(const History& history)
@@ -63,23 +53,12 @@ private:
 
     QString asked(const QString& sql) { return m_pg.query(m_database, sql); }
 
-    support::Postgres m_pg;
-    QString m_database;
-    int m_databases = 0;
-
 private Q_SLOTS:
-    void initTestCase()
-    {
-        if (!support::Postgres::installed())
-            QFAIL("PostgreSQL is not installed (packaging/test-packages.txt)");
-        QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
-    }
+    void initTestCase() { startServer(); }
     void init()
     {
         QTest::failOnWarning(QRegularExpression(utf8(".*")));
-        m_database = utf8("shop %1").arg(++m_databases);
-        m_pg.query(utf8("postgres"), utf8("CREATE DATABASE \"%1\"").arg(m_database));
-        QVERIFY2(m_pg.why().isEmpty(), qPrintable(m_pg.why()));
+        newDatabase();
     }
 
     void everythingIsCopied();
@@ -379,8 +358,7 @@ void TestHistoryServer::benchesThatStartTogether()
     std::atomic<int> good{0};
     for (int i = 0; i < many; ++i)
         threads.emplace_back([&, i] {
-            HistorySending sending(benches[std::size_t(i)]->path, m_pg.address(m_database),
-                                   QString::number(i));
+            HistorySending sending(benches[std::size_t(i)]->path, address(), QString::number(i));
             good += sending.send().has_value() ? 1 : 0;
         });
     for (std::thread& thread : threads)
@@ -402,7 +380,7 @@ void TestHistoryServer::twoProgramsOfOneBench()
     std::atomic<int> good{0};
     for (int i = 0; i < 3; ++i)
         threads.emplace_back([&] {
-            HistorySending sending(bench.path, m_pg.address(m_database), utf8("Bench"));
+            HistorySending sending(bench.path, address(), utf8("Bench"));
             good += sending.send().has_value() ? 1 : 0;
         });
     for (std::thread& thread : threads)
@@ -466,8 +444,7 @@ void TestHistoryServer::killedInTheMiddle()
         const auto history = bench.open();
         const record::HistoryChanges changes(history->file());
         const auto rows = changes.after(0).value();
-        auto server =
-            record::connectHistoryServer(m_pg.address(m_database), HistoryServer::Purpose::Send);
+        auto server = record::connectHistoryServer(address(), HistoryServer::Purpose::Send);
         QVERIFY(server.has_value());
         record::HistoryCopy copy(
             **server, {changes.bench().value(), utf8("here"), utf8("Bench"), utf8("test")});
@@ -483,7 +460,7 @@ void TestHistoryServer::killedInTheMiddle()
         QVERIFY(!done);
         QCOMPARE(kindOf(done.error()), utf8("away"));
     }
-    HistorySending sending(bench.path, m_pg.address(m_database), utf8("Bench"));
+    HistorySending sending(bench.path, address(), utf8("Bench"));
     const auto refused = sending.send();
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, ErrorCode::LinkLost);
@@ -589,13 +566,12 @@ void TestHistoryServer::aNewerSchemaIsLeftAlone()
     QVERIFY(send(bench) > 0);
     asked(utf8("UPDATE servodesk.about SET version = 99"));
     history_example::write(bench.journal, 1, 1);
-    HistorySending sending(bench.path, m_pg.address(m_database), utf8("Bench"));
+    HistorySending sending(bench.path, address(), utf8("Bench"));
     const auto sent = sending.send();
     QVERIFY(!sent);
     QCOMPARE(kindOf(sent.error()), utf8("newer"));
     QCOMPARE(sent.error().code, ErrorCode::FileFormat);
-    const auto seen =
-        record::connectHistoryServer(m_pg.address(m_database), HistoryServer::Purpose::Browse);
+    const auto seen = record::connectHistoryServer(address(), HistoryServer::Purpose::Browse);
     QVERIFY(!seen);
     QCOMPARE(kindOf(seen.error()), utf8("newer"));
     asked(utf8("UPDATE servodesk.about SET version = 1"));
@@ -643,13 +619,12 @@ void TestHistoryServer::whoMayNotIsTold()
 
 void TestHistoryServer::nothingWasEverSent()
 {
-    const auto server =
-        record::connectHistoryServer(m_pg.address(m_database), HistoryServer::Purpose::Browse);
+    const auto server = record::connectHistoryServer(address(), HistoryServer::Purpose::Browse);
     QVERIFY(!server);
     QCOMPARE(kindOf(server.error()), utf8("empty"));
     // A bench that has kept nothing yet has nothing to send, and is no trouble.
     Bench bench;
-    HistorySending sending(bench.path, m_pg.address(m_database), utf8("Bench"));
+    HistorySending sending(bench.path, address(), utf8("Bench"));
     QCOMPARE(sending.send().value().sent, std::int64_t(0));
 }
 

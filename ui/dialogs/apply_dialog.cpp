@@ -150,6 +150,7 @@ void ApplyDialog::build()
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     const QString model = m_source.snapshot ? m_source.snapshot->servo.model : QString();
     for (int row = 0; row < int(m_rows.size()); ++row) {
         for (int cell = 0; cell < Count; ++cell)

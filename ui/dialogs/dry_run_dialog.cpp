@@ -51,6 +51,7 @@ void DryRunDialog::build()
     m_table->setWordWrap(false);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_copy = new QPushButton(this);
     m_copy->setObjectName(QStringLiteral("dryRunCopy"));
     m_copy->setAutoDefault(false);
@@ -67,6 +68,7 @@ void DryRunDialog::build()
             [this] { QApplication::clipboard()->setText(text()); });
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     resize(startWidth, startHeight);
+    m_close->setFocus();
 }
 
 void DryRunDialog::retranslate()

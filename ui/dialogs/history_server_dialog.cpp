@@ -51,8 +51,8 @@ HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
         column->addWidget(widget);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &HistoryServerDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    resize(startWidth, sizeHint().height());
     retranslate();
+    resize(startWidth, layout()->totalHeightForWidth(startWidth));
 }
 
 void HistoryServerDialog::accept()

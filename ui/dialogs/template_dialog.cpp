@@ -47,6 +47,7 @@ TemplateDialog::TemplateDialog(const record::Snapshot& from, catalog::ProfilePtr
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("templateSave"));
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("templateCancel"));
     auto* column = new QVBoxLayout(this);
@@ -116,6 +117,7 @@ void TemplateDialog::retranslate()
                        "template. Ticked at first is what differs from the factory default."));
     m_table->setAccessibleName(tr("Rows of the template"));
     m_table->setHorizontalHeaderLabels({tr("Register"), tr("Value"), tr("Meaning")});
+    m_table->horizontalHeaderItem(1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     const QSignalBlocker quiet(m_table);
     for (int row = 0; row < m_table->rowCount(); ++row) {
         QTableWidgetItem* item = m_table->item(row, 0);

@@ -16,7 +16,8 @@
 namespace ui {
 namespace {
 constexpr int rowPadding = 8;
-}
+constexpr int widestColumn = 30; ///< characters
+} // namespace
 
 SnapshotPane::SnapshotPane(QWidget* parent)
     : QWidget(parent)
@@ -73,6 +74,10 @@ void SnapshotPane::build()
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setHighlightSections(false);
+    // One long list of flags must not push the other columns out of sight; its tooltip has it
+    // whole.
+    m_table->horizontalHeader()->setMaximumSectionSize(widestColumn *
+                                                       m_table->fontMetrics().averageCharWidth());
     m_table->installEventFilter(this);
     m_nothing = new QLabel(this);
     m_nothing->setObjectName(QStringLiteral("compareNothing"));

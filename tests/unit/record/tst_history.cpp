@@ -95,6 +95,7 @@ private Q_SLOTS:
     void noDatabase_data();
     void noDatabase();
     void aDamagedDatabaseIsAnError();
+    void aDatabaseWithOtherTablesIsAnError();
     void aDamagedRunIsAnError();
     void aLockedDatabaseCostsPatienceAndNotTheRun();
     void aFolderThatCannotBe();
@@ -328,6 +329,19 @@ void TestHistory::aDamagedDatabaseIsAnError()
     const auto kept = record::keepRun(m_path, sweep_example::run());
     QCOMPARE(kept.trouble->code, ErrorCode::FileFormat);
     QVERIFY(record::loadSweepRun(kept.file).value() == sweep_example::run());
+}
+
+/// Not "read-only": no right to write would mend it.
+void TestHistory::aDatabaseWithOtherTablesIsAnError()
+{
+    const auto history = open();
+    record::HistoryFile::open(m_path, 1s)
+        .value()
+        ->run(text("ALTER TABLE runs RENAME COLUMN operator TO somebody"))
+        .value();
+    const auto runs = history->runs({});
+    QVERIFY(!runs);
+    QCOMPARE(runs.error().code, ErrorCode::FileFormat);
 }
 
 /// The pages of the runs' texts, which come last: the list is whole, the run cannot be read.
