@@ -60,7 +60,7 @@ base::Result<Exit> runRestore(Run& run, const Values& values)
     const auto context = run.context();
     if (const auto read = device::readAll(*context, *servo); !read)
         return tl::unexpected(read.error());
-    const jobs::RestorePlan plan = jobs::planRestore(*servo, *snapshot, choiceOf(values));
+    const jobs::RestorePlan plan = jobs::planRestore(*context, *servo, *snapshot, choiceOf(values));
     const bool dryRun = values.has("--dry-run");
     Json document = head(*servo, file, dryRun);
     addPlan(document, plan);

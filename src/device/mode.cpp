@@ -2,6 +2,7 @@
 #include "device/mode.h"
 
 #include "device/motion.h"
+#include "device/remembered_speed.h"
 #include "device/talk.h"
 
 #include <algorithm>
@@ -14,10 +15,6 @@ QString keptLimits()
 {
     return QStringLiteral("limits");
 }
-
-namespace {
-const QString speedName = QStringLiteral("position-speed");
-} // namespace
 
 std::optional<ModeChange> modeChange(const Servo& servo, const RegisterValues& items)
 {
@@ -88,7 +85,7 @@ base::Result<void> rememberWayBack(const Context& context, const Servo& servo,
         change.from != nullptr && change.from->command == Role::GoalPosition;
     if (positionBefore && change.to->command == Role::GoalSpeed && speed &&
         !travelsWithMode(*servo.profile, Role::GoalSpeed))
-        return context.journal.keep(servo.identity(), speedName, {*speed});
+        return context.journal.keep(servo.identity(), keptSpeed(), {*speed});
     return {};
 }
 
@@ -126,28 +123,6 @@ base::Result<void> zeroCommand(const Context& context, Servo& servo, Role comman
     if (zeroed)
         context.note(NoticeCode::CommandZeroed, servo.id, reg->key);
     return zeroed;
-}
-
-/// A position mode left with speed 0 may not move at all (phase bit 3). Straight from a mode that
-/// commands the speed, any other value is of that mode as well.
-base::Result<void> restoreSpeed(const Context& context, Servo& servo, Role before)
-{
-    const auto kept = context.journal.kept(servo.identity(), speedName);
-    if (!kept)
-        return tl::unexpected(kept.error());
-    const catalog::Register* reg = servo.profile->byRole(Role::GoalSpeed);
-    if (reg == nullptr || !kept->has_value() || (*kept)->size() != 1 ||
-        travelsWithMode(*servo.profile, Role::GoalSpeed))
-        return {};
-    const auto present = readRegister(context, servo, *reg);
-    if (!present)
-        return tl::unexpected(present.error());
-    if (*present == (*kept)->front() || (*present != 0 && before != Role::GoalSpeed))
-        return {};
-    const auto restored = writeVerified(context, servo, *reg, (*kept)->front());
-    if (restored)
-        context.note(NoticeCode::SpeedRestored, servo.id, reg->key, (*kept)->front());
-    return restored;
 }
 } // namespace
 

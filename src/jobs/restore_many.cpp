@@ -83,7 +83,7 @@ Applied applyToOne(const device::Context& context, int id, const record::Snapsho
         return failed(id, read.error());
     RestoreChoice choice = options.choice;
     choice.identity = false;
-    applied.plan = planRestore(*servo, snapshot, choice);
+    applied.plan = planRestore(context, *servo, snapshot, choice);
     applied.servo = *servo;
     if (options.dryRun) {
         applied.verdict =

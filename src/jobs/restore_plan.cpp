@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/restore_plan.h"
 
+#include "device/remembered_speed.h"
 #include "jobs/restore_rows.h"
 
 #include <algorithm>
@@ -233,6 +234,14 @@ RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snap
                      [](const RestoreRow& a, const RestoreRow& b) {
                          return std::pair(place(a), a.address) < std::pair(place(b), b.address);
                      });
+    return plan;
+}
+
+RestorePlan planRestore(const device::Context& context, const device::Servo& servo,
+                        const record::Snapshot& snapshot, const RestoreChoice& choice)
+{
+    RestorePlan plan = planRestore(servo, snapshot, choice);
+    plan.positionSpeed = device::rememberedSpeed(context.journal, servo).value_or(std::nullopt);
     return plan;
 }
 } // namespace jobs

@@ -2,9 +2,11 @@
 // What restoring a snapshot would do to a servo: every row with its value now, its value in the
 // file, whether it may be written and why (not), and from the ticks exactly the writes to come, in
 // safe order. By roles and flags of the map, so that every family works; to another model or
-// firmware by key. Pure values, nothing on the wire; any thread; never fails.
+// firmware by key. Pure values, nothing on the wire; any thread; never fails. With a context it
+// asks the journal, so then the job's thread.
 #pragma once
 
+#include "device/context.h"
 #include "device/servo.h"
 #include "record/snapshot.h"
 
@@ -79,6 +81,8 @@ struct RestorePlan {
     bool otherFirmware = false;
     bool otherMap = false;
     bool isTemplate = false;
+    /// Kept in the journal; put back with a position mode (device::rememberedSpeed).
+    std::optional<std::int64_t> positionSpeed{};
 
     const RestoreRow* find(const QString& key) const;
     /// False when it may not be ticked; nothing happens then.
@@ -98,6 +102,9 @@ std::vector<const RestoreRow*> leftOut(const RestorePlan& plan);
 /// `servo`: its whole table read (device::readAll). Ticks are set as the choice says.
 RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snapshot,
                         const RestoreChoice& choice = {});
+/// With the speed that is remembered for position modes; without it where the journal cannot tell.
+RestorePlan planRestore(const device::Context& context, const device::Servo& servo,
+                        const record::Snapshot& snapshot, const RestoreChoice& choice = {});
 
 /// One register write to come.
 struct RestoreWrite {

@@ -2,6 +2,7 @@
 // From the ticks of a restore plan to the writes and to all that happens around them, in order.
 #include "device/motion.h"
 #include "device/persistence.h"
+#include "device/remembered_speed.h"
 #include "jobs/restore_plan.h"
 
 #include <algorithm>
@@ -73,10 +74,11 @@ namespace {
 /// The writes with everything around them.
 class StepList {
 public:
-    explicit StepList(const device::Servo& servo)
-        : m_servo(servo)
+    explicit StepList(const RestorePlan& plan)
+        : m_servo(plan.servo)
+        , m_positionSpeed(plan.positionSpeed)
     {
-        torqueOff(servo.raw(Role::TorqueSwitch));
+        torqueOff(m_servo.raw(Role::TorqueSwitch));
     }
 
     void add(const RestoreWrite& write)
@@ -86,9 +88,10 @@ public:
         const bool own = kind != RestoreStepKind::Write;
         if (own)
             settle();
-        if (m_open != nullptr && (own || m_open->area != reg.area))
-            lock();
-        if (m_open == nullptr && device::keepingOf(reg) == device::Keeping::Lock) {
+        const bool needsLock = device::keepingOf(reg) == device::Keeping::Lock;
+        if (m_open != nullptr && (own || (needsLock && m_open->area != reg.area)))
+            lock(); // what is kept without it goes out meanwhile
+        if (m_open == nullptr && needsLock) {
             m_steps.push_back({RestoreStepKind::Unlock, lockKey()});
             m_open = &reg;
         }
@@ -135,7 +138,9 @@ private:
     /// Once the last register is written, before the lock is closed.
     void settle()
     {
-        const auto also = device::settledBySwitch(m_servo, m_items);
+        auto also = device::settledBySwitch(m_servo, m_items);
+        if (auto speed = device::speedPutBack(m_servo, m_items, m_positionSpeed))
+            also.push_back(std::move(*speed));
         for (const device::WriteItem& item : also)
             m_steps.push_back({RestoreStepKind::Settle, item.key, m_servo.raw(item.key), item.raw});
         if (!also.empty())
@@ -144,6 +149,7 @@ private:
     }
 
     const device::Servo& m_servo;
+    std::optional<std::int64_t> m_positionSpeed;
     const catalog::Register* m_open = nullptr; ///< for whose area the lock is open
     std::vector<device::WriteItem> m_items;
     std::vector<RestoreStep> m_steps;
@@ -167,7 +173,7 @@ std::vector<RestoreStep> stepsOf(const RestorePlan& plan)
     const std::vector<RestoreWrite> writes = writesOf(plan);
     if (writes.empty())
         return lockAlone(plan.servo);
-    StepList steps(plan.servo);
+    StepList steps(plan);
     for (const RestoreWrite& write : writes)
         steps.add(write);
     return steps.finish();
