@@ -71,11 +71,11 @@ struct Intent {
     std::vector<JournalItem> items;
 };
 
-/// How one item of an intent ended.
+/// An item's end: kept, temporary, mismatch, refused, no-answer, unknown, or undone (put back).
 struct ItemEnd {
     QString key;
     std::optional<std::int64_t> readBack{};
-    QString outcome{}; ///< one of the six words of device::outcomeName()
+    QString outcome{}; ///< one of these words, as device::outcomeName() has the first six
 };
 
 struct IntentEnd {
