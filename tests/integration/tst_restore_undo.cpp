@@ -219,6 +219,8 @@ private Q_SLOTS:
     void onlyTheWayBackIsOpen_data();
     void onlyTheWayBackIsOpen();
     void whatSomebodyWroteSinceIsLeftAlone();
+    void theLatestIsUndoneFirst();
+    void aRowThatIsSoAlreadyIsNotForgotten();
     void whatNobodyHeldIsRefused();
 };
 
@@ -431,6 +433,39 @@ void TestRestoreUndo::whatSomebodyWroteSinceIsLeftAlone()
     }
     QVERIFY(bench.bench.onlyAsked());
     QCOMPARE(bench.bench.raw(1, missing.key), missing.newRaw + 1);
+}
+
+void TestRestoreUndo::theLatestIsUndoneFirst()
+{
+    UndoBench bench;
+    const device::Servo servo = support::wholeServo(bench.bench);
+    const catalog::Register& reg = *servo.profile->find(text("position_p"));
+    const std::int64_t before = bench.first.at(reg.key);
+    base::Intent intent;
+    intent.servo = servo.identity();
+    for (const std::int64_t old : {before, before + 1}) {
+        intent.items = {{reg.key, reg.address, old, old + 1}};
+        QVERIFY(bench.journal.begin(intent));
+    }
+    support::pokeKept(bench.bench, reg.key, before + 2);
+    const auto undone = bench.recover(RecoverAction::Undo);
+    QVERIFY(undone && undone->size() == 2);
+    QVERIFY(undone->front().done && undone->back().done);
+    QCOMPARE(bench.notAsBefore(), QString());
+}
+
+/// Only the servo's own restore (0x06) has no new values, and leaves the history without them.
+void TestRestoreUndo::aRowThatIsSoAlreadyIsNotForgotten()
+{
+    UndoBench bench;
+    device::Servo servo = support::wholeServo(bench.bench);
+    device::WriteOptions options;
+    options.kind = base::IntentKind::Restore;
+    const device::WriteItem so{text("position_p"), bench.first.at(text("position_p"))};
+    QVERIFY(device::write(bench.context(), servo, {so, {text("max_torque"), 800}}, options));
+    QCOMPARE(bench.historyLies(), QString());
+    QVERIFY(device::write(bench.context(), servo, {so}, options));
+    QCOMPARE(bench.historyLies(), QString());
 }
 
 /// Finishing is no way around the sheet.
