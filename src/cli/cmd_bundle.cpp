@@ -7,35 +7,22 @@
 #include "cli/run.h"
 #include "cli/several.h"
 #include "cli/translate.h"
-#include "jobs/scan.h"
+#include "jobs/scan_all.h"
 #include "session/safety_snapshot.h"
 
 #include <QFileInfo>
 
 namespace cli {
 namespace {
-/// Everybody on the line, at the rate the port has. A servo that is there and cannot be read would
-/// be missing from the bundle without a word, so it ends the command.
+/// Everybody on the line, at the rate the port has.
 base::Result<std::vector<device::Servo>> everybody(Run& run, const device::Context& context)
 {
-    jobs::ScanSpec spec;
+    std::vector<base::Protocol> protocols;
     if (run.globals().protocol)
-        spec.protocols = {*run.globals().protocol};
+        protocols = {*run.globals().protocol};
     ProgressLine line(run.console(), translate("cli", "Searching"));
-    const auto report = jobs::scan(
-        context, spec, [&line](const jobs::Progress& progress) { line.update(progress); });
-    if (!report)
-        return tl::unexpected(report.error());
-    if (report->stopped)
-        return base::fail(base::ErrorCode::Stopped, QStringLiteral("bundle"));
-    std::vector<device::Servo> servos;
-    for (const jobs::Found& found : report->found) {
-        if (!found.servo.profile || found.twinsSuspected)
-            return base::fail(base::ErrorCode::Garbled, QStringLiteral("bundle"), {},
-                              found.servo.id);
-        servos.push_back(found.servo);
-    }
-    return servos;
+    return jobs::scanAll(context, protocols,
+                         [&line](const jobs::Progress& progress) { line.update(progress); });
 }
 
 base::Result<std::vector<device::Servo>> named(Run& run, const QStringList& words)
@@ -73,16 +60,21 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     if (const auto saved = record::saveBundle(*bundle, file); !saved)
         return tl::unexpected(saved.error());
     Json::Array ids;
+    QStringList names;
     for (const record::Snapshot& snapshot : bundle->servos) {
         session::keepInHistory(snapshot, record::SnapshotReason::Bundle,
                                QFileInfo(file).absoluteFilePath());
+        names.push_back(QString::number(snapshot.servo.id));
         ids.push_back(Json::object()
                           .add("id", snapshot.servo.id)
                           .add("model", snapshot.servo.model)
                           .add("registers", static_cast<int>(snapshot.registers.size())));
     }
     run.finish(Json::object().add("file", file).add("servos", std::move(ids)),
-               translate("cli", "Servos saved to %1: %2").arg(file).arg(bundle->servos.size()) +
+               translate("cli", "Servos saved to %1: %2 (ID %3)")
+                       .arg(file)
+                       .arg(bundle->servos.size())
+                       .arg(names.join(QStringLiteral(", "))) +
                    QLatin1Char('\n'));
     return Exit::Done;
 }

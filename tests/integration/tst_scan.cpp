@@ -3,6 +3,7 @@
 // long it takes in the bus' own time.
 #include "device/reader.h"
 #include "integration/scan_help.h"
+#include "jobs/scan_all.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -37,6 +38,8 @@ private Q_SLOTS:
     void oneLateReplyAdvisesNothing();
     void lateEchoesAreNobody();
     void slowPassFindsWhoWasSilent();
+    void aBundleMissesNobodyWhoWasSilentOnce();
+    void aLineOnWhichNoTwoSearchesAgreeIsRefused();
     void searchesAllRatesAndReturnsToItsOwn();
     void listsAServoHeardAtANeighbouringRateOnce();
     void tellsWhichRatesTheAdapterRefuses();
@@ -168,6 +171,50 @@ void TestScan::slowPassFindsWhoWasSilent()
         QCOMPARE(idsOf(*report), slowPass ? QList<int>({1, 2, 30}) : QList<int>({1, 2}));
         QCOMPARE(report->slowPassAdvised, !slowPass);
     }
+}
+
+void TestScan::aBundleMissesNobodyWhoWasSilentOnce()
+{
+    SimBench bench(six, {fast, fast, {}});
+    const auto mute = [&](std::vector<int> ids) {
+        bench.withWire([&](sim::VirtualBus& bus) {
+            bus.config().faults.muteIds = {ids.begin(), ids.end()};
+        });
+    };
+    mute({7, 100});
+    double before = 0;
+    int searches = 1;
+    const auto servos = jobs::scanAll(bench.context(), {}, [&](const jobs::Progress& progress) {
+        if (progress.fraction < before) {
+            ++searches;
+            mute({});
+        }
+        before = progress.fraction;
+    });
+    QVERIFY(servos);
+    QCOMPARE(int(servos->size()), 6);
+    QCOMPARE(searches, 3);
+    QVERIFY(bench.onlyAsked());
+}
+
+void TestScan::aLineOnWhichNoTwoSearchesAgreeIsRefused()
+{
+    SimBench bench(six, {fast, fast, {}});
+    double before = 1;
+    bool silent = false;
+    const auto servos = jobs::scanAll(bench.context(), {}, [&](const jobs::Progress& progress) {
+        if (progress.fraction < before)
+            bench.withWire([&](sim::VirtualBus& bus) {
+                silent = !silent;
+                bus.config().faults.muteIds.clear();
+                if (silent)
+                    bus.config().faults.muteIds = {100};
+            });
+        before = progress.fraction;
+    });
+    QVERIFY(!servos);
+    QCOMPARE(servos.error().code, ErrorCode::Garbled);
+    QCOMPARE(servos.error().id, 100);
 }
 
 void TestScan::searchesAllRatesAndReturnsToItsOwn()
