@@ -3445,10 +3445,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>舵机 %1：延时短于最长行程所需时间，未到达就会折返；%2 毫秒足够。</translation>
     </message>
     <message>
-        <source>Servos saved to %1: %2</source>
-        <translation>保存到 %1 的舵机数：%2</translation>
-    </message>
-    <message>
         <source>save all servos of the bus to one file</source>
         <translation>把总线上所有舵机保存到一个文件</translation>
     </message>
@@ -4059,6 +4055,14 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>%1 rows were left out: %2</source>
         <translation>有 %1 行未写入：%2</translation>
+    </message>
+    <message>
+        <source>Servos saved to %1: %2 (ID %3)</source>
+        <translation>已保存到 %1 的舵机：%2 个（ID %3）</translation>
+    </message>
+    <message>
+        <source>Nothing is done. Enter: go on; a and Enter: set it aside.</source>
+        <translation>没有执行任何操作。回车：继续；a 加回车：剔除。</translation>
     </message>
 </context>
 <context>
@@ -6261,6 +6265,14 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Remarks</source>
         <translation>备注</translation>
     </message>
+    <message>
+        <source>Nothing was written</source>
+        <translation>未写入任何内容</translation>
+    </message>
+    <message>
+        <source>Table saved before the first write: %1</source>
+        <translation>首次写入前的参数表已保存：%1</translation>
+    </message>
 </context>
 <context>
     <name>ui::CommissionPage</name>
@@ -6527,6 +6539,54 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>One line a servo, as in the file of the batch</source>
         <translation>每个舵机一行，与批次文件一致</translation>
+    </message>
+    <message>
+        <source>A wrong value can make a servo unreachable or dangerous: %1</source>
+        <translation>数值错误可能导致舵机失联或发生危险：%1</translation>
+    </message>
+    <message>
+        <source>Write dangerous rows to every servo?</source>
+        <translation>向每个舵机写入危险项？</translation>
+    </message>
+    <message>
+        <source>The template has: %1</source>
+        <translation>模板中包含：%1</translation>
+    </message>
+    <message>
+        <source>A wrong value can make a servo unreachable or dangerous, and every servo of the batch gets it.</source>
+        <translation>数值错误可能导致舵机失联或发生危险，且本批次的每个舵机都会写入。</translation>
+    </message>
+    <message>
+        <source>Write anyway</source>
+        <translation>仍然写入</translation>
+    </message>
+    <message>
+        <source>The name of a file has a character in it that no file can have.</source>
+        <translation>文件名中含有不允许的字符。</translation>
+    </message>
+    <message>
+        <source>The batch cannot be gone on with.</source>
+        <translation>此批次无法继续。</translation>
+    </message>
+    <message>
+        <source>The template cannot be read.</source>
+        <translation>模板无法读取。</translation>
+    </message>
+    <message>
+        <source>Looking who is on the wire now, since the servos of the list have changed.</source>
+        <translation>列表中的舵机已变化，正在搜索当前总线上的舵机。</translation>
+    </message>
+    <message>
+        <source>Connect the servos to each other and search to see them all.</source>
+        <translation>将舵机串联后搜索，即可看到全部舵机。</translation>
+    </message>
+    <message>
+        <source>Table saved before the first write: %1 in %2</source>
+        <translation>首次写入前的参数表已保存：%1，位于 %2</translation>
+    </message>
+    <message>
+        <source>Dangerous rows of the template too</source>
+        <translation>同时写入模板中的危险项</translation>
     </message>
 </context>
 <context>

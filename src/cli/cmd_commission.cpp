@@ -225,9 +225,15 @@ jobs::CommissionAnswer CommissionCommand::answer()
         m_stop->request();
     if (!line)
         return jobs::CommissionAnswer::None;
+    if (line->isEmpty())
+        return jobs::CommissionAnswer::Continue;
     if (*line == "a")
         return jobs::CommissionAnswer::SetAside;
-    return *line == "s" ? jobs::CommissionAnswer::SameServo : jobs::CommissionAnswer::Continue;
+    if (*line == "s")
+        return jobs::CommissionAnswer::SameServo;
+    m_run.console().remark(
+        translate("cli", "Nothing is done. Enter: go on; a and Enter: set it aside."));
+    return jobs::CommissionAnswer::None;
 }
 
 QString confirmText(const CommissionView& view)
@@ -284,6 +290,8 @@ void CommissionCommand::tell(const CommissionView& view)
     if (text.isEmpty() || text == m_said)
         return;
     m_said = text;
+    if (view.step == CommissionStep::Confirm)
+        m_input.forgetTyped(); // an Enter too many is no answer about a servo nobody has seen yet
     m_run.console().remark(text);
 }
 

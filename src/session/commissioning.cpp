@@ -4,7 +4,9 @@
 #include "session/commission_names.h"
 #include "session/safety_snapshot.h"
 
+#include <QDir>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 #include <atomic>
 #include <mutex>
@@ -36,6 +38,7 @@ struct Commissioning::Live {
 Commissioning::Commissioning(Desk& desk, QObject* parent)
     : QObject(parent)
     , m_desk(desk)
+    , m_post(std::make_shared<LoosePost>(m_inbox))
 {
     m_drainTimer.setInterval(drainEvery);
     connect(&m_drainTimer, &QTimer::timeout, this, &Commissioning::drain);
@@ -43,6 +46,7 @@ Commissioning::Commissioning(Desk& desk, QObject* parent)
 
 Commissioning::~Commissioning()
 {
+    m_post->close();
     if (m_running)
         m_live->cancelled = true; // the desk ends its task when it closes
 }
@@ -57,6 +61,7 @@ void Commissioning::drain()
         batch.swap(m_live->batch);
     }
     if (batch) {
+        m_begun = true;
         m_batch = std::move(*batch);
         Q_EMIT batchChanged();
     }
@@ -89,6 +94,9 @@ bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPa
     m_view = {};
     m_csvPath = csvPath;
     m_batch = {};
+    m_begun = false;
+    m_baud = spec.baud;
+    ++m_looks; // what is still being looked at comes too late
     m_live = std::make_shared<Live>();
     const auto live = m_live;
     Task task;
@@ -136,7 +144,114 @@ void Commissioning::finish(const TaskEnd& end)
     drain();
     m_running = false;
     const bool stopped = end.error && end.error->code == base::ErrorCode::Stopped;
+    if (m_begun && (!end.error || stopped))
+        searchAnew();
     Q_EMIT ended(stopped ? std::nullopt : end.error);
+}
+
+/// Whoever was in the list has been unplugged, or answers elsewhere now.
+void Commissioning::searchAnew()
+{
+    jobs::ScanSpec spec;
+    std::set<int> rates{m_desk.baud()};
+    if (m_desk.hasBaud()) {
+        if (m_baud > 0)
+            rates.insert(m_baud);
+        for (const ServoRef ref : m_desk.servos())
+            rates.insert(m_desk.servo(ref)->servo.baud);
+        spec.bauds.assign(rates.begin(), rates.end());
+    }
+    m_desk.search(spec);
+}
+
+namespace {
+struct Looked {
+    record::CommissionBatch batch;
+    CommissionFiles files;
+};
+
+Looked lookAt(const catalog::Catalog& catalog, const QString& csvPath, const QString& templateFile)
+{
+    Looked seen;
+    if (!csvPath.isEmpty()) {
+        auto batch = record::openCommissionBatch(csvPath);
+        if (batch)
+            seen.batch = std::move(*batch);
+        else
+            seen.files.batchError = batch.error();
+    }
+    if (!templateFile.isEmpty()) {
+        const auto settings = record::loadSnapshot(templateFile);
+        if (settings)
+            seen.files.dangerous = dangerousKeys(catalog, *settings);
+        else
+            seen.files.templateError = settings.error();
+    }
+    return seen;
+}
+} // namespace
+
+void Commissioning::look(const QString& csvPath, const QString& templateFile)
+{
+    if (m_running)
+        return;
+    const int number = ++m_looks;
+    m_lookThread.start([=, this, post = m_post, catalog = m_desk.catalog()] {
+        auto seen = std::make_shared<Looked>(lookAt(catalog, csvPath, templateFile));
+        post->post([=, this] {
+            if (number != m_looks || m_running)
+                return;
+            m_csvPath = csvPath;
+            m_batch = std::move(seen->batch);
+            m_files = std::move(seen->files);
+            Q_EMIT batchChanged();
+            Q_EMIT looked();
+        });
+    });
+}
+
+QStringList dangerousKeys(const catalog::Catalog& catalog, const record::Snapshot& settings)
+{
+    const QStringList firmware = settings.servo.firmware.split(QLatin1Char('.'));
+    const auto profileOf = [&](const catalog::ModelEntry& model) {
+        return catalog.profileFor(model, firmware.value(0).toInt(), firmware.value(1).toInt());
+    };
+    // Of a model nobody knows: what is dangerous in any.
+    std::vector<catalog::ProfilePtr> profiles;
+    if (const catalog::ModelEntry* model = catalog.model(settings.servo.model)) {
+        profiles.push_back(profileOf(*model));
+    } else {
+        for (const catalog::ModelEntry& one : catalog.models())
+            profiles.push_back(profileOf(one));
+    }
+    QStringList keys;
+    for (const record::SnapshotRegister& row : settings.registers) {
+        const bool dangerous =
+            std::any_of(profiles.begin(), profiles.end(), [&row](const catalog::ProfilePtr& one) {
+                const catalog::Register* reg = one ? one->find(row.key) : nullptr;
+                return reg != nullptr && reg->dangerous && !reg->identity && reg->writable();
+            });
+        if (dangerous && row.raw)
+            keys.append(row.key);
+    }
+    return keys;
+}
+
+QString proposedBatch(const QDate& today)
+{
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const bool ownPlace = !qEnvironmentVariableIsEmpty("SERVODESK_DATA_DIR");
+    const QDir folder(ownPlace                   ? dataFolder()
+                      : QDir(documents).exists() ? documents
+                                                 : QDir::homePath());
+    const QString stem = QStringLiteral("servodesk-batch-%1").arg(today.toString(Qt::ISODate));
+    QString path = folder.filePath(stem + QStringLiteral(".csv"));
+    const auto foreign = [](const QString& csv) {
+        return QFileInfo::exists(csv) && !QFileInfo::exists(record::commissionStatePath(csv));
+    };
+    for (int n = 2; foreign(path); ++n)
+        path = folder.filePath(QStringLiteral("%1-%2.csv").arg(stem).arg(n));
+    return path;
 }
 
 void Commissioning::stop()

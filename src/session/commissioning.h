@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commissioning line for the window: starts and stops it, carries the click to it, and has the
-// batch and what the line is doing. Beside Desk, which must outlive it; main thread, never waits.
+// batch and what the line is doing. When it ends the list of servos is searched for anew, since
+// others stand under those IDs now. Beside Desk, which must outlive it; main thread, never waits.
 #pragma once
 
 #include "jobs/commission.h"
 #include "session/desk.h"
+#include "session/loose_thread.h"
+
+#include <QDate>
 
 namespace session {
+/// A file for a new batch, where documents are kept (in the data folder where that has been
+/// chosen): named by the date; one that is another list already is passed over.
+QString proposedBatch(const QDate& today);
+
+/// Registers of a template that are written only with the user's consent.
+QStringList dangerousKeys(const catalog::Catalog& catalog, const record::Snapshot& settings);
+
+/// What is in the files of a line, before it is started.
+struct CommissionFiles {
+    std::optional<base::Error> batchError{};
+    std::optional<base::Error> templateError{};
+    QStringList dangerous{}; ///< keys of the template that need consent
+};
+
 class Commissioning final : public QObject {
     Q_OBJECT
 
@@ -18,6 +36,10 @@ public:
     /// wrong with it arrives as ended(). `templateFile` empty: as in the spec.
     bool start(const jobs::CommissionSpec& spec, const QString& csvPath,
                const QString& templateFile = {});
+    /// Reads both files; no port is needed. looked() follows, of the latest call only: batch() and
+    /// files(). Not while the line runs.
+    void look(const QString& csvPath, const QString& templateFile);
+    const CommissionFiles& files() const { return m_files; }
     void stop();
     bool running() const { return m_running; }
     void answer(jobs::CommissionAnswer answer);
@@ -33,6 +55,7 @@ public:
     void unplug();
 
 Q_SIGNALS:
+    void looked();
     void began();
     void changed();      ///< view()
     void batchChanged(); ///< batch()
@@ -43,6 +66,7 @@ private:
     struct Live;
     void drain();
     void finish(const TaskEnd& end);
+    void searchAnew();
 
     Desk& m_desk;
     bool m_running = false;
@@ -50,6 +74,13 @@ private:
     jobs::CommissionView m_view;
     record::CommissionBatch m_batch;
     QString m_csvPath;
+    bool m_begun = false; ///< its files were good: the wire is the line's
+    int m_baud = 0;       ///< that servos get; 0: their own
+    CommissionFiles m_files;
+    int m_looks = 0;
     QTimer m_drainTimer;
+    Inbox m_inbox;
+    std::shared_ptr<LoosePost> m_post;
+    LooseThread m_lookThread; ///< a file may lie where nobody answers
 };
 } // namespace session

@@ -5,14 +5,34 @@
 
 #ifdef Q_OS_UNIX
 #include <poll.h>
+#include <termios.h>
 #include <unistd.h>
 #endif
 
 namespace transport {
+#ifdef Q_OS_UNIX
+namespace {
+bool inBackground()
+{
+    return isatty(STDIN_FILENO) == 1 && tcgetpgrp(STDIN_FILENO) != getpgrp();
+}
+} // namespace
+#endif
+
+void LineInput::forgetTyped()
+{
+#ifdef Q_OS_UNIX
+    if (isatty(STDIN_FILENO) != 1 || inBackground())
+        return;
+    tcflush(STDIN_FILENO, TCIFLUSH);
+    m_text.clear();
+#endif
+}
+
 void LineInput::fill()
 {
 #ifdef Q_OS_UNIX
-    if (isatty(STDIN_FILENO) == 1 && tcgetpgrp(STDIN_FILENO) != getpgrp())
+    if (inBackground())
         return;
     pollfd input{STDIN_FILENO, POLLIN, 0};
     if (poll(&input, 1, 0) <= 0)

@@ -14,6 +14,8 @@ public:
     /// The next whole line, without its end and the blanks around it; nullopt: none yet.
     std::optional<QByteArray> take();
     bool open() const { return m_open; } ///< false: nothing more will come
+    /// What was typed before a question came. What is piped was written as an answer and stays.
+    void forgetTyped();
 
 private:
     void fill();

@@ -11,7 +11,9 @@
 #include <QAbstractButton>
 #include <QDialog>
 #include <QDir>
+#include <QLineEdit>
 #include <QSpinBox>
+#include <QTableView>
 #include <QTextStream>
 #include <QTreeWidget>
 
@@ -231,6 +233,47 @@ void show(const ChangeScene& scene, const QString& language, session::Theme look
         QTextStream(stderr) << path << ": cannot be written\n";
 }
 
+/// A bag of servos on the commissioning line: two are set up, the third waits for the click, or is
+/// just done.
+struct LineScene {
+    const char* name;
+    int clicks;
+};
+constexpr LineScene lineScenes[] = {{"commission-asks", 2}, {"commission-done", 3}};
+
+void show(const LineScene& scene, const QString& language, session::Theme look, QSize size,
+          const QString& path)
+{
+    gui::WindowBench bench(language, look);
+    bench.page = QStringLiteral("commission");
+    bench.window->resize(size);
+    const QTemporaryDir files; // the batch, another one for each picture
+    const auto press = [&](const char* name) {
+        auto* button = bench.find<QAbstractButton>(name);
+        if (!QTest::qWaitFor([&] { return button->isVisible() && button->isEnabled(); }, 20'000))
+            QTextStream(stderr) << scene.name << ": " << name << " cannot be pressed\n";
+        button->click();
+    };
+    if (!bench.connectTo(QStringLiteral("sim:line")))
+        return;
+    bench.find<QLineEdit>("commissionBatch")->setText(files.filePath(QStringLiteral("gate.csv")));
+    bench.find<QSpinBox>("commissionFirstId")->setValue(11);
+    press("commissionStart");
+    auto* rows = bench.find<QTableView>("commissionTable")->model();
+    for (int done = 0; done < 3; ++done) {
+        press("commissionPlug");
+        if (done == scene.clicks)
+            break;
+        press("commissionContinue");
+        (void)QTest::qWaitFor([&] { return rows->rowCount() > done; }, 20'000);
+        if (done + 1 < scene.clicks || scene.clicks < 3)
+            press("commissionUnplug");
+    }
+    letRun(1500);
+    if (!bench.window->grab().save(path, "PNG"))
+        QTextStream(stderr) << path << ": cannot be written\n";
+}
+
 /// Those whose names the filter lets through, in every language, theme and size.
 template <typename List>
 void showAll(const List& list, const QDir& folder, const QRegularExpression& filter)
@@ -274,5 +317,6 @@ int main(int argc, char* argv[])
     showAll(sweepScenes, folder, filter);
     showAll(stepScenes, folder, filter);
     showAll(changeScenes, folder, filter);
+    showAll(lineScenes, folder, filter);
     return 0;
 }

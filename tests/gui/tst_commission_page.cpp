@@ -3,7 +3,9 @@
 // write nothing, one click sets a servo up, the batch grows and can be gone on
 // with, labels are copied. What a servo holds is asked of the simulation.
 #include "gui/window_bench.h"
+#include "record/history.h"
 #include "sim/sim_link.h"
+#include "support/commission_bench.h"
 #include "ui/pages/commission_page.h"
 
 #include <QCheckBox>
@@ -62,6 +64,16 @@ struct LineBench {
         own<QLineEdit>("commissionBatch")->setText(batchFile());
         own<QSpinBox>("commissionFirstId")->setValue(firstId);
     }
+    QString nameOf(int id)
+    {
+        const auto history = record::History::open(session::historyFile());
+        const auto servos = (*history)->log().servos();
+        for (const record::HistoryServo& one : *servos) {
+            if (one.who.id == id)
+                return one.label;
+        }
+        return {};
+    }
     bool ends()
     {
         return QTest::qWaitFor([this] { return !page->line().running(); }, longTime);
@@ -96,7 +108,16 @@ private Q_SLOTS:
         QVERIFY(!bench.own<QLabel>("commissionWhy")->text().isEmpty());
         QVERIFY(!bench.own<QPushButton>("commissionPlug")->isVisible());
         QVERIFY(bench.open());
-        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled()); // no file yet
+        // A file is proposed, so that it can be started at once.
+        const QString proposed = bench.own<QLineEdit>("commissionBatch")->text();
+        QVERIFY(proposed.contains(QDate::currentDate().toString(Qt::ISODate)));
+        QVERIFY(!QFile::exists(proposed));
+        QTRY_VERIFY(bench.own<QPushButton>("commissionStart")->isEnabled());
+        bench.own<QLineEdit>("commissionBatch")->clear();
+        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
+        bench.own<QLineEdit>("commissionBatch")->setText(QString(QChar(0)) + bench.batchFile());
+        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
+        QVERIFY(!bench.own<QLabel>("commissionWhy")->text().isEmpty());
         bench.fill(7);
         QTRY_VERIFY(bench.own<QPushButton>("commissionStart")->isEnabled());
         bench.own<QSpinBox>("commissionLastId")->setValue(3);
@@ -120,6 +141,16 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(bench.rows(), 1, longTime);
         QCOMPARE(bench.idOf(0), 7);
         QTRY_VERIFY(bench.headline().contains(QStringLiteral("Unplug: ID 7")));
+        auto* saved = bench.own<QLabel>("commissionSaved");
+        QVERIFY(saved->isVisible() && QFile::exists(saved->toolTip()));
+        QVERIFY(saved->text().contains(QFileInfo(saved->toolTip()).fileName()));
+        QVERIFY(bench.own<QTableView>("commissionTable")
+                    ->model()
+                    ->index(0, 0)
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(saved->toolTip()));
+        QCOMPARE(bench.nameOf(7), bench.cell(0, 1)); // the history calls it so from now on
         QVERIFY(bench.cell(0, 0).startsWith(QChar(0x2714)));
         bench.click("commissionCopy");
         QCOMPARE(QGuiApplication::clipboard()->text(), QString::fromUtf8("STS3215 · ID 7 · 1 M"));
@@ -150,10 +181,69 @@ private Q_SLOTS:
         QVERIFY(bench.open());
         bench.fill(7);
         bench.own<QLineEdit>("commissionTemplate")->setText(QStringLiteral("/nowhere/t.json"));
-        bench.click("commissionStart");
-        QVERIFY(bench.ends());
-        QTRY_VERIFY(bench.own<QFrame>("commissionBanner")->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.own<QFrame>("commissionBanner")->isVisible(), longTime);
+        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
         QVERIFY(!QFile::exists(bench.batchFile()));
+    }
+
+    void theBatchIsShownBeforeTheStart()
+    {
+        LineBench bench;
+        record::CommissionBatch batch;
+        record::CommissionRow row;
+        row.at = QDateTime::fromSecsSinceEpoch(1'700'000'000, Qt::UTC);
+        row.servo.model = QStringLiteral("STS3215");
+        row.newId = 7;
+        row.label = QStringLiteral("the seventh");
+        batch.rows = {row};
+        QVERIFY(record::saveCommissionBatch(batch, bench.batchFile()));
+        bench.fill(7);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.rows(), 1, longTime);
+        QCOMPARE(bench.cell(0, 1), row.label);
+        QVERIFY(!bench.own<QFrame>("commissionBanner")->isVisible());
+
+        QVERIFY(bench.open());
+        const QString broken = bench.files.filePath(QStringLiteral("broken.csv"));
+        QFile state(record::commissionStatePath(broken));
+        QVERIFY(state.open(QIODevice::WriteOnly) && state.write("{\"format\":") > 0);
+        state.close();
+        bench.own<QLineEdit>("commissionBatch")->setText(broken);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.own<QFrame>("commissionBanner")->isVisible(), longTime);
+        QCOMPARE(bench.rows(), 0);
+        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
+        bench.fill(7);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.rows(), 1, longTime);
+        QTRY_VERIFY(bench.own<QPushButton>("commissionStart")->isEnabled());
+    }
+
+    void dangerousRowsAreAskedForOnce()
+    {
+        LineBench bench;
+        QVERIFY(bench.open());
+        const QString file = bench.files.filePath(QStringLiteral("t.servo.json"));
+        QVERIFY(record::saveSnapshot(
+            support::templateOf("sts3215", {{"position_p", 24}, {"angle_resolution", 0}}), file));
+        bench.fill(7);
+        auto* too = bench.own<QCheckBox>("commissionDangerous");
+        QVERIFY(!too->isVisible());
+        bench.own<QLineEdit>("commissionTemplate")->setText(file);
+        QTRY_VERIFY_WITH_TIMEOUT(too->isVisible(), longTime);
+        too->setChecked(true);
+        const auto question = [&](const char* name) {
+            return QTest::qWaitFor([&] { return bench.own<QPushButton>(name) != nullptr; },
+                                   longTime);
+        };
+        bench.click("commissionStart");
+        QVERIFY(question("questionNo"));
+        bench.own<QPushButton>("questionNo")->click();
+        QTRY_VERIFY(bench.own<QPushButton>("questionNo") == nullptr);
+        QVERIFY(!bench.page->line().running());
+        bench.click("commissionStart");
+        QVERIFY(question("questionYes"));
+        bench.own<QPushButton>("questionYes")->click();
+        QTRY_VERIFY(bench.headline().contains(QStringLiteral("next servo")));
+        bench.click("commissionStop");
+        QVERIFY(bench.ends());
     }
 
     void closingThePortEndsTheLine()

@@ -164,8 +164,8 @@ private Q_SLOTS:
         QCOMPARE(bench.tick("max_angle_limit"), Qt::Unchecked);
 
         bench.click("restoreDryRun");
-        auto* steps = bench.find<QTableWidget>("dryRunTable");
-        QTRY_VERIFY(steps != nullptr);
+        QTableWidget* steps = nullptr;
+        QTRY_VERIFY((steps = bench.find<QTableWidget>("dryRunTable")) != nullptr);
         int writes = 0;
         for (int row = 0; row < steps->rowCount(); ++row)
             writes += steps->item(row, 3)->text().contains(QString::number(before)) ? 1 : 0;

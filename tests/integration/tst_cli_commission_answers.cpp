@@ -11,6 +11,11 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <cstring>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <unistd.h>
+
 using support::CliProgram;
 using support::Ran;
 
@@ -29,7 +34,25 @@ public:
     void start(const char* line) { m_cli.start(support::words(line) << text("--batch") << csv()); }
     /// What it asks; false: it has ended without.
     bool asks(const char* question) { return m_cli.waitForRemark(question); }
-    void press(const char* keys) { m_cli.process().write(keys); }
+    /// Before start(). Else the keys are a pipe.
+    void sitAtATerminal()
+    {
+        m_terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+        grantpt(m_terminal);
+        unlockpt(m_terminal);
+        m_cli.process().setChildProcessModifier([name = QByteArray(ptsname(m_terminal))] {
+            setsid();
+            const int keys = open(name.constData(), O_RDWR); // the session's terminal from now on
+            dup2(keys, STDIN_FILENO);
+        });
+    }
+    void press(const char* keys)
+    {
+        if (m_terminal >= 0)
+            (void)!write(m_terminal, keys, strlen(keys));
+        else
+            m_cli.process().write(keys);
+    }
     Ran finish() { return m_cli.finish(); }
 
     /// The rows that are on the disk by now.
@@ -41,7 +64,14 @@ public:
         return batch->rows;
     }
 
+    ~Keyboard()
+    {
+        if (m_terminal >= 0)
+            close(m_terminal);
+    }
+
 private:
+    int m_terminal = -1;
     CliProgram m_cli;
 };
 
@@ -79,6 +109,8 @@ private Q_SLOTS:
     void aSetsItAside();
     void sSaysThatItIsTheOneLeftInTheMiddle_data();
     void sSaysThatItIsTheOneLeftInTheMiddle();
+    void anythingElseIsNoYes();
+    void whatWasTypedBeforeTheQuestionIsNoAnswer();
     void nobodyAtTheKeysEndsTheLine();
     void theBagObeysLines();
     void theBagObeysASignal();
@@ -175,6 +207,38 @@ void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle()
     QCOMPARE(after->rows[0].verdict, record::CommissionVerdict::Good);
     QCOMPARE(after->rows[0].newId, id);
     QCOMPARE(after->pending.size(), std::size_t(unfinished));
+}
+
+void TestCliCommissionAnswers::anythingElseIsNoYes()
+{
+    Keyboard keys;
+    keys.start("commission --first-id 5 --count 1");
+    QVERIFY(keys.asks("gets ID 5."));
+    keys.press("no\n");
+    QVERIFY(keys.asks("Nothing is done."));
+    QVERIFY(keys.rows().empty());
+    keys.press("\n");
+    QCOMPARE(keys.finish().exit, 0);
+    QCOMPARE(keys.rows().size(), std::size_t(1));
+}
+
+/// At a terminal: an Enter too many at the first servo does not set up the second one unseen.
+void TestCliCommissionAnswers::whatWasTypedBeforeTheQuestionIsNoAnswer()
+{
+    Keyboard keys;
+    keys.sitAtATerminal();
+    keys.start("commission --first-id 5 --count 2");
+    QVERIFY(keys.asks("gets ID 5."));
+    keys.press("\n\n\n");
+    QVERIFY(keys.asks("gets ID 6. Enter"));
+    QCOMPARE(keys.rows().size(), std::size_t(1));
+    keys.press("a\n"); // what is asked now is answered now
+    QVERIFY(keys.asks("Unplug it.\n"));
+    const auto rows = keys.rows();
+    QCOMPARE(rows.size(), std::size_t(2));
+    QCOMPARE(rows[1].verdict, record::CommissionVerdict::Aside);
+    keys.press("\x03"); // Ctrl-C
+    QCOMPARE(keys.finish().exit, 1);
 }
 
 void TestCliCommissionAnswers::nobodyAtTheKeysEndsTheLine()

@@ -92,6 +92,35 @@ private Q_SLOTS:
         QVERIFY(lines[1].contains(",good,,STS3215,3.10,1,1000000,11,500000,"));
     }
 
+    void labelsAreKeptAsSoonAsThereIsAnId()
+    {
+        CommissionBench line;
+        line.spec.count = 2;
+        line.spec.baud = 500'000;
+        QStringList kept;
+        line.name = [&](const device::Servo& servo, const QString& label, bool another) {
+            kept.append(q("%1 at %2: %3").arg(servo.id).arg(servo.baud).arg(label));
+            return another ? base::Result<void>() : base::fail(base::ErrorCode::BadArgument);
+        };
+        QVERIFY(line.run());
+        QCOMPARE(kept, (QStringList{q("11 at 1000000: STS3215 · ID 11 · 500 k"),
+                                    q("12 at 1000000: STS3215 · ID 12 · 500 k")}));
+        QCOMPARE(line.batch.count(CommissionVerdict::Good), 2);
+    }
+
+    void aLabelThatCannotBeKeptIsARemark()
+    {
+        CommissionBench line;
+        line.spec.count = 1;
+        line.name = [](const device::Servo&, const QString&, bool) -> base::Result<void> {
+            return base::fail(base::ErrorCode::DiskFull);
+        };
+        QVERIFY(line.run());
+        QCOMPARE(line.batch.rows.front().verdict, CommissionVerdict::Remark);
+        QCOMPARE(words(line.batch.rows.front()), QStringList{q("label-not-kept")});
+        QCOMPARE(line.servoAt(0).id(), 11);
+    }
+
     void oneClickAServoAndNotMore()
     {
         CommissionBench line;

@@ -64,6 +64,7 @@ public:
             saved.push_back(servo.id);
             return QStringLiteral("table-%1").arg(saved.size());
         };
+        hooks.name = name;
         return jobs::commission(bench.context(), spec, batch, csv(), hooks);
     }
 
@@ -124,6 +125,7 @@ public:
     std::vector<base::Duration> spans; ///< plugged in to "unplug"
     std::vector<int> saved;            ///< IDs of servos whose table was saved
     std::function<jobs::CommissionAnswer()> answer;
+    std::function<base::Result<void>(const device::Servo&, const QString&, bool)> name;
     /// True: this view has been dealt with, the usual hand rests.
     std::function<bool(const jobs::CommissionView&)> hand;
     bool keptInTime = true;

@@ -19,12 +19,12 @@ constexpr int startWidth = 640;
 constexpr int startHeight = 460;
 } // namespace
 
-DryRunDialog::DryRunDialog(const CompareModel& model, QWidget* parent)
+DryRunDialog::DryRunDialog(const CompareModel& model, const jobs::RestorePlan& plan,
+                           QWidget* parent)
     : QDialog(parent)
 {
     setObjectName(QStringLiteral("dryRunDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
-    const jobs::RestorePlan& plan = *model.plan();
     m_id = plan.id;
     const auto value = [&](const jobs::RestoreStep& step, std::optional<std::int64_t> raw) {
         return raw ? model.formatted(step.key, *raw) : QString();

@@ -16,8 +16,8 @@ class DryRunDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    /// The model gives names and units; its plan is taken as it is now.
-    DryRunDialog(const CompareModel& model, QWidget* parent);
+    /// The model gives names and units.
+    DryRunDialog(const CompareModel& model, const jobs::RestorePlan& plan, QWidget* parent);
 
 protected:
     void changeEvent(QEvent* event) override;

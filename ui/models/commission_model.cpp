@@ -5,6 +5,8 @@
 #include "text/language.h"
 #include "ui/models/sweep_cells.h"
 
+#include <QDir>
+
 namespace ui {
 namespace {
 Tone toneOf(record::CommissionVerdict verdict)
@@ -95,13 +97,24 @@ QString CommissionModel::text(const record::CommissionRow& row, int column) cons
     }
 }
 
+QString CommissionModel::tip(const record::CommissionRow& row) const
+{
+    QStringList lines{row.label.isEmpty() ? row.servo.model : row.label};
+    if (!row.troubles.empty())
+        lines.append(text(row, Remarks));
+    lines.append(row.snapshot.isEmpty() ? tr("Nothing was written")
+                                        : tr("Table saved before the first write: %1")
+                                              .arg(QDir::toNativeSeparators(row.snapshot)));
+    return lines.join(QLatin1Char('\n'));
+}
+
 QVariant CommissionModel::data(const QModelIndex& index, int role) const
 {
     const record::CommissionRow& row = m_rows.at(std::size_t(index.row()));
     if (role == Qt::DisplayRole)
         return text(row, index.column());
-    if (role == Qt::ToolTipRole && index.column() == Remarks)
-        return text(row, Remarks);
+    if (role == Qt::ToolTipRole || role == Qt::AccessibleDescriptionRole)
+        return tip(row);
     if (role == toneRole && (index.column() == Verdict || index.column() == Remarks))
         return int(toneOf(row.verdict));
     return {};

@@ -28,6 +28,7 @@ public:
 
 private:
     QString text(const record::CommissionRow& row, int column) const;
+    QString tip(const record::CommissionRow& row) const;
 
     std::vector<record::CommissionRow> m_rows;
 };

@@ -3,6 +3,7 @@
 
 #include "report/commission_words.h"
 #include "text/language.h"
+#include "ui/dialogs/ask.h"
 #include "ui/models/commission_model.h"
 #include "ui/models/rate_words.h"
 #include "ui/widgets/banner.h"
@@ -33,6 +34,14 @@ const QString centerChoice = QStringLiteral("commission/center");
 const QString labelChoice = QStringLiteral("commission/label");
 const QString batchChoice = QStringLiteral("commission/batch");
 const QString templateChoice = QStringLiteral("commission/template");
+constexpr auto typingRests = std::chrono::milliseconds(300);
+
+/// Pasted with the rest; no system has files called so.
+bool hasControlCharacter(const QString& path)
+{
+    return std::any_of(path.begin(), path.end(),
+                       [](QChar one) { return one.category() == QChar::Other_Control; });
+}
 } // namespace
 
 CommissionPage::CommissionPage(Bench& bench, session::Settings& settings, QWidget* parent)
@@ -51,6 +60,7 @@ CommissionPage::CommissionPage(Bench& bench, session::Settings& settings, QWidge
     connectAll();
     retranslate();
     showState();
+    m_lookSoon.start();
 }
 
 void CommissionPage::restoreChoices()
@@ -64,6 +74,8 @@ void CommissionPage::restoreChoices()
     m_center->setChecked(m_settings.choice(centerChoice, false).toBool());
     m_label->setText(m_settings.choice(labelChoice, record::usualLabelFormat()).toString());
     m_batch->setText(m_settings.choice(batchChoice, QString()).toString());
+    if (m_batch->text().isEmpty())
+        m_batch->setText(session::proposedBatch(QDate::currentDate()));
     m_template->setText(m_settings.choice(templateChoice, QString()).toString());
 }
 
@@ -82,6 +94,19 @@ void CommissionPage::rememberChoices()
 void CommissionPage::connectAll()
 {
     using session::Commissioning;
+    m_lookSoon.setSingleShot(true);
+    m_lookSoon.setInterval(typingRests);
+    connect(&m_lookSoon, &QTimer::timeout, this, [this] {
+        if (pathsFine())
+            m_line.look(m_batch->text(), m_template->text());
+    });
+    for (QLineEdit* edit : {m_batch, m_template})
+        connect(edit, &QLineEdit::textChanged, this, [this] {
+            m_wanted = false;
+            m_ended = false;
+            m_lookSoon.start();
+        });
+    connect(&m_line, &Commissioning::looked, this, &CommissionPage::looked);
     for (QLineEdit* edit : {m_batch, m_template, m_label})
         connect(edit, &QLineEdit::textChanged, this, &CommissionPage::showState);
     for (QSpinBox* spin : {m_firstId, m_lastId})
@@ -110,6 +135,7 @@ void CommissionPage::connectAll()
         showView();
     });
     connect(&m_line, &Commissioning::ended, this, [this](const std::optional<base::Error>& error) {
+        m_ended = true;
         if (error)
             m_banner->present(*error);
         showState();
@@ -143,7 +169,51 @@ void CommissionPage::chooseBatch()
     dialog->open();
 }
 
+/// The files are looked at once more: what is asked about is what is in them now.
 void CommissionPage::start()
+{
+    m_wanted = true;
+    m_lookSoon.stop();
+    m_line.look(m_batch->text(), m_template->text());
+}
+
+void CommissionPage::looked()
+{
+    const session::CommissionFiles& files = m_line.files();
+    if (const auto& error = files.batchError ? files.batchError : files.templateError)
+        m_banner->present(*error);
+    else
+        m_banner->clear();
+    m_dangerous->setVisible(!files.dangerous.isEmpty());
+    m_dangerous->setToolTip(tr("A wrong value can make a servo unreachable or dangerous: %1")
+                                .arg(files.dangerous.join(QStringLiteral(", "))));
+    showState();
+    if (!std::exchange(m_wanted, false) || !whyNot().isEmpty())
+        return;
+    if (!m_dangerous->isHidden() && m_dangerous->isChecked())
+        askFirst();
+    else
+        begin();
+}
+
+/// Once for the whole batch.
+void CommissionPage::askFirst()
+{
+    Question question;
+    question.title = tr("Write dangerous rows to every servo?");
+    question.text =
+        tr("The template has: %1").arg(m_line.files().dangerous.join(QStringLiteral(", ")));
+    question.risk = tr("A wrong value can make a servo unreachable or dangerous, and every servo "
+                       "of the batch gets it.");
+    question.yes = tr("Write anyway");
+    question.guard = this;
+    ask(this, question, [this] {
+        if (whyNot().isEmpty())
+            begin();
+    });
+}
+
+void CommissionPage::begin()
 {
     jobs::CommissionSpec spec;
     for (int id = m_firstId->value(); id <= m_lastId->value(); ++id)
@@ -151,6 +221,7 @@ void CommissionPage::start()
     spec.baud = m_rate->currentData().toInt();
     spec.center = m_center->isChecked();
     spec.automatic = m_automatic->isChecked();
+    spec.dangerous = !m_dangerous->isHidden() && m_dangerous->isChecked();
     spec.labelFormat = m_label->text();
     m_banner->clear();
     rememberChoices();
@@ -166,12 +237,23 @@ void CommissionPage::copyLabels()
     QGuiApplication::clipboard()->setText(m_model->labels(rows).join(QLatin1Char('\n')));
 }
 
+bool CommissionPage::pathsFine() const
+{
+    return !hasControlCharacter(m_batch->text()) && !hasControlCharacter(m_template->text());
+}
+
 QString CommissionPage::whyNot() const
 {
     if (m_desk.state() != session::LinkState::Open)
         return tr("Connect first.");
     if (m_batch->text().isEmpty())
         return tr("Say which file keeps the list of the batch.");
+    if (!pathsFine())
+        return tr("The name of a file has a character in it that no file can have.");
+    if (m_line.files().batchError)
+        return tr("The batch cannot be gone on with.");
+    if (m_line.files().templateError)
+        return tr("The template cannot be read.");
     if (m_firstId->value() > m_lastId->value())
         return tr("The last ID is below the first one.");
     if (m_desk.searching())
@@ -203,8 +285,7 @@ QString CommissionPage::headline() const
 {
     const jobs::CommissionView& view = m_line.view();
     if (!m_line.running())
-        return m_line.batch().rows.empty() ? tr("One servo after the other")
-                                           : tr("The line has ended");
+        return m_ended ? tr("The line has ended") : tr("One servo after the other");
     switch (view.step) {
     case CommissionStep::Waiting:
         if (view.obstacle == jobs::CommissionObstacle::Lost)
@@ -230,6 +311,11 @@ QString CommissionPage::headline() const
 QString CommissionPage::detail() const
 {
     const jobs::CommissionView& view = m_line.view();
+    if (!m_line.running() && m_ended)
+        return m_desk.searching()
+                   ? tr("Looking who is on the wire now, since the servos of the list have "
+                        "changed.")
+                   : tr("Connect the servos to each other and search to see them all.");
     if (!m_line.running())
         return tr("Every servo is plugged in alone, gets template, ID and rate, is checked and "
                   "noted in the batch. Nothing moves.");
@@ -262,6 +348,12 @@ void CommissionPage::showView()
     m_headline->setText(headline());
     m_headline->setAccessibleName(m_headline->text());
     m_detail->setText(detail());
+    const QString saved = m_line.running() ? view.snapshot : QString();
+    const QFileInfo file(saved);
+    m_saved->setText(tr("Table saved before the first write: %1 in %2")
+                         .arg(file.fileName(), QDir::toNativeSeparators(file.path())));
+    m_saved->setToolTip(QDir::toNativeSeparators(saved));
+    m_saved->setVisible(!saved.isEmpty());
     QPalette palette;
     const bool blocked = m_line.running() && view.step == CommissionStep::Blocked;
     const bool done = m_line.running() && view.step == CommissionStep::Unplug && view.newId >= 0;

@@ -52,10 +52,14 @@ private:
     void chooseTemplate();
     void chooseBatch();
     void start();
+    void looked();
+    void begin();
+    void askFirst();
     void copyLabels();
     void showState();
     void showView();
     QString whyNot() const; ///< it cannot be started; empty: it can
+    bool pathsFine() const;
     QString headline() const;
     QString detail() const;
 
@@ -64,6 +68,9 @@ private:
     session::Settings& m_settings;
     session::Commissioning m_line;
     CommissionModel* m_model = nullptr;
+    QTimer m_lookSoon;     ///< at the files, when typing has come to rest
+    bool m_wanted = false; ///< Start was clicked: it begins when the files have been looked at
+    bool m_ended = false;  ///< the line has run on this batch
 
     Banner* m_banner = nullptr;
     QWidget* m_setup = nullptr; ///< locked while the line runs
@@ -75,6 +82,7 @@ private:
     QComboBox* m_rate = nullptr;
     QCheckBox* m_center = nullptr;
     QCheckBox* m_automatic = nullptr;
+    QCheckBox* m_dangerous = nullptr; ///< only for a template that has such rows
     QLineEdit* m_label = nullptr;
     QLineEdit* m_batch = nullptr;
     QToolButton* m_browseBatch = nullptr;
@@ -85,6 +93,7 @@ private:
     QPushButton* m_unplug = nullptr;
     QLabel* m_headline = nullptr;
     QLabel* m_detail = nullptr;
+    QLabel* m_saved = nullptr; ///< where the table of the servo at hand is
     QPushButton* m_continue = nullptr;
     QPushButton* m_same = nullptr;
     QPushButton* m_aside = nullptr;

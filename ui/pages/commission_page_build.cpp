@@ -96,6 +96,10 @@ QWidget* CommissionPage::buildSetup()
     m_automatic = new QCheckBox(m_setup);
     m_automatic->setObjectName(QStringLiteral("commissionAutomatic"));
     m_form->addRow(m_automatic);
+    m_dangerous = new QCheckBox(m_setup);
+    m_dangerous->setObjectName(QStringLiteral("commissionDangerous"));
+    m_dangerous->hide();
+    m_form->addRow(m_dangerous);
     m_why = new QLabel(left);
     m_why->setObjectName(QStringLiteral("commissionWhy"));
     m_why->setWordWrap(true);
@@ -134,6 +138,11 @@ QWidget* CommissionPage::buildWork()
     m_detail->setObjectName(QStringLiteral("commissionDetail"));
     m_detail->setWordWrap(true);
     m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_saved = new QLabel(right);
+    m_saved->setObjectName(QStringLiteral("commissionSaved"));
+    m_saved->setWordWrap(true);
+    m_saved->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_saved->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a path is one word
     m_continue = button("commissionContinue");
     m_continue->setProperty("mainAction", true);
     m_same = button("commissionSame");
@@ -161,6 +170,7 @@ QWidget* CommissionPage::buildWork()
     foot->addWidget(m_copy);
     column->addWidget(m_headline);
     column->addWidget(m_detail);
+    column->addWidget(m_saved);
     column->addLayout(click);
     column->addWidget(m_table, 1);
     column->addLayout(foot);
@@ -197,6 +207,7 @@ void CommissionPage::retranslate()
         tr("For servos with a centring command: put the horn where it belongs first"));
     m_automatic->setText(tr("Set up without asking"));
     m_automatic->setToolTip(tr("No click: what has an alarm or does not fit is set aside"));
+    m_dangerous->setText(tr("Dangerous rows of the template too"));
     const auto words = [](QPushButton* one, const QString& text, const QString& tip) {
         one->setText(text);
         one->setAccessibleName(text);
@@ -211,7 +222,7 @@ void CommissionPage::retranslate()
           tr("It is the one that was begun; it gets the ID it was to have"));
     words(m_aside, tr("Set aside"), tr("Write nothing to this servo, and note it in the batch"));
     words(m_copy, tr("Copy labels"), tr("Labels of the selected servos, or of all, one a line"));
-    for (QCheckBox* box : {m_center, m_automatic})
+    for (QCheckBox* box : {m_center, m_automatic, m_dangerous})
         box->setAccessibleName(box->text());
     m_table->setAccessibleName(tr("Servos of the batch"));
     m_table->setToolTip(tr("One line a servo, as in the file of the batch"));

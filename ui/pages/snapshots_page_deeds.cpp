@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the snapshots page does.
+#include "device/remembered_speed.h"
 #include "record/factory_snapshot.h"
 #include "session/restore_order.h"
 #include "session/safety_snapshot.h"
@@ -196,8 +197,31 @@ bool SnapshotsPage::torqueIsOn(const jobs::RestorePlan& plan)
 
 void SnapshotsPage::dryRun()
 {
-    if (m_pane->model().plan())
-        (new DryRunDialog(m_pane->model(), this))->open();
+    const auto& now = m_pane->model().plan();
+    if (!now || m_dryRunComing)
+        return;
+    // What the journal remembers is written back, too; it is asked where it may be waited for.
+    const auto plan = std::make_shared<jobs::RestorePlan>(*now);
+    session::Task task;
+    task.name = QStringLiteral("dry-run");
+    task.quiet = true;
+    task.work = [plan](session::TaskContext& context) -> base::Result<void> {
+        const auto speed = device::rememberedSpeed(context.device.journal, plan->servo);
+        if (!speed)
+            return tl::unexpected(speed.error());
+        plan->positionSpeed = *speed;
+        return {};
+    };
+    task.guard = this;
+    task.done = [this, plan](const session::TaskEnd& end) {
+        m_dryRunComing = false;
+        if (end.error)
+            fail(*end.error);
+        else
+            (new DryRunDialog(m_pane->model(), *plan, this))->open();
+    };
+    m_dryRunComing = true;
+    m_desk.perform(m_selection.current(), std::move(task));
 }
 
 /// Asked about is what can hurt: a shaft that turns or drops, an address that changes, a row that
