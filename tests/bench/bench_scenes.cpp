@@ -262,8 +262,12 @@ void show(const LineScene& scene, const QString& language, session::Theme look, 
     auto* rows = bench.find<QTableView>("commissionTable")->model();
     for (int done = 0; done < 3; ++done) {
         press("commissionPlug");
-        if (done == scene.clicks)
+        if (done == scene.clicks) {
+            (void)QTest::qWaitFor(
+                [&] { return bench.find<QAbstractButton>("commissionContinue")->isVisible(); },
+                20'000);
             break;
+        }
         press("commissionContinue");
         (void)QTest::qWaitFor([&] { return rows->rowCount() > done; }, 20'000);
         if (done + 1 < scene.clicks || scene.clicks < 3)

@@ -15,6 +15,7 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -131,6 +132,8 @@ void CommissionPage::connectAll()
     connect(&m_line, &Commissioning::changed, this, &CommissionPage::showView);
     connect(&m_line, &Commissioning::batchChanged, this, [this] {
         m_model->show(m_line.batch());
+        // Qt does it by itself for new rows only.
+        m_table->horizontalHeader()->resizeSections(QHeaderView::ResizeToContents);
         m_table->scrollToBottom();
         showView();
     });
@@ -185,8 +188,7 @@ void CommissionPage::looked()
     else
         m_banner->clear();
     m_dangerous->setVisible(!files.dangerous.isEmpty());
-    m_dangerous->setToolTip(tr("A wrong value can make a servo unreachable or dangerous: %1")
-                                .arg(files.dangerous.join(QStringLiteral(", "))));
+    tellDangerous();
     showState();
     if (!std::exchange(m_wanted, false) || !whyNot().isEmpty())
         return;
@@ -194,6 +196,12 @@ void CommissionPage::looked()
         askFirst();
     else
         begin();
+}
+
+void CommissionPage::tellDangerous()
+{
+    m_dangerous->setToolTip(tr("A wrong value can make a servo unreachable or dangerous: %1")
+                                .arg(m_line.files().dangerous.join(QStringLiteral(", "))));
 }
 
 /// Once for the whole batch.

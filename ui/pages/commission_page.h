@@ -55,6 +55,7 @@ private:
     void looked();
     void begin();
     void askFirst();
+    void tellDangerous();
     void copyLabels();
     void showState();
     void showView();

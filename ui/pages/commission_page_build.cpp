@@ -160,8 +160,10 @@ QWidget* CommissionPage::buildWork()
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setWordWrap(false);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(CommissionModel::Remarks,
-                                                      QHeaderView::Stretch);
+    // What is wrong with a servo stands beside its verdict, in sight at every width.
+    m_table->horizontalHeader()->moveSection(CommissionModel::Remarks, 1);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_sum = new QLabel(right);
     m_sum->setObjectName(QStringLiteral("commissionSum"));
     m_copy = button("commissionCopy");
@@ -208,6 +210,7 @@ void CommissionPage::retranslate()
     m_automatic->setText(tr("Set up without asking"));
     m_automatic->setToolTip(tr("No click: what has an alarm or does not fit is set aside"));
     m_dangerous->setText(tr("Dangerous rows of the template too"));
+    tellDangerous();
     const auto words = [](QPushButton* one, const QString& text, const QString& tip) {
         one->setText(text);
         one->setAccessibleName(text);
