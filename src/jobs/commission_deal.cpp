@@ -153,17 +153,9 @@ base::Result<void> CommissionLine::setAside(const CommissionWork& work,
         row.troubles = {{QStringLiteral("by-hand")}};
     row.volts = work.servo.physical(catalog::Role::PresentVoltage);
     row.celsius = work.servo.physical(catalog::Role::PresentTemperature);
-    m_batch.rows.push_back(row);
-    m_batch.onWire = {base::protocolName(work.servo.protocol), work.servo.id, work.servo.baud};
-    if (const auto kept = keep(); !kept)
-        return kept;
-    if (m_hooks.onRow)
-        m_hooks.onRow(row);
     CommissionView view;
-    view.servo = row.servo;
     view.baud = row.oldBaud;
-    view.concerns = row.troubles;
-    return awaitGone(placeOf(work.servo), view);
+    return enter(work, row, view);
 }
 
 /// From here on the servo is in the batch's file, so that it is known wherever it is left.

@@ -106,19 +106,26 @@ base::Result<void> CommissionLine::finish(CommissionWork& work)
         row.verdict = alarmed ? CommissionVerdict::Failed : CommissionVerdict::Remark;
     if (const CommissionPending* one = pendingOf(work))
         m_batch.pending.erase(m_batch.pending.begin() + (one - m_batch.pending.data()));
+    CommissionView view;
+    view.baud = work.servo.baud;
+    view.newId = row.newId;
+    view.newBaud = row.newBaud;
+    view.snapshot = row.snapshot;
+    return enter(work, row, view);
+}
+
+/// On the disk before anybody is told of it.
+base::Result<void> CommissionLine::enter(const CommissionWork& work,
+                                         const record::CommissionRow& row, CommissionView view)
+{
     m_batch.rows.push_back(row);
     m_batch.onWire = {base::protocolName(work.servo.protocol), work.servo.id, work.servo.baud};
     if (const auto kept = keep(); !kept)
         return kept;
     if (m_hooks.onRow)
         m_hooks.onRow(row);
-    CommissionView view;
     view.servo = row.servo;
-    view.baud = work.servo.baud;
-    view.newId = row.newId;
-    view.newBaud = row.newBaud;
     view.concerns = row.troubles;
-    view.snapshot = row.snapshot;
     return awaitGone(placeOf(work.servo), view);
 }
 } // namespace jobs

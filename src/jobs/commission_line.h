@@ -42,6 +42,9 @@ private:
     std::vector<Place> expected() const;
     CommissionView waitingView() const;
     base::Result<void> awaitGone(const Place& place, CommissionView view);
+    /// The row of a servo that is done with, and waits until it is unplugged.
+    base::Result<void> enter(const CommissionWork& work, const record::CommissionRow& row,
+                             CommissionView view);
 
     // --- one servo ---
     base::Result<void> deal(device::Servo servo);
