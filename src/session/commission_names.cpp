@@ -10,6 +10,22 @@ base::Result<void> withoutServo(const base::Result<record::HistoryServo>& servo)
     return servo ? base::Result<void>() : tl::unexpected(servo.error());
 }
 
+struct Known {
+    std::unique_ptr<record::History> history;
+    std::optional<record::HistoryServo> servo; ///< who stands under that ID
+};
+
+base::Result<Known> look(const QString& path, const base::ServoIdentity& who)
+{
+    auto history = record::History::open(path);
+    if (!history)
+        return tl::unexpected(history.error());
+    auto servo = (*history)->log().of(who);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    return Known{std::move(*history), std::move(*servo)};
+}
+
 /// `own`: its present name, if it has one, was given to this very servo.
 base::Result<void> giveName(const record::HistoryLog& log, const base::ServoIdentity& who,
                             const QString& label, bool own)
@@ -34,18 +50,16 @@ base::Result<void> CommissionNames::meet(const device::Servo& servo)
 {
     m_given.clear();
     const base::ServoIdentity who = servo.identity();
-    const auto history = record::History::open(m_history);
-    if (!history)
-        return tl::unexpected(history.error());
-    const record::HistoryLog log = (*history)->log();
-    const auto known = log.of(who);
+    const auto known = look(m_history, who);
     if (!known)
         return tl::unexpected(known.error());
-    if (!*known || (*known)->label.isEmpty())
+    const auto& servoThere = known->servo;
+    if (!servoThere || servoThere->label.isEmpty())
         return {};
-    if (const auto parted = log.another((*known)->number, QString()); !parted)
+    const auto parted = known->history->log().another(servoThere->number, QString());
+    if (!parted)
         return tl::unexpected(parted.error());
-    m_aside = Aside{who, (*known)->label};
+    m_aside = Aside{who, servoThere->label};
     return {};
 }
 
@@ -53,14 +67,11 @@ base::Result<void> CommissionNames::name(const device::Servo& servo, const QStri
                                          bool another)
 {
     const base::ServoIdentity who = servo.identity();
-    const auto history = record::History::open(m_history);
-    if (!history)
-        return tl::unexpected(history.error());
-    const record::HistoryLog log = (*history)->log();
-    const auto known = log.of(who);
+    const auto known = look(m_history, who);
     if (!known)
         return tl::unexpected(known.error());
-    const bool given = *known && !m_given.isEmpty() && (*known)->label == m_given;
+    const record::HistoryLog log = known->history->log();
+    const bool given = known->servo && !m_given.isEmpty() && known->servo->label == m_given;
     if (const auto named = giveName(log, who, label, given || !another); !named)
         return named;
     m_given = label;
