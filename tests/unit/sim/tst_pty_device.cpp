@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The simulator's terminal when clients come and go between two of its looks: whose bytes reach whom.
+#include <QTest>
+
+#include "integration/raw_client.h"
+#include "sim/pty_device.h"
+
+#include <optional>
+
+namespace {
+constexpr base::Duration noWait{};
+const QByteArray request("ask");
+const base::Bytes reply{'h', 'e', 'r', 'e'};
+
+QByteArray text(const base::Bytes& bytes)
+{
+    return {reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())};
+}
+} // namespace
+
+class tst_PtyDevice : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        auto opened = sim::PtyDevice::open({}, 1'000'000);
+        QVERIFY(opened);
+        m_device = std::move(*opened);
+        m_client.emplace(m_device->path());
+        QVERIFY(m_client->isOpen());
+    }
+    void cleanup()
+    {
+        m_client.reset();
+        m_device.reset();
+    }
+
+    void answersWhoCameSinceItLastLooked()
+    {
+        m_client->say(request);
+        QCOMPARE(text(m_device->read()), request);
+        m_device->write(reply);
+        QCOMPARE(m_client->hear(4), text(reply));
+    }
+
+    void keepsTheAnswerToWhoCameRightAfterAnother()
+    {
+        m_device->wait(noWait);
+        m_client.emplace(m_device->path());
+        m_client->say(request);
+        QCOMPARE(text(m_device->read()), request);
+        m_device->write(reply);
+        m_device->wait(noWait);
+        QCOMPARE(m_client->hear(4), text(reply));
+    }
+
+    void dropsTheAnswerToWhoHasLeft()
+    {
+        m_device->wait(noWait);
+        m_client->say(request);
+        QCOMPARE(text(m_device->read()), request);
+        m_client.reset();
+        m_device->write(reply);
+        m_client.emplace(m_device->path());
+        QVERIFY(!m_client->readable(0));
+    }
+
+private:
+    std::unique_ptr<sim::PtyDevice> m_device;
+    std::optional<raw::Client> m_client;
+};
+
+QTEST_GUILESS_MAIN(tst_PtyDevice)
+#include "tst_pty_device.moc"
