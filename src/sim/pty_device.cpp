@@ -190,8 +190,8 @@ base::Bytes PtyDevice::read()
 
 void PtyDevice::write(base::ByteView bytes)
 {
-    // Who asked may have come, and who came before may have left, since wait() last counted: counted
-    // later, the one's answer would be kept back or thrown away as the other's.
+    // Who asked may have come, and who came before may have left, since wait() last counted:
+    // counted later, the one's answer would be kept back or thrown away as the other's.
     countClients();
     if (m_watch >= 0 && m_clients == 0)
         return;

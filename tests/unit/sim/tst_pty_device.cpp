@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulator's terminal when clients come and go between two of its looks: whose bytes reach whom.
-#include <QTest>
-
+// The simulator's terminal when clients come and go between two of its looks: whose bytes reach
+// whom.
 #include "integration/raw_client.h"
 #include "sim/pty_device.h"
+
+#include <QTest>
 
 #include <optional>
 
