@@ -37,15 +37,19 @@ void Snapshots::setTaking(bool taking)
 }
 
 /// Files wait for their disk on the archive's thread.
-void Snapshots::onDisk(std::function<base::Result<void>()> write, std::function<void()> then)
+void Snapshots::onDisk(std::function<base::Result<void>()> write, std::function<void()> then,
+                       std::function<void(bool written)> keep)
 {
-    m_archive.work(std::move(write), this,
-                   [this, then = std::move(then)](const base::Result<void>& done) {
-                       if (done)
-                           then();
-                       else
-                           Q_EMIT failed(done.error());
-                   });
+    m_archive.work(
+        std::move(write), this,
+        [this, then = std::move(then), keep = std::move(keep)](const base::Result<void>& done) {
+            if (keep)
+                keep(done.has_value());
+            if (done)
+                then();
+            else
+                Q_EMIT failed(done.error());
+        });
 }
 
 void Snapshots::take(ServoRef servo, const SnapshotWish& wish)
@@ -73,13 +77,17 @@ void Snapshots::take(ServoRef servo, const SnapshotWish& wish)
             return;
         }
         const SharedSnapshot snapshot = found;
-        m_archive.keepSnapshot(snapshot, record::SnapshotReason::Asked, wish.path);
         if (wish.path.isEmpty()) {
+            m_archive.keepSnapshot(snapshot, record::SnapshotReason::Asked);
             Q_EMIT taken(snapshot, {});
             return;
         }
         onDisk([snapshot, path = wish.path] { return record::saveSnapshot(*snapshot, path); },
-               [this, snapshot, path = wish.path] { Q_EMIT taken(snapshot, path); });
+               [this, snapshot, path = wish.path] { Q_EMIT taken(snapshot, path); },
+               [this, snapshot, path = wish.path](bool written) {
+                   m_archive.keepSnapshot(snapshot, record::SnapshotReason::Asked,
+                                          written ? path : QString());
+               });
     };
     setTaking(true);
     m_desk.perform(servo, std::move(task));
@@ -116,11 +124,14 @@ void Snapshots::takeAll(const SnapshotWish& wish)
             return;
         }
         const SharedBundle bundle = found;
-        for (const record::Snapshot& one : bundle->servos)
-            m_archive.keepSnapshot(std::make_shared<const record::Snapshot>(one),
-                                   record::SnapshotReason::Bundle, wish.path);
         onDisk([bundle, path = wish.path] { return record::saveBundle(*bundle, path); },
-               [this, bundle, path = wish.path] { Q_EMIT bundled(bundle, path); });
+               [this, bundle, path = wish.path] { Q_EMIT bundled(bundle, path); },
+               [this, bundle, path = wish.path](bool written) {
+                   for (const record::Snapshot& one : bundle->servos)
+                       m_archive.keepSnapshot(std::make_shared<const record::Snapshot>(one),
+                                              record::SnapshotReason::Bundle,
+                                              written ? path : QString());
+               });
     };
     setTaking(true);
     m_desk.perform(0, std::move(task));

@@ -62,7 +62,10 @@ Q_SIGNALS:
 
 private:
     void setTaking(bool taking);
-    void onDisk(std::function<base::Result<void>()> write, std::function<void()> then);
+    /// `keep`: what goes into the history whether or not the file could be written, so that it
+    /// names none that is not there.
+    void onDisk(std::function<base::Result<void>()> write, std::function<void()> then,
+                std::function<void(bool written)> keep = {});
 
     Desk& m_desk;
     Archive& m_archive;

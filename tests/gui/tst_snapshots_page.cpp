@@ -19,6 +19,7 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -193,6 +194,35 @@ private Q_SLOTS:
         bench.select(bench.shelf()->topLevelItem(0));
         QTRY_VERIFY(bench.rowOf("position_p") == 0);
         QCOMPARE(bench.entry().servo.raw(QStringLiteral("position_p")), before + 1);
+    }
+
+    /// The table is kept either way.
+    void theHistoryNamesNoFileThatIsNotThere()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        session::Snapshots snapshots(bench.desk(), bench.bench.archive);
+        QSignalSpy taken(&snapshots, &session::Snapshots::taken);
+        QSignalSpy failed(&snapshots, &session::Snapshots::failed);
+        const QTemporaryDir folder;
+        const QString good = folder.filePath(QStringLiteral("one.servo.json"));
+        snapshots.take(bench.selection().current(), {{}, {}, good});
+        QTRY_COMPARE(taken.count(), 1);
+        snapshots.take(bench.selection().current(),
+                       {{}, {}, folder.filePath(QStringLiteral("no/two.servo.json"))});
+        QTRY_COMPARE(failed.count(), 1);
+        QStringList files;
+        const auto look = [&](const auto& found) {
+            files.clear();
+            for (const record::HistorySnapshot& one : *found)
+                files += one.file;
+        };
+        const auto both = [&] {
+            bench.bench.archive.snapshots({}, this, look);
+            return files.size() == 2;
+        };
+        QTRY_VERIFY(both());
+        QCOMPARE(files, (QStringList{QString(), good})); // the latest first
     }
 
     void identityIsLeftAloneUnlessAsked()
