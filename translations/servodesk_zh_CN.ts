@@ -4064,6 +4064,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Nothing is done. Enter: go on; a and Enter: set it aside.</source>
         <translation>没有执行任何操作。回车：继续；a 加回车：剔除。</translation>
     </message>
+    <message>
+        <source>The alarms could not be kept in the history: %1 (%2)</source>
+        <translation>报警未能存入历史：%1（%2）</translation>
+    </message>
 </context>
 <context>
     <name>text</name>

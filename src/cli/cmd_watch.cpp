@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/alarm_log.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/report_words.h"
@@ -102,6 +103,7 @@ public:
         , m_csv(std::move(csv))
         , m_view(run.console(), spec, m_csv != nullptr)
         , m_json(run.console(), port, jobs::watchColumns(spec))
+        , m_alarms(run.console(), spec.servos)
     {
         for (const device::Servo& servo : spec.servos)
             m_profiles[servo.id] = servo.profile;
@@ -111,12 +113,17 @@ public:
     {
         m_view.add(row);
         m_json.add(row, m_profiles[row.id].get());
+        if (row.answered)
+            m_alarms.look(row.id, row.status, QDateTime::currentDateTimeUtc());
         if (m_console.failure())
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("watch"));
         if (m_csv == nullptr || !row.answered)
             return {};
         return m_csv->write(row.at, row.id, row.values);
     }
+
+    /// However the watch has ended.
+    void ended() { m_alarms.finish(); }
 
     void finish(Run& run, const jobs::WatchReport& report)
     {
@@ -148,6 +155,7 @@ private:
     std::unique_ptr<record::CsvWriter> m_csv;
     WatchView m_view;
     JsonStream m_json;
+    AlarmLog m_alarms;
     std::map<int, catalog::ProfilePtr> m_profiles;
 };
 
@@ -172,6 +180,7 @@ base::Result<Exit> run(Run& run, const Values& values)
     Sink sink(run, *spec, std::move(*csv), context->bus.portName());
     const auto report =
         jobs::watch(*context, *spec, [&sink](const jobs::WatchRow& row) { return sink.take(row); });
+    sink.ended();
     if (run.console().failure())
         return Exit::File;
     if (!report)

@@ -47,6 +47,7 @@ private Q_SLOTS:
     void whoeverOnlyLooksSavesNothing();
     void whoeverSettlesSavesFirst();
     void anAlarmIsNoReasonNotToSave();
+    void alarmsSeenWhileWatchingAreKept();
     void whatCannotBeSavedIsNotWritten();
     void listedLabelledAndTakenOut();
     void whatIsSavedIsKeptToo();
@@ -146,6 +147,24 @@ void TestCliHistory::anAlarmIsNoReasonNotToSave()
     const Ran ran =
         cli.run(words("write --json") << QString::number(ailing) << text("max_temperature=71"));
     QVERIFY2(ran.json().contains(text("snapshot")), qPrintable(ran.out + ran.err));
+}
+
+void TestCliHistory::alarmsSeenWhileWatchingAreKept()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:trouble"));
+    cli.run("scan");
+    QVERIFY(rows(cli, "alarms").isEmpty());
+    const auto watched = [&cli] {
+        cli.run("watch 4 5 --for 0.3"); // 5 is jammed, 4 has nothing
+        return rows(cli, "alarms");
+    };
+    const QJsonArray kept = watched();
+    QCOMPARE(kept.size(), 1);
+    QCOMPARE(kept[0][text("id")].toInt(), 5);
+    QCOMPARE(kept[0][text("alarm")].toString(), text("overload"));
+    QVERIFY(kept[0][text("went")].isNull());
+    QCOMPARE(watched(), kept); // the same one, not gone yet
 }
 
 void TestCliHistory::whatCannotBeSavedIsNotWritten()

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/alarm_log.h"
+
+#include "cli/translate.h"
+#include "record/history.h"
+#include "session/paths.h"
+#include "text/error_words.h"
+#include "text/notice_words.h"
+
+namespace cli {
+namespace {
+constexpr qint64 writeEveryMs = 1000;
+} // namespace
+
+AlarmLog::AlarmLog(Console& console, const std::vector<device::Servo>& servos)
+    : m_console(console)
+{
+    for (const device::Servo& servo : servos) {
+        if (text::reportsAlarms(servo.profile.get()))
+            m_servos[servo.id] = {servo.identity(), servo.profile};
+    }
+}
+
+void AlarmLog::look(int id, std::uint8_t status, const QDateTime& at)
+{
+    const auto found = m_servos.find(id);
+    if (found == m_servos.end() || m_failed)
+        return;
+    Watched& servo = found->second;
+    servo.at = at;
+    if (servo.status != status) {
+        servo.status = status;
+        servo.now = text::statusKeys(status, servo.profile.get());
+        for (const QString& key : std::as_const(servo.now)) {
+            if (!servo.kept.contains(key))
+                servo.came.try_emplace(key, at);
+        }
+    }
+    if (!servo.wrote.isValid() || servo.wrote.msecsTo(at) >= writeEveryMs)
+        write(servo);
+}
+
+void AlarmLog::finish()
+{
+    for (auto& [id, servo] : m_servos)
+        write(servo);
+}
+
+void AlarmLog::write(Watched& servo)
+{
+    if (m_failed || (servo.came.empty() && servo.now == servo.kept))
+        return;
+    const auto keep = [&]() -> base::Result<void> {
+        const auto history = record::History::open(session::historyFile());
+        if (!history)
+            return tl::unexpected(history.error());
+        const auto log = (*history)->log();
+        QStringList active = servo.kept;
+        for (const auto& [key, at] : servo.came) {
+            if (auto came = log.alarmCame(servo.who, key, false, at); !came)
+                return came;
+            active += key;
+        }
+        for (const QString& key : std::as_const(active)) {
+            if (servo.now.contains(key))
+                continue;
+            if (auto went = log.alarmWent(servo.who, key, servo.at); !went)
+                return went;
+        }
+        return {};
+    };
+    if (const auto kept = keep(); !kept) {
+        m_failed = true;
+        m_console.say(translate("cli", "The alarms could not be kept in the history: %1 (%2)")
+                          .arg(text::describe(kept.error()).what, kept.error().detail));
+    }
+    servo.kept = servo.now;
+    servo.came.clear();
+    servo.wrote = servo.at;
+}
+} // namespace cli
