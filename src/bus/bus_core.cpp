@@ -177,6 +177,11 @@ Result<Outcome> BusCore::repeat(const Transaction& transaction, base::ByteView f
             return outcome;
         }
         outcome.faults.push_back({*attempt->fault, attempt->endedAt});
+        const bool first = outcome.attempts == 1 && attempts > 1 && transaction.patience <= 0us;
+        if (first && *attempt->fault == FaultKind::TimeOut) {
+            if (const auto heard = awaitFirstReply(attempt->sentAt, interrupt); !heard)
+                return tl::unexpected(described(heard.error(), request, outcome.attempts));
+        }
     }
     Error error{errorFor(outcome.faults)};
     if (request.repeat == Repeat::Never) {
@@ -184,6 +189,19 @@ Result<Outcome> BusCore::repeat(const Transaction& transaction, base::ByteView f
         error.code = ErrorCode::Uncertain;
     }
     return tl::unexpected(described(std::move(error), request, outcome.attempts));
+}
+
+/// On a link that has shown nothing yet silence says nothing either: its adapter may be slower than
+/// the patience it is given at first. A late reply ends the wait, and teaches.
+Result<void> BusCore::awaitFirstReply(Duration sentAt, const Interrupt& interrupt)
+{
+    const Duration limit = sentAt + LateGuard::longestLateness;
+    while (!m_guard.hasMeasured() && m_clock.now() < limit) {
+        const Duration until = std::min(limit, m_clock.now() + waitSlice);
+        if (const auto heard = m_exchange.listenUntil(until, interrupt); !heard)
+            return heard;
+    }
+    return {};
 }
 
 /// Listens until the servos may be spoken to; polls of others run meanwhile.

@@ -2,8 +2,8 @@
 // The bus on the caller's thread: runs a transaction, and the polls that are due, while the caller
 // waits. For tests, fast simulation on a manual clock, and as the engine of BusThread. One thread,
 // except what fetches or sets plain values: emergency(), take…(), statistics(), setRetries(),
-// setPatience(), setReplyDelay(), setStopFrames(), awaitReturn(), lost(), away() may be called from
-// any.
+// setPatience(), replyTimeout(), setReplyDelay(), setStopFrames(), awaitReturn(), lost(), away()
+// may be called from any.
 #pragma once
 
 #include "bus/exchange.h"
@@ -54,6 +54,7 @@ public:
 
     void setRetries(int retries) override { m_retries.store(retries); }
     void setPatience(base::Duration patience) override { m_guard.setPatience(patience); }
+    base::Duration replyTimeout() const override { return m_guard.replyTimeout(); }
     void setReplyDelay(base::Duration delay) override { m_replyDelay.store(delay.count()); }
 
     void setSilence(base::Duration silence) override { m_exchange.setSilence(silence); }
@@ -87,6 +88,7 @@ private:
     base::Result<Outcome> run(const Transaction& transaction);
     base::Result<void> awaitTurn(const Transaction& transaction, const Interrupt& interrupt);
     base::Result<Outcome> repeat(const Transaction& transaction, base::ByteView frame);
+    base::Result<void> awaitFirstReply(base::Duration sentAt, const Interrupt& interrupt);
     void sharePolls(Priority priority);
     void storeSamples(const PollRead& read, Attempt attempt, base::ErrorCode error);
     base::Error described(base::Error error, const protocol::Request& request, int attempts) const;

@@ -55,6 +55,7 @@ public:
 
     void setRetries(int retries) override { m_core->setRetries(retries); }
     void setPatience(base::Duration patience) override { m_core->setPatience(patience); }
+    base::Duration replyTimeout() const override { return m_core->replyTimeout(); }
     void setReplyDelay(base::Duration delay) override { m_core->setReplyDelay(delay); }
     void setSilence(base::Duration silence) override { m_core->setSilence(silence); }
 

@@ -8,9 +8,11 @@ namespace {
 using base::Duration;
 using namespace std::chrono_literals;
 
-/// Later than this is no adapter's latency, and must not make the bus wait for ever after.
-constexpr Duration believable = 250ms;
+/// Later than this must not make the bus wait for ever after.
+constexpr Duration believable = LateGuard::longestLateness;
 constexpr Duration shortestWindow = 20ms;
+/// A busy servo takes tens of milliseconds, however quick the adapter is.
+constexpr Duration shortestReplyTimeout = 25ms;
 
 bool speaksToAll(const protocol::Request& request)
 {
@@ -30,10 +32,16 @@ void LateGuard::setPatience(Duration start)
     m_start.store(start.count(), std::memory_order_relaxed);
 }
 
+Duration LateGuard::replyTimeout() const
+{
+    return std::max(shortestReplyTimeout, patience());
+}
+
 void LateGuard::learn(Duration lateness)
 {
     if (lateness > believable)
         return;
+    m_measured = true;
     const Duration::rep wanted = lateness.count() * 3 / 2;
     if (wanted > m_learnt.load(std::memory_order_relaxed))
         m_learnt.store(wanted, std::memory_order_relaxed);

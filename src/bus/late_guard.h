@@ -2,7 +2,7 @@
 // What keeps a late reply from being taken for the answer to the next request. Replies carry no
 // address, so after a time-out the bus only listens for a while before it speaks to that servo
 // again; and it learns from every reply how patient it has to be. Bus thread only, except
-// patience() and setPatience().
+// patience(), replyTimeout() and setPatience().
 #pragma once
 
 #include "base/clock.h"
@@ -18,6 +18,12 @@ public:
     /// Patience of ordinary transactions beyond wire time and reply delay.
     base::Duration patience() const;
     void setPatience(base::Duration start);
+    /// See Bus::replyTimeout().
+    base::Duration replyTimeout() const;
+    /// No adapter is later than this.
+    static constexpr base::Duration longestLateness = std::chrono::milliseconds(250);
+    /// A reply has shown how late this link is.
+    bool hasMeasured() const { return m_measured; }
 
     /// A reply came `lateness` after the instant at which a prompt adapter would have shown it.
     void learn(base::Duration lateness);
@@ -57,5 +63,6 @@ private:
     base::Duration m_latestQuiet{}; ///< of any servo
     std::atomic<base::Duration::rep> m_start{25'000};
     std::atomic<base::Duration::rep> m_learnt{0};
+    bool m_measured = false;
 };
 } // namespace bus

@@ -91,6 +91,7 @@ public:
     void emergency() override {}
     void setRetries(int) override {}
     void setPatience(base::Duration) override {}
+    base::Duration replyTimeout() const override { return std::chrono::milliseconds(25); }
     void setReplyDelay(base::Duration) override {}
     void setSilence(base::Duration) override {}
     bus::Statistics statistics() const override { return {}; }
