@@ -11,8 +11,6 @@ using device::NoticeCode;
 using device::WriteOutcome;
 
 namespace {
-constexpr base::Duration longPatience = std::chrono::milliseconds(50);
-
 const QString operation = QStringLiteral("set-baud");
 
 base::Result<std::int64_t> codeOf(const device::Servo& servo, const catalog::Register& reg,
@@ -44,7 +42,7 @@ base::Result<bool> locate(const device::Context& context, const device::Servo& s
     for (const int baud : {newBaud, oldBaud}) {
         if (const auto set = context.bus.setBaud(baud); !set)
             return tl::unexpected(set.error());
-        const auto here = answers(context, servo.protocol, servo.id, longPatience);
+        const auto here = answers(context, servo.protocol, servo.id);
         if (!here && here.error().code == ErrorCode::LinkLost)
             return tl::unexpected(here.error());
         if (here && *here)

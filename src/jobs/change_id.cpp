@@ -9,8 +9,6 @@ using device::NoticeCode;
 using device::WriteOutcome;
 
 namespace {
-constexpr base::Duration longPatience = std::chrono::milliseconds(50);
-
 const QString operation = QStringLiteral("set-id");
 
 /// Feetech and LX: 0–253, Modbus: 1–247; never the address that means everybody.
@@ -27,18 +25,17 @@ base::Result<void> checkId(const device::Servo& servo, int newId)
     return tl::unexpected(error);
 }
 
-/// Silence under the new ID, twice: anything else, a collision included, means somebody lives
-/// there.
+/// Silence under the new ID: anything else, a collision included, means somebody lives there.
 base::Result<void> proveFree(const device::Context& context, base::Protocol protocol, int newId)
 {
-    const auto taken = answers(context, protocol, newId, longPatience);
-    if (!taken) {
-        const ErrorCode code = taken.error().code;
+    const auto free = isFree(context, protocol, newId);
+    if (!free) {
+        const ErrorCode code = free.error().code;
         if (code == ErrorCode::Garbled || code == ErrorCode::WrongAnswer)
             return base::fail(ErrorCode::IdInUse, operation, QStringLiteral("garbled"), newId);
-        return tl::unexpected(taken.error());
+        return tl::unexpected(free.error());
     }
-    if (*taken)
+    if (!*free)
         return base::fail(ErrorCode::IdInUse, operation, {}, newId);
     return {};
 }
@@ -54,7 +51,7 @@ base::Result<int> locate(const device::Context& context, base::Protocol protocol
         if (round > 0)
             context.bus.clock().sleepFor(pause);
         for (const int id : {newId, oldId}) {
-            const auto here = answers(context, protocol, id, longPatience);
+            const auto here = answers(context, protocol, id);
             if (!here && here.error().code == ErrorCode::LinkLost)
                 return tl::unexpected(here.error());
             if (here && *here)

@@ -3,24 +3,55 @@
 
 #include "device/talk.h"
 
+#include <algorithm>
+
 namespace jobs {
 using base::ErrorCode;
 
-base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id,
-                           base::Duration patience)
+namespace {
+bus::Transaction pingOf(const device::Context& context, base::Protocol protocol, int id)
 {
     bus::Transaction ping;
     ping.request = protocol::Request::ping(id).in(protocol);
     ping.priority = context.priority;
-    ping.patience = patience;
+    ping.patience = context.bus.replyTimeout();
     ping.hold = context.hold;
-    const auto outcome = context.bus.transact(ping);
+    return ping;
+}
+
+base::Result<bool> heard(const base::Result<bus::Outcome>& outcome)
+{
     // Who refuses to say more is there all the same.
     if (outcome || outcome.error().code == ErrorCode::Refused)
         return true;
     if (outcome.error().code == ErrorCode::NoAnswer)
         return false;
     return tl::unexpected(outcome.error());
+}
+} // namespace
+
+base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id)
+{
+    return heard(context.bus.transact(pingOf(context, protocol, id)));
+}
+
+base::Result<bool> isFree(const device::Context& context, base::Protocol protocol, int id,
+                          int questions)
+{
+    context.bus.takeStrays();
+    for (int i = 0; i < questions; ++i) {
+        bus::Transaction ping = pingOf(context, protocol, id);
+        ping.retries = 0;
+        ping.stop = &context.stop; // nothing has been written yet
+        const auto taken = heard(context.bus.transact(ping));
+        if (!taken || *taken)
+            return taken.map([](bool answered) { return !answered; });
+    }
+    if (const auto listened = context.bus.listen(context.bus.replyTimeout()); !listened)
+        return tl::unexpected(listened.error());
+    const auto strays = context.bus.takeStrays();
+    return std::none_of(strays.begin(), strays.end(),
+                        [id](const bus::Stray& stray) { return stray.id == id; });
 }
 
 base::Result<Sent> sendOnce(const device::Context& context, protocol::Request request)

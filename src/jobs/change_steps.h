@@ -5,10 +5,15 @@
 #include "jobs/change.h"
 
 namespace jobs {
-/// PING with this patience; true if a clean answer came from that ID. Anything but silence that is
-/// not a clean answer (collision, noise) is an error.
-base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id,
-                           base::Duration patience);
+/// PING, waited for as long as a reply may take on this link; true if a clean answer came from that
+/// ID. Anything but silence that is not a clean answer (collision, noise) is an error.
+base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id);
+
+/// Does nobody have this ID? Proven by silence that lasts as long as a reply may take on this link
+/// (bus::Bus::replyTimeout), after each of the questions, of which one may be lost. What comes
+/// later still names its ID and counts. Errors as answers(), and Stopped.
+base::Result<bool> isFree(const device::Context& context, base::Protocol protocol, int id,
+                          int questions = 3);
 
 /// One write that is never repeated blindly. `lost` is true when its answer did not come.
 struct Sent {

@@ -9,8 +9,6 @@ namespace jobs {
 using base::ErrorCode;
 
 namespace {
-constexpr base::Duration patience = std::chrono::milliseconds(10);
-
 std::vector<base::Protocol> languages(const device::Context& context, base::Protocol own)
 {
     std::vector<base::Protocol> all{own};
@@ -42,10 +40,10 @@ base::Result<std::vector<int>> freeIds(const device::Context& context, base::Pro
         for (const base::Protocol language : asked) {
             if (context.stop.requested())
                 return base::fail(ErrorCode::Stopped, QStringLiteral("free-ids"));
-            const auto here = answers(context, language, id, patience);
-            if (!here && endsAll(here.error().code))
-                return tl::unexpected(here.error());
-            silent = silent && here && !*here;
+            const auto unused = isFree(context, language, id, 1);
+            if (!unused && endsAll(unused.error().code))
+                return tl::unexpected(unused.error());
+            silent = silent && unused.value_or(false);
         }
         if (silent)
             free.push_back(id);

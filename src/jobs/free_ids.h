@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which of some IDs nobody answers to at the present rate, in any language that can exist there: a
-// quick look for proposals. It proves nothing; changeId() does, with more patience. Sends PINGs
+// quick look for proposals. It proves nothing; changeId() does, with more questions. Sends PINGs
 // only.
 #pragma once
 

@@ -40,7 +40,7 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
     clock.sleepUntil(start + listenFrom);
     servo.image.clear();
     for (;;) {
-        const auto here = answers(context, servo.protocol, servo.id, 10ms);
+        const auto here = answers(context, servo.protocol, servo.id);
         if (!here && here.error().code == ErrorCode::LinkLost)
             return tl::unexpected(here.error());
         const base::Duration passed = clock.now() - start;

@@ -58,7 +58,7 @@ base::Result<bool> findAgain(const device::Context& context, device::Servo& serv
         if (context.bus.hasBaud() && !context.bus.setBaud(rates[i]))
             continue; // a rate this adapter cannot run
         for (const int id : ids) {
-            const auto here = answers(context, servo.protocol, id, 50ms);
+            const auto here = answers(context, servo.protocol, id);
             if (!here && here.error().code == ErrorCode::LinkLost)
                 return tl::unexpected(here.error());
             if (here && *here) {
@@ -130,10 +130,9 @@ base::Result<RestoreReport> restoreDefaults(const device::Context& outer, device
     const device::Context& context = owned.context;
     if (const auto fresh = device::readAll(context, servo); !fresh)
         return tl::unexpected(fresh.error());
-    const auto factoryTaken = servo.id == factoryId
-                                  ? base::Result<bool>(true)
-                                  : answers(context, servo.protocol, factoryId, 50ms);
-    const bool factoryIdWasFree = factoryTaken && !*factoryTaken;
+    const auto factoryFree = servo.id == factoryId ? base::Result<bool>(false)
+                                                   : isFree(context, servo.protocol, factoryId);
+    const bool factoryIdWasFree = factoryFree.value_or(false);
     if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
         return tl::unexpected(off.error());
     if (context.stop.requested())

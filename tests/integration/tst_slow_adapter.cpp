@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every manoeuvre through adapters that hand replies over late: it ends right, says so, and leaves
+// the lock closed; and an ID that is taken is never given away.
+#include "jobs/change.h"
+#include "jobs/free_ids.h"
+#include "support/sim_bench.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+using base::ErrorCode;
+using device::LockState;
+using device::WriteOutcome;
+using support::SimBench;
+using namespace std::chrono_literals;
+
+Q_DECLARE_METATYPE(base::Duration)
+
+namespace {
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+support::BenchOptions late(base::Duration latency)
+{
+    support::BenchOptions options;
+    options.wire.adapterLatency = latency;
+    return options;
+}
+
+bool closed(SimBench& bench, int id)
+{
+    return bench.raw(id, text("lock")) == 1;
+}
+
+void links()
+{
+    QTest::addColumn<base::Duration>("latency");
+    QTest::addColumn<base::Duration>("timeout"); ///< the user's; 0: none given
+    for (const base::Duration latency : {1ms, 20ms, 40ms, 60ms, 100ms, 150ms}) {
+        const auto ms = int(latency / 1ms);
+        QTest::addRow("%d ms", ms) << latency << base::Duration();
+        QTest::addRow("%d ms, time-out 200 ms", ms) << latency << base::Duration(200ms);
+        QTest::addRow("%d ms, time-out 5 ms", ms) << latency << base::Duration(5ms);
+    }
+}
+} // namespace
+
+class TestSlowAdapter : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void freeIdIsGiven_data() { links(); }
+    void freeIdIsGiven();
+    void takenIdIsRefused_data() { links(); }
+    void takenIdIsRefused();
+    void takenIdIsNotProposed_data() { links(); }
+    void takenIdIsNotProposed();
+    void rateIsChanged_data() { links(); }
+    void rateIsChanged();
+    void defaultsAreRestored_data() { links(); }
+    void defaultsAreRestored();
+    void middleIsSet_data() { links(); }
+    void middleIsSet();
+    void quickLinkStaysQuick();
+
+private:
+    /// As a command does it: the first word on the line is the one to the servo.
+    device::Servo connect(SimBench& bench, int id)
+    {
+        QFETCH(base::Duration, timeout);
+        if (timeout > 0ms)
+            bench.bus().setPatience(timeout);
+        return bench.servo(id);
+    }
+};
+
+void TestSlowAdapter::freeIdIsGiven()
+{
+    QFETCH(base::Duration, latency);
+    SimBench bench(text("sts3215@1"), late(latency));
+    device::Servo servo = connect(bench, 1);
+    const auto report = jobs::changeId(bench.context(), servo, 9);
+    QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
+    QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);
+    QCOMPARE(report->lock, LockState::Closed);
+    QCOMPARE(servo.id, 9);
+    QVERIFY(closed(bench, 9));
+}
+
+void TestSlowAdapter::takenIdIsRefused()
+{
+    QFETCH(base::Duration, latency);
+    SimBench bench(text("sts3215@1,sts3215@9"), late(latency));
+    device::Servo servo = connect(bench, 1);
+    bench.forgetFrames();
+    const auto report = jobs::changeId(bench.context(), servo, 9);
+    QVERIFY2(!report, "two servos with one ID");
+    QCOMPARE(report.error().code, ErrorCode::IdInUse);
+    QVERIFY(bench.onlyAsked());
+}
+
+void TestSlowAdapter::takenIdIsNotProposed()
+{
+    QFETCH(base::Duration, latency);
+    SimBench bench(text("sts3215@1,sts3215@2,sts3215@4"), late(latency));
+    const device::Servo servo = connect(bench, 1);
+    const auto proposed = jobs::freeIds(bench.context(), servo.protocol, {2, 3, 4, 5, 6}, 2);
+    QVERIFY(proposed);
+    QCOMPARE(*proposed, (std::vector{3, 5}));
+}
+
+void TestSlowAdapter::rateIsChanged()
+{
+    QFETCH(base::Duration, latency);
+    SimBench bench(text("sts3215@1"), late(latency));
+    device::Servo servo = connect(bench, 1);
+    const auto report = jobs::changeBaud(bench.context(), servo, 500'000);
+    QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
+    QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);
+    QCOMPARE(report->lock, LockState::Closed);
+    QCOMPARE(bench.bus().baud(), 500'000);
+    QVERIFY(closed(bench, 1));
+}
+
+void TestSlowAdapter::defaultsAreRestored()
+{
+    QFETCH(base::Duration, latency);
+    SimBench bench(text("sts3215@7"), late(latency));
+    device::Servo servo = connect(bench, 7);
+    QVERIFY(jobs::changeBaud(bench.context(), servo, 115'200)->allGood());
+    const auto report = jobs::restoreDefaults(bench.context(), servo);
+    QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
+    QCOMPARE(report->newId, 7);
+    QCOMPARE(report->newBaud, 1'000'000); // the factory's, which it is followed to
+    QCOMPARE(report->lock, LockState::Closed);
+    QVERIFY(closed(bench, 7));
+}
+
+void TestSlowAdapter::middleIsSet()
+{
+    QFETCH(base::Duration, latency);
+    SimBench bench(text("sts3215@1"), late(latency));
+    device::Servo servo = connect(bench, 1);
+    const auto report = jobs::center(bench.context(), servo);
+    QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
+    QCOMPARE(report->lock, LockState::Closed);
+    QVERIFY(std::abs(*report->positionAfter - 2048) <= 12);
+    QVERIFY(closed(bench, 1));
+}
+
+void TestSlowAdapter::quickLinkStaysQuick()
+{
+    SimBench bench(text("sts3215@1"), late(1ms));
+    device::Servo servo = bench.servo(1);
+    const base::Duration start = bench.clock().now();
+    QVERIFY(jobs::changeId(bench.context(), servo, 9));
+    const base::Duration took = bench.clock().now() - start;
+    QVERIFY2(took < 500ms, qPrintable(QString::number(took / 1ms))); // simulated time
+}
+
+QTEST_GUILESS_MAIN(TestSlowAdapter)
+#include "tst_slow_adapter.moc"
