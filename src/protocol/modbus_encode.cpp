@@ -179,7 +179,7 @@ Expectation expectModbus(const Request& request)
 
 Request modbusEchoProbe()
 {
-    return Request::read(modbus::highestStation + 1, 0, 2).in(base::Protocol::Modbus);
+    return Request::read(broadcastId, 0, 2).in(base::Protocol::Modbus);
 }
 
 Bytes encodeModbusReply(int station, std::uint8_t function, base::ByteView data)
