@@ -13,8 +13,11 @@ using catalog::Role;
 
 namespace {
 /// Runs of one area, so that each area is unlocked once; factory values are limits of the rest.
+/// Those the lock does not keep come after all that it keeps, so that it is opened for those only.
 int areaRank(const catalog::Register& reg)
 {
+    if (reg.area == Area::Factory && device::keepingOf(reg) != device::Keeping::Lock)
+        return 2;
     switch (reg.area) {
     case Area::Factory:
         return 0;

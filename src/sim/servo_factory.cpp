@@ -133,7 +133,7 @@ bool cannotBe(const catalog::Register& reg, std::int64_t value, const catalog::P
 
 /// Figures without a role, most of the factory area: shown but, but for the start values of the
 /// Modbus servo, not used by the simulation.
-int figureOf(const catalog::Register& reg, int maxSpeed)
+int figureOf(const catalog::Register& reg, const catalog::Profile& profile, int maxSpeed)
 {
     const QString& key = reg.key;
     if (key == QLatin1String("speed_default")) {
@@ -145,14 +145,14 @@ int figureOf(const catalog::Register& reg, int maxSpeed)
     if (key == QLatin1String("release_month")) {
         return 6;
     }
+    if (key == QLatin1String("acceleration_limit") && profile.protocol == base::Protocol::Feetech) {
+        return 254;
+    }
     if (reg.writable()) {
         return 0;
     }
     if (key == QLatin1String("max_speed_limit")) {
         return std::min(255, maxSpeed / 50);
-    }
-    if (key == QLatin1String("acceleration_limit")) {
-        return 254;
     }
     if (key == QLatin1String("d_control_time")) {
         return 20;
@@ -164,7 +164,8 @@ int factoryValue(const catalog::Register& reg, const catalog::Profile& profile,
                  const ServoType& type, int maxSpeed)
 {
     const auto fallback = [&] {
-        return reg.role == Role::None ? figureOf(reg, maxSpeed) : typicalValue(reg, profile, type);
+        return reg.role == Role::None ? figureOf(reg, profile, maxSpeed)
+                                      : typicalValue(reg, profile, type);
     };
     if (!reg.defaultRaw || cannotBe(reg, *reg.defaultRaw, profile, type)) {
         return fallback();

@@ -313,9 +313,9 @@ void TestCatalogChoice::returnDelayOnlyOnSms()
 
     const ProfilePtr profile = m_catalog.resolve({3, 10, 0, 9, 3});
     const Register* sts = profile->find(QStringLiteral("return_delay"));
-    QVERIFY(!sts->writable());
+    QVERIFY(sts->writable()); // stored, without a function
     QVERIFY(!profile->byRole(Role::ReturnDelay));
-    QVERIFY(sts->help.en.contains(QStringLiteral("no effect")));
+    QVERIFY(sts->help.en.contains(QStringLiteral("no known function")));
     QVERIFY(sts->help.zh.contains(QStringLiteral("预留")));
 }
 
@@ -494,7 +494,7 @@ void TestCatalogChoice::flags()
 
     const ProfilePtr sms = m_catalog.resolve({2, 53, 0, 8, 42});
     QCOMPARE(addresses(sms, identity), (QList<int>{5, 6}));
-    QCOMPARE(addresses(sms, dangerous), (QList<int>{5, 6, 7, 8, 18, 19, 30, 31, 33}));
+    QCOMPARE(addresses(sms, dangerous), (QList<int>{5, 6, 7, 8, 18, 19, 30, 31, 33, 85}));
     QCOMPARE(addresses(sms, motion), (QList<int>{40, 42, 44, 46}));
     QCOMPARE(addresses(sms, torqueOff), (QList<int>{18, 30, 31, 33}));
     QCOMPARE(addresses(sms, bothZero), (QList<int>{9, 11}));

@@ -141,7 +141,7 @@ void TestCatalogSheet::registersMatchTheSheet_data()
         << Changes{
                {QStringLiteral("baud_rate default"), QStringLiteral("0")},
                {QStringLiteral("baud_rate max"), QStringLiteral("7")},
-               {QStringLiteral("return_delay access"), QStringLiteral("ro")},
+               {QStringLiteral("acceleration_limit access"), QStringLiteral("rw")},
                {QStringLiteral("return_delay name_zh"), QStringLiteral("预留（SMS 为返回延时）")},
                {QStringLiteral("return_delay unit"), QString()},
                {QStringLiteral("return_delay scale"), QStringLiteral("1")},
@@ -150,7 +150,8 @@ void TestCatalogSheet::registersMatchTheSheet_data()
                {QStringLiteral("present_speed scale"), steps}};
     QTest::newRow("SMS 2.53")
         << QStringLiteral("registers-sts-sms.csv") << Identity{2, 53, 0, 8, 42}
-        << Changes{{QStringLiteral("baud_rate default"), QStringLiteral("4")},
+        << Changes{{QStringLiteral("acceleration_limit access"), QStringLiteral("rw")},
+                   {QStringLiteral("baud_rate default"), QStringLiteral("4")},
                    {QStringLiteral("min_speed_limit name_zh"), QStringLiteral("Hts(ns)")},
                    {QStringLiteral("min_speed_limit unit"), QStringLiteral("ns")},
                    {QStringLiteral("min_speed_limit scale"), QStringLiteral("20.83")}};
@@ -242,6 +243,7 @@ void TestCatalogSheet::rolesAreUnique()
         }
         // Writable rows without a role are settings no task asks for.
         static const QSet<QString> quiet{QStringLiteral("secondary_id"),
+                                         QStringLiteral("return_delay"), // STS: no function
                                          QStringLiteral("current_p"),
                                          QStringLiteral("current_i"),
                                          QStringLiteral("kp"),

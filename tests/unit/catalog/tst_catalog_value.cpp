@@ -298,7 +298,8 @@ void TestCatalogValue::newValues_data()
     row("max_temperature", -1, none, "out-of-range");
     row("present_position", 5, 5, "read-only");
     row("moving_threshold", 1, none, "read-only");
-    row("return_delay", 1, none, "read-only");
+    row("return_delay", 254, none, "");
+    row("return_delay", 255, none, "out-of-range");
     row("id", 253, none, "");
     row("id", 254, none, "out-of-range");
     row("max_angle_limit", 0, none, "");
