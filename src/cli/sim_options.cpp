@@ -43,7 +43,15 @@ void describe(CLI::App& app, Raw& raw)
                    "defects stand behind them: sts3215@1+overshoot=5+rest-hysteresis=12. Known "
                    "are rest-hysteresis and static-error (steps), overshoot (% of the way), speed "
                    "(1 is healthy), speed-per-load, noise (steps), moving (0 or 1: stuck flag), "
-                   "load-friction (N·m), stop (degrees), supply-ohms, ambient (°C)")
+                   "load-friction (N·m), stop (degrees), supply-ohms, ambient (°C). Firmware that "
+                   "behaves differently, 1 for yes: deaf (hears nothing while it writes its "
+                   "EPROM; default: requests wait in its receive buffer), new-id-reply (an ID "
+                   "change is acknowledged with the new ID; default: the old one), run-to-goal "
+                   "(torque on after power-up runs to the goal register; default: holds), "
+                   "late-baud (a new rate holds from the next power-up on), staggered-ping "
+                   "(answers a broadcast PING in turn, 3 ms per ID); eprom-ms: time of an EPROM "
+                   "write. Behind a preset the same names are for all its servos: "
+                   "--preset demo+deaf=1")
         ->excludes(preset);
     app.add_option("--baud", raw.baud, "Rate of all servos without one of their own")
         ->check(CLI::PositiveNumber);
@@ -57,7 +65,7 @@ void describe(CLI::App& app, Raw& raw)
     app.add_option("--fault", raw.faults,
                    "Faults and their probabilities: drop=0.01,corrupt=0.01,garbage=…,late=…,"
                    "late-ms=30,truncate=…,drop-request=…,mute=ID");
-    app.add_option("--eprom-ms", raw.epromMs, "How long a servo is deaf after an EPROM write")
+    app.add_option("--eprom-ms", raw.epromMs, "How long an EPROM write takes (default: 6)")
         ->check(CLI::Range(0, 10'000));
     app.add_option("--seed", raw.seed, "Seed of faults and noise")->capture_default_str();
 }

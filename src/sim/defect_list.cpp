@@ -14,6 +14,7 @@ struct Word {
     double least;
     double most;
     void (*set)(ServoRecipe&, double);
+    bool isSwitch = false; ///< 0 or 1
 };
 constexpr Word words[] = {
     {"rest-hysteresis", 0, 400, [](ServoRecipe& r, double v) { r.defects.restHysteresis = v; }},
@@ -22,12 +23,25 @@ constexpr Word words[] = {
     {"speed", 0.05, 1, [](ServoRecipe& r, double v) { r.defects.speedFactor = v; }},
     {"speed-per-load", 0, 10, [](ServoRecipe& r, double v) { r.defects.speedPerLoad = v; }},
     {"noise", 0, 50, [](ServoRecipe& r, double v) { r.defects.positionNoise = v; }},
-    {"moving", 0, 1, [](ServoRecipe& r, double v) { r.defects.movingFlagStuck = v != 0.0; }},
+    {"moving", 0, 1, [](ServoRecipe& r, double v) { r.defects.movingFlagStuck = v != 0.0; }, true},
     {"load-friction", 0, 100, [](ServoRecipe& r, double v) { r.load.coulombFriction = v; }},
     {"stop", -3600, 3600,
      [](ServoRecipe& r, double v) { r.load.stopHigh = v * std::numbers::pi / 180.0; }},
     {"supply-ohms", 0, 100, [](ServoRecipe& r, double v) { r.supplyOhms = v; }},
     {"ambient", -40, 150, [](ServoRecipe& r, double v) { r.ambientCelsius = v; }},
+    {"eprom-ms", 0, 10'000,
+     [](ServoRecipe& r, double v) {
+         r.epromTime = base::Duration(static_cast<base::Duration::rep>(v * 1000));
+     }},
+    {"deaf", 0, 1, [](ServoRecipe& r, double v) { r.behavior.deafWhileWriting = v != 0.0; }, true},
+    {"new-id-reply", 0, 1,
+     [](ServoRecipe& r, double v) { r.behavior.acknowledgesWithNewId = v != 0.0; }, true},
+    {"run-to-goal", 0, 1, [](ServoRecipe& r, double v) { r.behavior.runsToOldGoal = v != 0.0; },
+     true},
+    {"late-baud", 0, 1, [](ServoRecipe& r, double v) { r.behavior.baudAfterRestart = v != 0.0; },
+     true},
+    {"staggered-ping", 0, 1,
+     [](ServoRecipe& r, double v) { r.behavior.staggersBroadcastPing = v != 0.0; }, true},
 };
 
 tl::unexpected<base::Error> badDefect(const QString& detail)
@@ -42,11 +56,11 @@ base::Result<void> addDefect(ServoRecipe& recipe, const QString& item, const QSt
         return name == QLatin1String(known.name);
     });
     if (word == std::end(words))
-        return badDefect(QStringLiteral("%1: no such defect; known are %2")
+        return badDefect(QStringLiteral("%1: unknown name; known are %2")
                              .arg(item, defectNames().join(QLatin1String(", "))));
     bool ok = false;
     const double figure = value.toDouble(&ok);
-    const bool whole = name != QLatin1String("moving") || figure == std::floor(figure);
+    const bool whole = !word->isSwitch || figure == std::floor(figure);
     if (!ok || !whole || !(figure >= word->least && figure <= word->most))
         return badDefect(QStringLiteral("%1: a number from %2 to %3")
                              .arg(item)

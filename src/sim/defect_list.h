@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What may be said behind a servo in a list: "+overshoot=5+rest-hysteresis=12". Pure functions; any
-// thread. BadArgument names the word it did not know or the figure that cannot be.
+// What may stand behind a servo in a list, "+overshoot=5+deaf=1", or behind a preset for all of its
+// servos. Pure functions; any thread. BadArgument names the word it did not know or the figure that
+// cannot be.
 #pragma once
 
 #include "base/error.h"
@@ -11,7 +12,8 @@
 namespace sim {
 /// Each "NAME=VALUE", said once: rest-hysteresis, static-error, overshoot, speed, speed-per-load,
 /// noise, moving (0 or 1: the flag is stuck), load-friction (N·m), stop (degrees), supply-ohms,
-/// ambient (°C).
+/// ambient (°C). And how its firmware behaves (FirmwareBehavior), 0 or 1: deaf, new-id-reply,
+/// run-to-goal, late-baud, staggered-ping; eprom-ms: time of an EPROM write.
 base::Result<void> addDefects(ServoRecipe& recipe, const QStringList& words);
 
 QStringList defectNames();

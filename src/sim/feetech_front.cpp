@@ -33,6 +33,7 @@ bool knowsCalibration(const catalog::Profile& profile)
 
 constexpr int largestRead = 253; ///< LEN is one byte and counts two more
 constexpr int tableSize = 256;
+constexpr base::Duration pingSlot = std::chrono::milliseconds(3);
 } // namespace
 
 /// The second ID is for groups, so nobody answers to it; which instructions it serves is from the
@@ -55,6 +56,18 @@ std::optional<ServoAnswer> VirtualServo::State::answer(base::ByteView data) cons
     return ServoAnswer{settings.id, protection.status(), base::Bytes(data.begin(), data.end())};
 }
 
+std::optional<ServoAnswer> VirtualServo::State::ping(const ServoRequest& request) const
+{
+    if (!request.params.empty()) {
+        return std::nullopt;
+    }
+    auto reply = answer();
+    if (request.broadcast && config.behavior.staggersBroadcastPing) {
+        reply->wait = pingSlot * settings.id;
+    }
+    return reply;
+}
+
 std::optional<ServoAnswer> VirtualServo::State::readTable(base::ByteView params)
 {
     const int address = params[0];
@@ -70,7 +83,7 @@ std::optional<ServoAnswer> VirtualServo::State::handleFeetech(const ServoRequest
 {
     switch (request.instruction) {
     case Ping:
-        return request.params.empty() ? answer() : std::nullopt;
+        return ping(request);
     case Read:
         if (request.broadcast || request.params.size() != 2) {
             return std::nullopt;
@@ -99,7 +112,7 @@ std::optional<ServoAnswer> VirtualServo::State::acknowledge(const ServoRequest& 
         return std::nullopt;
     }
     auto reply = answer();
-    if (config.idAnswersOld) {
+    if (!config.behavior.acknowledgesWithNewId) {
         reply->id = oldId;
     }
     return reply;

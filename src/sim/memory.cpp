@@ -57,13 +57,14 @@ bool Memory::mapped(int address, int count) const
     return std::none_of(first, first + count, [](Kind kind) { return kind == Kind::Undefined; });
 }
 
-bool Memory::writable(int address, int count) const
+bool Memory::writable(int address, int count, Unlocked unlocked) const
 {
     if (!mapped(address, count))
         return false;
     const auto first = m_kinds.begin() + address;
-    return std::none_of(first, first + count, [](Kind kind) {
-        return kind == Kind::ReadOnly || kind == Kind::EpromReadOnly;
+    return std::none_of(first, first + count, [unlocked](Kind kind) {
+        return kind == Kind::ReadOnly || kind == Kind::EpromReadOnly ||
+               (kind == Kind::Factory && unlocked != Unlocked::Factory);
     });
 }
 

@@ -23,8 +23,9 @@ public:
     std::uint8_t at(int address) const { return m_live[std::size_t(address)]; }
     base::ByteView view(int address, int count) const;
 
-    bool mapped(int address, int count) const;   ///< every byte belongs to a register
-    bool writable(int address, int count) const; ///< and may be written from outside
+    bool mapped(int address, int count) const; ///< every byte belongs to a register
+    /// And a write from outside does something: no byte is read-only or behind the factory's lock.
+    bool writable(int address, int count, Unlocked unlocked) const;
 
     /// As from outside. EPROM bytes always act, and stay if they are unlocked; bytes of the factory
     /// block do neither unless they are. True when something was stored.

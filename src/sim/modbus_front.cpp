@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Modbus functions as reads and writes of the table, and what is answered. Source: vendor's Modbus
 // page; for what it leaves open the Modbus standard: exception 2 for any register that is not there
-// or cannot be written, 3 for a count that does not fit, silence to station 0.
+// or cannot be written (the factory block without 128 in 133 included), 3 for a count that does not
+// fit or a value outside the register sheet, silence to station 0.
+#include "catalog/value.h"
 #include "sim/servo_state.h"
 
 #include <algorithm>
@@ -38,51 +40,83 @@ Span spanOf(base::ByteView params)
     return {registerBytes * wordAt(params, 0), registerBytes * wordAt(params, 2)};
 }
 
-std::optional<Exception> refusesRead(const Memory& memory, base::ByteView params)
+base::ByteView valuesOf(const ServoRequest& request)
+{
+    return base::ByteView(request.params).subspan(request.instruction == WriteOne ? 2 : 5);
+}
+
+std::optional<std::uint8_t> refusesRead(const Memory& memory, base::ByteView params)
 {
     const Span span = spanOf(params);
     if (span.count == 0 || span.count > registerBytes * mostRead) {
         return BadValue;
     }
-    return memory.mapped(span.address, span.count) ? std::nullopt : std::optional(NoSuchAddress);
+    return memory.mapped(span.address, span.count) ? std::nullopt
+                                                   : std::optional<std::uint8_t>(NoSuchAddress);
+}
+} // namespace
+
+/// Ranges and lists of the sheet; where a register means something else in the present mode, its
+/// range there. What has no range takes every word.
+bool VirtualServo::State::withinSheet(int address, base::ByteView data) const
+{
+    const auto lookup = [this](const QString& key) -> std::optional<std::int64_t> {
+        const catalog::Register* reg = profile->find(key);
+        return reg == nullptr ? 0 : map.read(memory, fieldOf(*reg));
+    };
+    const auto end = address + int(data.size());
+    return std::all_of(
+        profile->registers.begin(), profile->registers.end(), [&](const catalog::Register& reg) {
+            if (reg.offset < address || reg.offset + reg.size > end) {
+                return true;
+            }
+            const auto meaning = catalog::meaningOf(reg, *profile, lookup);
+            const base::ByteView wire =
+                data.subspan(std::size_t(reg.offset - address), std::size_t(reg.size));
+            const auto raw = catalog::decodeRaw(wire, reg, meaning, profile->byteOrder);
+            return catalog::checkNewValue(raw, reg, meaning, std::nullopt).has_value();
+        });
 }
 
-std::optional<Exception> refusesWrite(const Memory& memory, std::uint8_t function,
-                                      base::ByteView params)
+std::optional<std::uint8_t> VirtualServo::State::refusesWrite(const ServoRequest& request) const
 {
+    const base::ByteView params = request.params;
     Span span = spanOf(params);
-    if (function == WriteOne) {
+    if (request.instruction == WriteOne) {
         span.count = registerBytes;
     } else if (span.count == 0 || span.count > registerBytes * mostWritten ||
                params[4] != span.count || params.size() != 5 + std::size_t(span.count)) {
         return BadValue;
     }
-    return memory.writable(span.address, span.count) ? std::nullopt : std::optional(NoSuchAddress);
+    if (!memory.writable(span.address, span.count, settings.unlocked)) {
+        return NoSuchAddress;
+    }
+    return withinSheet(span.address, valuesOf(request)) ? std::nullopt
+                                                        : std::optional<std::uint8_t>(BadValue);
 }
 
-std::optional<Exception> refuses(const Memory& memory, const ServoRequest& request)
+std::optional<std::uint8_t> VirtualServo::State::refusal(const ServoRequest& request) const
 {
     const std::size_t size = request.params.size();
     switch (request.instruction) {
     case ReadRegisters:
         return size == 4 ? refusesRead(memory, request.params) : BadValue;
     case WriteOne:
-        return size == 4 ? refusesWrite(memory, WriteOne, request.params) : BadValue;
+        return size == 4 ? refusesWrite(request) : BadValue;
     case WriteSeveral:
-        return size >= 5 ? refusesWrite(memory, WriteSeveral, request.params) : BadValue;
+        return size >= 5 ? refusesWrite(request) : BadValue;
     case ReportId:
     case Reboot:
-        return size == 0 ? std::nullopt : std::optional(BadValue);
+        return size == 0 ? std::nullopt : std::optional<std::uint8_t>(BadValue);
     default:
         return NoSuchFunction;
     }
 }
-} // namespace
 
 std::optional<ServoAnswer> VirtualServo::State::handleModbus(const ServoRequest& request)
 {
     const std::uint8_t function = request.instruction;
-    if (const auto reason = refuses(memory, request)) {
+    if (const auto reason = refusal(request)) {
         if (request.broadcast) {
             return std::nullopt;
         }
@@ -102,7 +136,7 @@ std::optional<ServoAnswer> VirtualServo::State::handleModbus(const ServoRequest&
     }
     case WriteOne:
     case WriteSeveral: {
-        write(spanOf(params).address, params.subspan(function == WriteOne ? 2 : 5));
+        write(spanOf(params).address, valuesOf(request));
         const base::ByteView head = params.first(4);
         reply.data.assign(head.begin(), head.end());
         break;

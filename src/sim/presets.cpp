@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/presets.h"
 
+#include "sim/defect_list.h"
 #include "sim/servo_maker.h"
 
 #include <algorithm>
@@ -188,6 +189,14 @@ constexpr Preset presets[] = {{"demo", demo},
                               {"sweep", sweep},
                               {"line", line, true},
                               {"line-trouble", lineTrouble, true}};
+base::Result<void> addToAll(Scene& scene, const QStringList& words)
+{
+    for (ServoRecipe& recipe : scene) {
+        if (auto added = addDefects(recipe, words); !added)
+            return added;
+    }
+    return {};
+}
 } // namespace
 
 QStringList presetNames()
@@ -199,9 +208,11 @@ QStringList presetNames()
 }
 
 base::Result<std::unique_ptr<VirtualBus>>
-makePreset(const QString& name, const catalog::Catalog& catalog, const WireConfig& wire,
+makePreset(const QString& text, const catalog::Catalog& catalog, const WireConfig& wire,
            std::optional<int> baud, std::optional<base::Duration> epromTime)
 {
+    QStringList words = text.split(QLatin1Char('+'));
+    const QString name = words.takeFirst();
     const auto* preset =
         std::find_if(std::begin(presets), std::end(presets),
                      [&name](const Preset& known) { return name == QLatin1String(known.name); });
@@ -210,6 +221,8 @@ makePreset(const QString& name, const catalog::Catalog& catalog, const WireConfi
                           QStringLiteral("%1: no such preset; known are %2")
                               .arg(name, presetNames().join(QLatin1String(", "))));
     Scene scene = preset->scene();
+    if (auto added = addToAll(scene, words); !added)
+        return tl::unexpected(added.error());
     for (ServoRecipe& recipe : scene)
         recipe.baud = baud.has_value() ? baud : recipe.baud;
     auto bus = makeBus(scene, catalog, wire, epromTime);

@@ -15,15 +15,16 @@
 namespace sim {
 QStringList presetNames();
 
-/// `baud` replaces every servo's rate, `epromTime` how long it is deaf after an EPROM write.
+/// `baud` replaces every servo's rate, `epromTime` how long it takes to write its EPROM. Words
+/// behind the name are for all servos: "demo+deaf=1" (defect_list.h).
 base::Result<std::unique_ptr<VirtualBus>>
-makePreset(const QString& name, const catalog::Catalog& catalog, const WireConfig& wire = {},
+makePreset(const QString& text, const catalog::Catalog& catalog, const WireConfig& wire = {},
            std::optional<int> baud = {}, std::optional<base::Duration> epromTime = {});
 
 /// "sts3215@1,smsmb@2,lx16a@3"; "@ID:BAUD" sets one servo's rate, `baud` all others'. Two servos
-/// may share an ID. What is wrong with one stands behind it:
-/// "sts3215@1:500000+overshoot=5+speed=0.7" (defect_list.h has the words, defects.h what they
-/// mean). BadArgument names the item it could not use and why.
+/// may share an ID. What is special about one stands behind it:
+/// "sts3215@1:500000+overshoot=5+speed=0.7" (defect_list.h has the words, defects.h and
+/// FirmwareBehavior what they mean). BadArgument names the item it could not use and why.
 base::Result<std::unique_ptr<VirtualBus>>
 makeServos(const QString& list, const catalog::Catalog& catalog, std::optional<int> baud,
            const WireConfig& wire = {}, std::optional<base::Duration> epromTime = {});

@@ -97,7 +97,8 @@ base::Result<VirtualServo> makeServo(const ServoRecipe& recipe, const catalog::C
         recipe.ambientCelsius.value_or(config.surroundings.ambientCelsius);
     config.defects = recipe.defects;
     config.initialDegrees = recipe.initialDegrees;
-    config.epromTime = epromTime.value_or(config.epromTime);
+    config.epromTime = recipe.epromTime.value_or(epromTime.value_or(config.epromTime));
+    config.behavior = recipe.behavior;
     config.seed = seed;
     VirtualServo servo(profile, config);
     if (recipe.prepare)
@@ -107,7 +108,7 @@ base::Result<VirtualServo> makeServo(const ServoRecipe& recipe, const catalog::C
 
 base::Result<ServoRecipe> parseServo(const QString& item)
 {
-    const QString form = QStringLiteral("expected MODEL@ID or MODEL@ID:BAUD, +DEFECT=VALUE behind");
+    const QString form = QStringLiteral("expected MODEL@ID or MODEL@ID:BAUD, +NAME=VALUE behind");
     QStringList words = item.split(QLatin1Char('+'));
     const QStringList halves = words.takeFirst().split(QLatin1Char('@'));
     if (halves.size() != 2 || halves[0].isEmpty())

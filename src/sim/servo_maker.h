@@ -22,6 +22,8 @@ struct ServoRecipe {
     Defects defects{};
     std::optional<double> supplyOhms{};
     std::optional<double> ambientCelsius{};
+    FirmwareBehavior behavior{};
+    std::optional<base::Duration> epromTime{};
 };
 
 base::Result<std::unique_ptr<VirtualBus>> makeBus(const std::vector<ServoRecipe>& recipes,

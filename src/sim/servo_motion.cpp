@@ -67,6 +67,9 @@ void VirtualServo::State::rebase()
     turnBase += std::int64_t(std::floor(before / turn) * turn);
     position = readPosition();
     stepGoal += position - before;
+    if (restGoal) {
+        restGoal = position;
+    }
     controller.energise(position);
 }
 

@@ -69,12 +69,12 @@ VirtualServo::State::State(catalog::ProfilePtr ownProfile, const ServoConfig& ow
 
 std::optional<ServoAnswer> VirtualServo::State::handle(const ServoRequest& request)
 {
+    epromWritten = false;
     if (!alive() || deafLeft.count() > 0) {
         return std::nullopt;
     }
-    // It speaks before it writes; the shortest reply has six bytes of ten bits.
+    // A deaf one speaks before it writes; the shortest reply has six bytes of ten bits.
     const base::Duration answerTime = replyDelay() + base::Duration(60'000'000 / baud);
-    epromWritten = false;
     std::optional<ServoAnswer> reply;
     switch (profile->protocol) {
     case base::Protocol::Feetech:
@@ -87,10 +87,15 @@ std::optional<ServoAnswer> VirtualServo::State::handle(const ServoRequest& reque
         reply = handleLx(request);
         break;
     }
-    if (epromWritten) {
+    if (epromWritten && config.behavior.deafWhileWriting) {
         deafLeft = config.epromTime + (reply ? answerTime : base::Duration());
     }
     return reply;
+}
+
+base::Duration VirtualServo::State::writeTime() const
+{
+    return epromWritten && !config.behavior.deafWhileWriting ? config.epromTime : base::Duration();
 }
 
 void VirtualServo::State::switchOff()
@@ -150,6 +155,7 @@ void VirtualServo::State::switchOn()
     controller.energise(position);
     stepGoal = position;
     restGoal.reset();
+    goalWritten = false;
 }
 
 /// A family without a baud register has one rate.

@@ -28,12 +28,14 @@ struct VirtualServo::State {
     void takeBaud();
     bool alive() const { return powered && rebootLeft.count() == 0; }
     base::Duration replyDelay() const;
+    base::Duration writeTime() const;
 
     // feetech_front.cpp
     Hears hears(int id, std::uint8_t instruction) const;
     std::optional<ServoAnswer> handleFeetech(const ServoRequest& request);
     std::optional<ServoAnswer> answer(base::ByteView data = {}) const;
     std::optional<ServoAnswer> acknowledge(const ServoRequest& request, int oldId, int oldLevel);
+    std::optional<ServoAnswer> ping(const ServoRequest& request) const;
     std::optional<ServoAnswer> readTable(base::ByteView params);
     bool execute(const ServoRequest& request);
     void syncWrite(base::ByteView params);
@@ -43,6 +45,9 @@ struct VirtualServo::State {
 
     // modbus_front.cpp
     std::optional<ServoAnswer> handleModbus(const ServoRequest& request);
+    std::optional<std::uint8_t> refusal(const ServoRequest& request) const;
+    std::optional<std::uint8_t> refusesWrite(const ServoRequest& request) const;
+    bool withinSheet(int address, base::ByteView data) const;
 
     // lx_front.cpp
     std::optional<ServoAnswer> handleLx(const ServoRequest& request);
@@ -54,6 +59,7 @@ struct VirtualServo::State {
 
     // servo_writes.cpp
     void write(int address, base::ByteView data);
+    base::Bytes taken(int address, base::ByteView data) const;
     void restore();
     void backup();
     void makePresent(int position);
@@ -110,7 +116,7 @@ struct VirtualServo::State {
     bool powered = true;
     int baud = 1000000;
     base::Duration rebootLeft{}; ///< until it runs again
-    base::Duration deafLeft{};   ///< EPROM write
+    base::Duration deafLeft{};   ///< EPROM write, if it is deaf meanwhile
     base::Duration pending{};    ///< time not yet worth a tick
     std::uint64_t ticks = 0;
     bool epromWritten = false; ///< by the request being handled
@@ -127,7 +133,8 @@ struct VirtualServo::State {
 
     double stepGoal = 0;            ///< step mode: where the sum of all moves leads
     double timedSpeed = 0;          ///< SCS, LX: speed that makes the running time of this move
-    std::optional<double> restGoal; ///< LX: holds here instead of at the goal register
+    std::optional<double> restGoal; ///< holds here instead of at the goal register
+    bool goalWritten = false;       ///< since power-up
     bool moving = false;
     int stillTicks = 0; ///< path ended and shaft still
     int restTicks = 0;  ///< mechanics at rest with an open bridge

@@ -8,10 +8,45 @@
 namespace sim {
 using catalog::Role;
 
+namespace {
+/// What the register can stand for. Ranges of plain numbers are the host's business.
+bool known(const catalog::Register& reg, int value)
+{
+    if (reg.role == Role::Id) {
+        return value <= reg.max.value_or(253);
+    }
+    return reg.values.empty() ||
+           std::any_of(reg.values.begin(), reg.values.end(),
+                       [value](const catalog::NamedValue& named) { return named.value == value; });
+}
+} // namespace
+
 void VirtualServo::State::write(int address, base::ByteView data)
 {
-    epromWritten = memory.write(address, data, settings.unlocked) || epromWritten;
-    applyChanges(address, int(data.size()));
+    const base::Bytes bytes = taken(address, data);
+    epromWritten = memory.write(address, bytes, settings.unlocked) || epromWritten;
+    applyChanges(address, int(bytes.size()));
+}
+
+/// What a Feetech servo takes of a write. ID 254 is the broadcast address and "must never be
+/// stored" (register sheets). What a servo does when it is told to, or to use a rate or mode that
+/// its sheet does not list, is in no source; chosen here: that byte keeps its value, and the write
+/// is acknowledged all the same, since the error byte has no "rejected" (protocol notes, 2.2).
+base::Bytes VirtualServo::State::taken(int address, base::ByteView data) const
+{
+    base::Bytes bytes(data.begin(), data.end());
+    if (profile->protocol != base::Protocol::Feetech) {
+        return bytes;
+    }
+    for (const Role role : {Role::Id, Role::BaudRate, Role::OperatingMode}) {
+        const catalog::Register* reg = profile->byRole(role);
+        if (reg == nullptr || reg->offset < address || reg->offset >= address + int(data.size())) {
+            continue;
+        }
+        std::uint8_t& byte = bytes[std::size_t(reg->offset - address)];
+        byte = known(*reg, byte) ? byte : memory.at(reg->offset);
+    }
+    return bytes;
 }
 
 /// Everything but the ID. With the lock closed there is nothing it could bring back into the EPROM,
@@ -38,6 +73,10 @@ void VirtualServo::State::applyChanges(int address, int count)
     const auto touched = [&](Role role) { return map.at(role).touches(address, count); };
     const Settings before = settings;
     const double goalBefore = positionGoal();
+    if (touched(Role::GoalPosition) && !traits.lx) {
+        goalWritten = true;
+        restGoal.reset();
+    }
     settings = readSettings(memory, map, *profile, traits, type);
 
     if (settings.id != before.id && !secondaryId.touches(address, count)) {
@@ -46,7 +85,7 @@ void VirtualServo::State::applyChanges(int address, int count)
     if (touched(Role::OperatingMode)) {
         changeMode(before.mode);
     }
-    if (touched(Role::BaudRate) && !config.baudAfterRestart) {
+    if (touched(Role::BaudRate) && !config.behavior.baudAfterRestart) {
         takeBaud();
     }
     if (settings.offset != before.offset || settings.reversed != before.reversed) {
@@ -112,7 +151,8 @@ void VirtualServo::State::switchTorque(int before)
     if (settings.torqueSwitch == 0) {
         protection.torqueOff(settings);
     }
-    if (traits.lx && settings.torqueSwitch == 1 && before != 1) {
+    const bool stays = traits.lx || (!goalWritten && !config.behavior.runsToOldGoal);
+    if (stays && settings.torqueSwitch == 1 && before != 1) {
         holdHere();
     }
 }

@@ -85,9 +85,11 @@ std::optional<base::Duration> VirtualBus::nextHostRun(base::Duration deadline)
     State& s = *m_state;
     const Nanos limit = toNanos(deadline);
     s.advance(std::min(limit, std::max(s.now, s.hostSpeaksUntil)));
-    // Until then more bytes may come that belong to the same frame.
-    if (const auto due = s.silenceDue(); due && *due <= limit && !s.replyUnderWay())
-        return toDuration(*due);
+    // Until then more bytes may come that belong to the same frame, or a servo is busy writing.
+    for (const auto due : {s.silenceDue(), s.requestDue()}) {
+        if (due && *due <= limit && !s.replyUnderWay())
+            return toDuration(*due);
+    }
     Nanos end = 0;
     if (!s.toHost.empty()) {
         end = s.toHost.front().runEnd;
@@ -120,6 +122,7 @@ void VirtualBus::powerCycle()
         seat.servo.powerOff();
         seat.servo.powerOn();
         seat.speaksUntil = 0;
+        seat.forgetRequests();
     }
     s.line.forgetServos();
     s.ears.clear();

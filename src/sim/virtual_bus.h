@@ -53,7 +53,8 @@ public:
     /// Lets the servos hear what has been written so far, though not beyond `deadline`, and says
     /// when the next unbroken run of bytes will have reached the host whole. nullopt: not by then.
     /// This is how a real adapter hands bytes over, and spares a wake-up a byte. While a silence
-    /// may be ending a Modbus frame it is that instant, at which nothing comes: ask again then.
+    /// may be ending a Modbus frame, or a servo writes its EPROM with requests waiting, it is that
+    /// instant, at which nothing comes: ask again then.
     std::optional<base::Duration> nextHostRun(base::Duration deadline);
 
     void setHostBaud(int baud); ///< what the host's receiver listens at

@@ -31,6 +31,7 @@ void VirtualBus::unplug(std::size_t place)
         return;
     seat.plugged = false;
     seat.servo.powerOff();
+    seat.forgetRequests();
     s.line.silence(static_cast<int>(place), s.now);
 }
 

@@ -31,6 +31,13 @@ struct Seat {
     bool seen = true;     ///< has been on the wire
     Nanos deafUntil = -1; ///< last instant at which it was seen deaf
     Nanos speaksUntil = 0;
+    Nanos writesUntil = 0;          ///< its EPROM; requests wait until then
+    std::deque<HeardFrame> waiting; ///< in its receive buffer
+    std::size_t waitingBytes = 0;
+
+    bool keepsWaiting(Nanos at) const { return at < writesUntil || !waiting.empty(); }
+    void keep(const HeardFrame& frame);
+    void forgetRequests(); ///< with the power, or at a restart
 };
 
 struct HostByte {
@@ -70,6 +77,11 @@ struct VirtualBus::State {
     void obey(const HeardFrame& frame);
     void obeyRequest(const HeardFrame& frame);
     void obeySyncRead(const HeardFrame& frame);
+    bool isFree(std::size_t place, const HeardFrame& frame);
+    void askOne(std::size_t place, const HeardFrame& frame, Nanos at);
+    void askInList(std::size_t place, const HeardFrame& frame, Nanos at);
+    std::optional<Nanos> requestDue() const;
+    void obeyWaiting(Nanos at);
     std::optional<Nanos> ask(std::size_t place, const ServoRequest& request, Nanos at,
                              std::optional<Nanos> notBefore);
     bool listens(std::size_t place, const HeardFrame& frame) const;

@@ -39,6 +39,11 @@ bool VirtualServo::deaf() const
     return !m_state->alive() || m_state->deafLeft.count() > 0;
 }
 
+base::Duration VirtualServo::writeTime() const
+{
+    return m_state->writeTime();
+}
+
 base::Duration VirtualServo::replyDelay() const
 {
     return m_state->replyDelay();
@@ -138,6 +143,11 @@ Surroundings& VirtualServo::surroundings()
 Defects& VirtualServo::defects()
 {
     return m_state->config.defects;
+}
+
+FirmwareBehavior& VirtualServo::behavior()
+{
+    return m_state->config.behavior;
 }
 
 void VirtualServo::injectStatus(std::uint8_t bits)

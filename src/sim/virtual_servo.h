@@ -36,19 +36,40 @@ struct Surroundings {
     double ambientCelsius = 25.0;
 };
 
+/// Where firmware is reported to behave in more than one way. The defaults are what the programs of
+/// the field rely on; each of the others has been reported or cannot be ruled out, so a host has to
+/// cope with it as well.
+struct FirmwareBehavior {
+    /// Hears nothing while it writes its EPROM. Default: it answers when the value is written, and
+    /// requests that arrive meanwhile wait in its receive buffer. The write time is in no sheet;
+    /// LeRobot and the vendor's ProgramEprom write back to back and lose nothing.
+    bool deafWhileWriting = false;
+    /// The status packet of an ID change carries the new ID (fanhao375/microduck-replica PR 28).
+    /// Default: the old one, which lerobot's setup_motor and the vendor's Python SDK expect.
+    bool acknowledgesWithNewId = false;
+    /// Torque on runs to the goal register although no goal was written since power-up. Default:
+    /// holds where it stands. lerobot's connect() switches torque on without a goal on every start
+    /// of STS servos, and no thread reports a slam; taken to be alike in the other families.
+    bool runsToOldGoal = false;
+    /// A new rate holds from the next power-up on. Default: at once (both are reported).
+    bool baudAfterRestart = false;
+    /// Feetech: Answers a broadcast PING in turn, 3 ms per ID, which is what lerobot's
+    /// broadcast_ping waits for (3 ms × 252 + 16 ms). Default: at once; several servos collide.
+    bool staggersBroadcastPing = false;
+};
+
 struct ServoConfig {
     int id = 1;
     std::optional<int> baud; ///< the model's factory rate if not given
     std::optional<int> returnDelayRaw;
     Load load;
     Surroundings surroundings;
-    base::Duration epromTime = std::chrono::milliseconds(6); ///< deaf while it writes
+    base::Duration epromTime = std::chrono::milliseconds(6); ///< to write its EPROM
     base::Duration rebootTime = std::chrono::milliseconds(820);
     Defects defects; ///< none
     double gearPlayDegrees = 0.3;
     double initialDegrees = 180.0; ///< shaft angle at the start, from the encoder's zero
-    bool idAnswersOld = false;     ///< an ID write is acknowledged with the old ID (both are seen)
-    bool baudAfterRestart = false; ///< a new rate holds from the next power-on only (both are told)
+    FirmwareBehavior behavior;
     std::uint64_t seed = 1;
 };
 
@@ -67,6 +88,7 @@ struct ServoAnswer {
     std::uint8_t status = 0; ///< Feetech: error byte
     base::Bytes data;
     std::uint8_t function = 0; ///< Modbus: with its exception flag; LX: command
+    base::Duration wait{};     ///< beyond the reply delay
 };
 
 enum class Hears : std::uint8_t {
@@ -87,7 +109,9 @@ public:
     int baud() const; ///< it listens at, now
     /// Whether a request to this ID is meant for it: HLS servos obey a second ID for some.
     Hears hears(int id, std::uint8_t instruction) const;
-    bool deaf() const; ///< off, rebooting or writing its EPROM
+    bool deaf() const; ///< off, rebooting, or writing its EPROM if that makes it deaf
+    /// How long the latest request keeps it from the next one, because it writes its EPROM.
+    base::Duration writeTime() const;
     base::Duration replyDelay() const;
 
     /// Carries the request out at the servo's present time; nullopt: it stays silent. The answer
@@ -114,6 +138,7 @@ public:
     Load& load();
     Surroundings& surroundings();
     Defects& defects();                   ///< acts from the next millisecond on
+    FirmwareBehavior& behavior();         ///< acts from the next request on
     void injectStatus(std::uint8_t bits); ///< error bits as of a sensor fault, until power-off
     void setTemperature(double celsius);
 

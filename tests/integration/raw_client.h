@@ -62,11 +62,11 @@ public:
         return poll(&state, 1, waitMs) > 0;
     }
 
-    /// Exactly `count` bytes, or what there is when patience ends.
-    QByteArray hear(qsizetype count) const
+    /// Exactly `count` bytes, or what there is when patience ends: nothing new for so long.
+    QByteArray hear(qsizetype count, int waitMs = patienceMs) const
     {
         QByteArray all;
-        while (all.size() < count && readable(patienceMs)) {
+        while (all.size() < count && readable(waitMs)) {
             char chunk[512];
             const auto room =
                 std::min<std::size_t>(sizeof chunk, static_cast<std::size_t>(count - all.size()));

@@ -158,6 +158,12 @@ private Q_SLOTS:
         row("read over the end of a block", "-t 4 -r 262 -c 4", "", "Illegal data address");
         row("write of feedback", "-t 4 -r 257", "0", "Illegal data address");
         row("write past the table", "-t 4 -r 500", "1 2", "Illegal data address");
+        row("station 0", "-t 4 -r 10", "0", "Illegal data value");
+        row("station 300", "-t 4 -r 10", "300", "Illegal data value");
+        row("unknown rate", "-t 4 -r 11", "99", "Illegal data value");
+        row("unknown mode", "-t 4 -r 16", "77", "Illegal data value");
+        row("one wrong value in a block", "-t 4 -r 10", "1 99", "Illegal data value");
+        row("factory block, locked", "-t 4 -r 396", "120", "Illegal data address");
         row("coils", "-t 0 -r 0", "", "Illegal function");
         row("input registers", "-t 3 -r 0", "", "Illegal function");
     }
@@ -172,6 +178,16 @@ private Q_SLOTS:
         QVERIFY(refused.exit != 0 || values.isEmpty());
         QVERIFY2(refused.err.contains(reason), qPrintable(refused.out + refused.err));
         QVERIFY2(registerOf(sim, 10) == 1, "and it goes on answering");
+        QCOMPARE(registerOf(sim, 11), 2);
+        QCOMPARE(registerOf(sim, 16), 0);
+    }
+
+    void theFactoryBlockOpensWith128()
+    {
+        const SimProgram sim(words("--servos smsmb@1"));
+        QVERIFY(write(sim, 133, QStringLiteral("128")));
+        QVERIFY(write(sim, 396, QStringLiteral("120")));
+        QCOMPARE(registerOf(sim, 396), 120);
     }
 
     void anotherStationIsSilent()

@@ -57,18 +57,21 @@ const catalog::Catalog& builtInCatalog()
 }
 
 SimBench::SimBench(const QString& servos, const BenchOptions& options)
-    : SimBench(makeWire(servos, options), options.baud)
+    : SimBench(makeWire(servos, options), options)
 {}
 
 SimBench::SimBench(const std::vector<sim::ServoRecipe>& servos, const BenchOptions& options)
-    : SimBench(checked(sim::makeBus(servos, builtInCatalog(), options.wire, std::nullopt)),
-               options.baud)
+    : SimBench(checked(sim::makeBus(servos, builtInCatalog(), options.wire, std::nullopt)), options)
 {}
 
-SimBench::SimBench(std::unique_ptr<sim::VirtualBus> wire, int baud)
+SimBench::SimBench(std::unique_ptr<sim::VirtualBus> wire, const BenchOptions& options)
     : m_wire(std::make_shared<sim::SharedBus>(std::move(wire)))
 {
-    reconnect(baud);
+    withWire([&options](sim::VirtualBus& bus) {
+        for (sim::VirtualServo* servo : bus.servos())
+            servo->behavior() = options.firmware;
+    });
+    reconnect(options.baud);
 }
 
 device::Context SimBench::context()

@@ -31,10 +31,16 @@ enum Instruction : std::uint8_t {
     SyncWrite = 0x83,
 };
 
+/// The firmware that is hardest on a host: it loses what is said to it while it writes its EPROM,
+/// and runs to an old goal when its torque is switched on. Tests of the host use it, so that they
+/// prove that the host copes; what a program of the field meets is the simulator's default.
+constexpr sim::FirmwareBehavior awkwardFirmware{.deafWhileWriting = true, .runsToOldGoal = true};
+
 struct BenchOptions {
     int baud = 1'000'000;           ///< of the port
     std::optional<int> servoBaud{}; ///< of all servos; their factory rates if not given
     sim::WireConfig wire{};
+    sim::FirmwareBehavior firmware = awkwardFirmware; ///< of all servos
 };
 
 class SimBench {
@@ -85,7 +91,7 @@ public:
     device::Servo servo(int id, base::Protocol protocol = base::Protocol::Feetech);
 
 private:
-    SimBench(std::unique_ptr<sim::VirtualBus> wire, int baud);
+    SimBench(std::unique_ptr<sim::VirtualBus> wire, const BenchOptions& options);
 
     base::ManualClock m_clock;
     std::shared_ptr<sim::SharedBus> m_wire;

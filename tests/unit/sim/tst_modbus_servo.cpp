@@ -106,6 +106,20 @@ private Q_SLOTS:
         row("block of nothing", 0x10, {0, 128, 0, 0, 0}, 3);
         row("byte count too small", 0x10, {0, 128, 0, 2, 2, 0, 0}, 3);
         row("byte count too large", 0x10, {0, 128, 0, 1, 4, 0, 0, 0, 0}, 3);
+        row("station 0", 0x06, {0, 10, 0, 0}, 3);
+        row("station 248", 0x06, {0, 10, 0, 248}, 3);
+        row("station 300", 0x06, {0, 10, 1, 44}, 3);
+        row("rate 10", 0x06, {0, 11, 0, 10}, 3);
+        row("rate 99", 0x06, {0, 11, 0, 99}, 3);
+        row("reply delay 501", 0x06, {0, 12, 1, 245}, 3);
+        row("maximum angle 4096", 0x06, {0, 14, 16, 0}, 3);
+        row("offset 2048", 0x06, {0, 15, 8, 0}, 3);
+        row("mode 5", 0x06, {0, 16, 0, 5}, 3);
+        row("mode 77", 0x06, {0, 16, 0, 77}, 3);
+        row("lock 2", 0x06, {0, 133, 0, 2}, 3);
+        row("torque switch 128", 0x06, {0, 129, 0, 128}, 3);
+        row("the last of a block", 0x10, {0, 128, 0, 2, 4, 12, 0, 0, 2}, 3);
+        row("factory block behind its lock", 0x06, {1, 140, 0, 120}, 2);
     }
     void refuses()
     {
@@ -119,6 +133,31 @@ private Q_SLOTS:
         QCOMPARE(answer->data, Bytes{std::uint8_t(reason)});
         QCOMPARE(servo.get(torque), 0);
         QVERIFY(!servo.call(std::uint8_t(function), params, true));
+        QVERIFY2(servo.get(id) == 1 && servo.get(11) == 2 && servo.get(mode) == 0 &&
+                     servo.get(goal) == 0 && servo.get(lock) == 1,
+                 "nothing of it was taken");
+    }
+
+    void takesWhatTheSheetLists_data()
+    {
+        QTest::addColumn<int>("number");
+        QTest::addColumn<int>("value");
+        QTest::newRow("station 247") << int(id) << 247;
+        QTest::newRow("rate 9") << 11 << 9;
+        QTest::newRow("reply delay 500") << 12 << 500;
+        QTest::newRow("offset -2047") << int(offset) << -2047;
+        QTest::newRow("mode 4") << int(mode) << 4;
+        QTest::newRow("goal -32768") << int(goal) << -32768;
+        QTest::newRow("factory block, open") << 396 << 120;
+    }
+    void takesWhatTheSheetLists()
+    {
+        QFETCH(int, number);
+        QFETCH(int, value);
+        Station servo;
+        servo.unlockFactory();
+        QVERIFY(servo.put(number, value));
+        QCOMPARE(servo.get(number), value);
     }
 
     void answersAsTheSheetSays_data()
@@ -199,7 +238,7 @@ private Q_SLOTS:
         const int before = servo.get(number);
         QVERIFY(before != value);
         servo.put(lock, lockWord);
-        QVERIFY(servo.put(number, value));
+        QCOMPARE(servo.put(number, value), acts); // what does not act is refused
         QCOMPARE(servo.get(number), acts ? value : before);
         servo.powerCycle();
         QCOMPARE(servo.get(number), stays ? value : before);

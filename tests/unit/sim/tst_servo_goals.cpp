@@ -31,6 +31,8 @@ private Q_SLOTS:
     void movingFlagFollowsTheMove();
     void movingFlagStaysDownForTheSameGoal();
     void activeGoalFollowsTheMotion();
+    void torqueOnWithoutAGoal_data();
+    void torqueOnWithoutAGoal();
 };
 
 void TestServoGoals::init()
@@ -278,6 +280,60 @@ void TestServoGoals::activeGoalFollowsTheMotion()
     QVERIFY(std::abs(servo.at("active_goal_position") - 2548) <= 10);
     servo.run(700);
     QCOMPARE(servo.at("active_goal_position"), 3048);
+}
+
+// LeRobot switches torque on without a goal at every start, and its arms stay where they are.
+void TestServoGoals::torqueOnWithoutAGoal_data()
+{
+    QTest::addColumn<QString>("model");
+    QTest::addColumn<bool>("multiTurn");
+    QTest::addColumn<bool>("runs");
+    for (const bool runs : {false, true}) {
+        for (const char* model : {"STS3215", "SM40BLHV", "SCS15", "HLS3606", "SMSMB"})
+            QTest::addRow("%s %s", model, runs ? "runs" : "holds")
+                << QString::fromLatin1(model) << false << runs;
+        QTest::addRow("STS multi-turn %s", runs ? "runs" : "holds")
+            << QStringLiteral("STS3215") << true << runs;
+    }
+}
+
+void TestServoGoals::torqueOnWithoutAGoal()
+{
+    QFETCH(QString, model);
+    QFETCH(bool, multiTurn);
+    QFETCH(bool, runs);
+    auto config = fixture::configOf(model);
+    config.initialDegrees = 120;
+    config.behavior.runsToOldGoal = runs;
+    Servo servo(model, config);
+    if (multiTurn) {
+        servo.keep("min_angle_limit", 0);
+        servo.keep("max_angle_limit", 0);
+    }
+    const auto turned = [&](double from) { return std::abs(servo.shaftDegrees() - from); };
+    for (const bool afterAMove : {false, true}) {
+        servo.powerCycle();
+        const double stood = servo.shaftDegrees();
+        const int goalRead = servo.at("goal_position");
+        servo.set("torque_switch", 1);
+        servo.run(1500);
+        QCOMPARE(servo.at("torque_switch"), 1);
+        QVERIFY2((turned(stood) > 20) == runs, qPrintable(QString::number(turned(stood))));
+        QVERIFY(runs || turned(stood) < 1);
+        QCOMPARE(servo.at("goal_position"), goalRead); // the register is as it was
+        if (afterAMove)
+            break;
+        // From the first goal on the register rules, also when torque was off in between.
+        servo.set("goal_position", model == QLatin1String("SCS15") ? 700 : 2500);
+        servo.run(2500);
+        const double there = servo.shaftDegrees();
+        QVERIFY(runs || turned(stood) > 20);
+        servo.set("torque_switch", 0);
+        servo.run(300);
+        servo.set("torque_switch", 1);
+        servo.run(300);
+        QVERIFY(turned(there) < 1);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestServoGoals)

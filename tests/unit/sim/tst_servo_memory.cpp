@@ -29,6 +29,10 @@ private Q_SLOTS:
     void turnsAreForgottenAtPowerOff();
     void deafOnlyWhileTheEpromIsWritten_data();
     void deafOnlyWhileTheEpromIsWritten();
+    void busyOnlyWhileTheEpromIsWritten_data();
+    void busyOnlyWhileTheEpromIsWritten();
+    void whatLeRobotWritesIsTaken_data();
+    void whatLeRobotWritesIsTaken();
     void identityAndFactoryValues_data();
     void identityAndFactoryValues();
     void imageCarriesEpromAndBackup();
@@ -232,6 +236,7 @@ void TestServoMemory::deafOnlyWhileTheEpromIsWritten()
     QFETCH(bool, deaf);
     auto config = fixture::configOf(QStringLiteral("STS3215"));
     config.epromTime = fixture::milliseconds(15);
+    config.behavior.deafWhileWriting = true;
     Servo servo(QStringLiteral("STS3215"), config);
     servo.write({55, std::uint8_t(unlocked ? 0 : 1)});
     QVERIFY(servo.write({std::uint8_t(address), 60})); // acknowledged in any case
@@ -242,6 +247,55 @@ void TestServoMemory::deafOnlyWhileTheEpromIsWritten()
     servo.run(3);
     QVERIFY(!servo.deaf());
     QVERIFY(servo.ask(0x01));
+}
+
+void TestServoMemory::busyOnlyWhileTheEpromIsWritten_data()
+{
+    deafOnlyWhileTheEpromIsWritten_data();
+}
+
+void TestServoMemory::busyOnlyWhileTheEpromIsWritten()
+{
+    QFETCH(bool, unlocked);
+    QFETCH(int, address);
+    QFETCH(bool, deaf);
+    auto config = fixture::configOf(QStringLiteral("STS3215"));
+    config.epromTime = fixture::milliseconds(15);
+    Servo servo(QStringLiteral("STS3215"), config);
+    servo.write({55, std::uint8_t(unlocked ? 0 : 1)});
+    QCOMPARE(servo.writeTime(), base::Duration());
+    QVERIFY(servo.write({std::uint8_t(address), 60}));
+    QCOMPARE(servo.writeTime(), deaf ? config.epromTime : base::Duration());
+    QVERIFY(!servo.deaf());
+    QVERIFY(servo.ask(0x01));
+    QCOMPARE(servo.writeTime(), base::Duration());
+}
+
+// LeRobot writes both at every set-up. 7 has no function on STS, but is stored; 85 acts as its own
+// maximum, and nothing says whether it is kept.
+void TestServoMemory::whatLeRobotWritesIsTaken_data()
+{
+    QTest::addColumn<QString>("model");
+    QTest::newRow("STS") << QStringLiteral("STS3215");
+    QTest::newRow("SMS") << QStringLiteral("SM40BLHV");
+}
+
+void TestServoMemory::whatLeRobotWritesIsTaken()
+{
+    QFETCH(QString, model);
+    Servo servo(model);
+    QCOMPARE(servo.read(85, 1), base::Bytes{254});
+    servo.write({55, 0});
+    for (const int value : {254, 0, 17}) {
+        QVERIFY(servo.write({7, std::uint8_t(value)}));
+        QCOMPARE(servo.read(7, 1), base::Bytes{std::uint8_t(value)});
+        QVERIFY(servo.write({85, std::uint8_t(value)}));
+        QCOMPARE(servo.read(85, 1), base::Bytes{std::uint8_t(value)});
+    }
+    servo.powerCycle();
+    QCOMPARE(servo.read(7, 1), base::Bytes{17});
+    QCOMPARE(servo.profile().find(QStringLiteral("acceleration_limit"))->persistence,
+             catalog::Persistence::NotStated);
 }
 
 void TestServoMemory::identityAndFactoryValues_data()

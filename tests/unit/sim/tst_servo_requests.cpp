@@ -26,6 +26,9 @@ private Q_SLOTS:
     void newRateActsAtOnceOrAfterRestart();
     void ratesByCode_data();
     void ratesByCode();
+    void refusesWhatItCannotBe_data();
+    void refusesWhatItCannotBe();
+    void broadcastPingInTurn();
     void rebootIsSilentAndReloads();
     void heldWriteWaitsForAction();
     void syncWriteFindsItsOwnPart();
@@ -154,18 +157,18 @@ void TestServoRequests::errorByteIsTheLiveStatus()
 
 void TestServoRequests::newIdActsAtOnce_data()
 {
-    QTest::addColumn<bool>("answersOld");
+    QTest::addColumn<bool>("answersNew");
     QTest::addColumn<int>("answerId");
-    QTest::newRow("acknowledged with the new ID") << false << 5;
-    QTest::newRow("acknowledged with the old ID") << true << 1;
+    QTest::newRow("acknowledged with the old ID, as LeRobot expects") << false << 1;
+    QTest::newRow("acknowledged with the new ID") << true << 5;
 }
 
 void TestServoRequests::newIdActsAtOnce()
 {
-    QFETCH(bool, answersOld);
+    QFETCH(bool, answersNew);
     QFETCH(int, answerId);
     auto config = fixture::configOf(QStringLiteral("STS3215"));
-    config.idAnswersOld = answersOld;
+    config.behavior.acknowledgesWithNewId = answersNew;
     Servo servo(QStringLiteral("STS3215"), config);
     const auto answer = servo.write({5, 5});
     QVERIFY(answer);
@@ -187,7 +190,7 @@ void TestServoRequests::newRateActsAtOnceOrAfterRestart()
 {
     QFETCH(bool, afterRestart);
     auto config = fixture::configOf(QStringLiteral("STS3215"));
-    config.baudAfterRestart = afterRestart;
+    config.behavior.baudAfterRestart = afterRestart;
     Servo servo(QStringLiteral("STS3215"), config);
     servo.keep("baud_rate", 4);
     QCOMPARE(servo.baud(), afterRestart ? 1000000 : 115200);
@@ -205,6 +208,7 @@ void TestServoRequests::ratesByCode_data()
         QTest::addRow("%d", code) << code << rates[code];
     }
     QTest::newRow("no such code: stays") << 12 << 115200;
+    QTest::newRow("the largest byte: stays") << 255 << 115200;
 }
 
 void TestServoRequests::ratesByCode()
@@ -214,6 +218,60 @@ void TestServoRequests::ratesByCode()
     Servo servo(QStringLiteral("SM40BLHV"));
     QVERIFY(servo.write({6, std::uint8_t(code)}));
     QCOMPARE(servo.baud(), baud);
+    QCOMPARE(servo.at("baud_rate"), code < 12 ? code : 4);
+}
+
+void TestServoRequests::refusesWhatItCannotBe_data()
+{
+    QTest::addColumn<QString>("model");
+    QTest::addColumn<int>("address");
+    QTest::addColumn<int>("value");
+    QTest::addColumn<bool>("taken");
+    const auto row = [](const char* name, const char* model, int address, int value, bool taken) {
+        QTest::newRow(name) << QString::fromLatin1(model) << address << value << taken;
+    };
+    row("ID 253", "STS3215", 5, 253, true);
+    row("ID 254, the broadcast address", "STS3215", 5, 254, false);
+    row("ID 255, the header byte", "STS3215", 5, 255, false);
+    row("ID 254 of SCS", "SCS15", 5, 254, false);
+    row("STS rate 7", "STS3215", 6, 7, true);
+    row("STS rate 8, of SMS only", "STS3215", 6, 8, false);
+    row("mode 3", "STS3215", 33, 3, true);
+    row("mode 4, of HLS only", "STS3215", 33, 4, false);
+    row("mode 77", "STS3215", 33, 77, false);
+}
+
+void TestServoRequests::refusesWhatItCannotBe()
+{
+    QFETCH(QString, model);
+    QFETCH(int, address);
+    QFETCH(int, value);
+    QFETCH(bool, taken);
+    const auto present = [&](Servo& servo) { return int(servo.read(std::uint8_t(address), 1)[0]); };
+    Servo servo(model);
+    const int before = present(servo);
+    const auto answer = servo.write({std::uint8_t(address), std::uint8_t(value)});
+    QVERIFY(answer); // no error bit says "rejected"
+    QCOMPARE(int(answer->status), 0);
+    QCOMPARE(present(servo), taken ? value : before);
+    QCOMPARE(servo.id(), address == 5 && taken ? value : 1);
+
+    // Held, and carried out later.
+    Servo other(model);
+    QVERIFY(other.ask(0x04, {std::uint8_t(address), std::uint8_t(value)}));
+    QVERIFY(other.ask(0x05));
+    QCOMPARE(present(other), taken ? value : before);
+}
+
+void TestServoRequests::broadcastPingInTurn()
+{
+    auto config = fixture::configOf(QStringLiteral("STS3215"));
+    config.id = 5;
+    Servo servo(QStringLiteral("STS3215"), config);
+    QCOMPARE(servo.shout(0x01)->wait, base::Duration());
+    servo.behavior().staggersBroadcastPing = true;
+    QCOMPARE(servo.shout(0x01)->wait, base::Duration(15'000)); // 3 ms for each ID
+    QCOMPARE(servo.ask(0x01)->wait, base::Duration());
 }
 
 void TestServoRequests::rebootIsSilentAndReloads()
@@ -401,6 +459,7 @@ void TestServoRequests::calibrationSurvivesOnlyUnlocked()
 {
     auto config = fixture::configOf(QStringLiteral("STS3215"));
     config.initialDegrees = 100;
+    config.behavior.deafWhileWriting = true;
     Servo servo(QStringLiteral("STS3215"), config);
     servo.write({40, 128});
     QVERIFY(!servo.deaf());

@@ -223,9 +223,9 @@ private Q_SLOTS:
         QVERIFY(wire::isStatusOf(wire::ask(*bus, wire::ping(2), now), 2));
     }
 
-    void aServoThatWritesItsEpromIsDeaf()
+    void aServoThatIsDeafWhileItWrites()
     {
-        const auto bus = wire::bus("sts3215@1");
+        const auto bus = wire::bus("sts3215@1+deaf=1");
         Duration now = 1ms;
         bus->hostReads(now);
         wire::ask(*bus, wire::write(1, 55, 0), now);
@@ -238,7 +238,7 @@ private Q_SLOTS:
     // Deaf at the start of a frame and awake at its end is not having heard it.
     void aServoDoesNotHearTheRestOfAFrame()
     {
-        const auto bus = wire::bus("sts3215@1", 4'800 * 8); // 38400: a ping takes 1.6 ms
+        const auto bus = wire::bus("sts3215@1+deaf=1", 4'800 * 8); // 38400: a ping takes 1.6 ms
         Duration now = 1ms;
         bus->hostReads(now);
         wire::ask(*bus, wire::write(1, 55, 0), now, 38'400);
