@@ -5909,6 +5909,34 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Nothing is lost, and it is tried again by itself. If it stays so, look at the server&apos;s log.</source>
         <translation>没有丢失任何数据,程序会自动重试。若一直如此,请查看服务器日志。</translation>
     </message>
+    <message>
+        <source>it did not restart</source>
+        <translation>舵机没有重启</translation>
+    </message>
+    <message>
+        <source>It answers, and its RAM is unchanged: it ignores the restart command, or never received it.</source>
+        <translation>舵机有应答，RAM 内容未变：它不理会重启指令，或没有收到该指令。</translation>
+    </message>
+    <message>
+        <source>it acknowledged the restart but did not restart</source>
+        <translation>舵机应答了重启指令，但没有重启</translation>
+    </message>
+    <message>
+        <source>It answers, and its RAM is unchanged.</source>
+        <translation>舵机有应答，RAM 内容未变。</translation>
+    </message>
+    <message>
+        <source>it could not be proven that it restarted</source>
+        <translation>无法证实舵机已重启</translation>
+    </message>
+    <message>
+        <source>It answers, but nothing shows a restart: it ignored the command, or started too quickly to be noticed.</source>
+        <translation>舵机有应答，但没有迹象表明它重启过：它不理会该指令，或启动太快而未被察觉。</translation>
+    </message>
+    <message>
+        <source>Switch its supply off and on to be sure.</source>
+        <translation>请断电再上电，以确保重启。</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>

@@ -65,7 +65,11 @@ struct Stray {
     std::uint8_t status = 0;
     base::Bytes data;
     base::Duration at{};
+    std::uint8_t exception = 0; ///< Modbus; 0: none
 };
+
+/// The word for a Modbus exception: "illegal-function", "illegal-address" …
+QString exceptionName(std::uint8_t exception);
 
 class Bus;
 

@@ -61,19 +61,8 @@ ErrorCode errorFor(const std::vector<Fault>& faults)
 std::optional<Error> refusalIn(const Attempt& attempt)
 {
     for (const Arrival& arrival : attempt.arrivals) {
-        switch (arrival.part.exception) {
-        case 0:
-            continue;
-        case 1:
-            return Error{ErrorCode::Refused, {}, QStringLiteral("illegal-function")};
-        case 2:
-            return Error{ErrorCode::Refused, {}, QStringLiteral("illegal-address")};
-        case 3:
-            return Error{ErrorCode::Refused, {}, QStringLiteral("illegal-value")};
-        default:
-            return Error{
-                ErrorCode::Refused, {}, QStringLiteral("exception %1").arg(arrival.part.exception)};
-        }
+        if (arrival.part.exception != 0)
+            return Error{ErrorCode::Refused, {}, exceptionName(arrival.part.exception)};
     }
     return std::nullopt;
 }

@@ -308,7 +308,7 @@ void Exchange::takeForeign(Wait& wait, Part part, base::ByteView frame)
             wait.trouble(FaultKind::WrongShape);
     }
     if (id >= 0)
-        m_strays.add({id, part.status, std::move(part.data), at});
+        m_strays.add({id, part.status, std::move(part.data), at, part.exception});
 }
 
 void Exchange::takeBadCheck(Wait& wait, int id)

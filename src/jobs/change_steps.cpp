@@ -30,9 +30,12 @@ base::Result<bool> heard(const base::Result<bus::Outcome>& outcome)
 }
 } // namespace
 
-base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id)
+base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id,
+                           int retries)
 {
-    return heard(context.bus.transact(pingOf(context, protocol, id)));
+    bus::Transaction ping = pingOf(context, protocol, id);
+    ping.retries = retries;
+    return heard(context.bus.transact(ping));
 }
 
 base::Result<bool> isFree(const device::Context& context, base::Protocol protocol, int id,

@@ -7,7 +7,8 @@
 namespace jobs {
 /// PING, waited for as long as a reply may take on this link; true if a clean answer came from that
 /// ID. Anything but silence that is not a clean answer (collision, noise) is an error.
-base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id);
+base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id,
+                           int retries = -1);
 
 /// Does nobody have this ID? Proven by silence that lasts as long as a reply may take on this link
 /// (bus::Bus::replyTimeout), after each of the questions, of which one may be lost. What comes

@@ -1,23 +1,169 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/motion.h"
+#include "device/talk.h"
 #include "jobs/change_steps.h"
+#include "jobs/temporary.h"
+
+#include <algorithm>
 
 namespace jobs {
 using base::ErrorCode;
+using catalog::Role;
 using namespace std::chrono_literals;
 
 namespace {
+const QString operation = QStringLiteral("reboot");
+
 /// Every start passes a loader that listens at this rate for about 0.8 s; a PING there could be
 /// taken for the beginning of a firmware update (protocol sheet §2.5).
 constexpr int loaderBaud = 500'000;
 constexpr base::Duration quietTime = 700ms;
 constexpr base::Duration longestStart = 2s;
-constexpr base::Duration askEvery = 50ms;
+constexpr base::Duration askEvery = 25ms;
+/// One lost PING is no proof that the servo was away.
+constexpr int silencesThatProve = 2;
+
+/// A RAM value that no restart leaves as it is: the torque limit, which every start loads from the
+/// EPROM. One step off, with torque off, it moves nothing.
+struct Mark {
+    const catalog::Register* reg = nullptr; ///< null: this servo has none
+    std::int64_t raw = 0;
+    std::unique_ptr<TemporarySettings> written{}; ///< null: the value was another one by itself
+
+    bool stands(const device::Servo& servo) const { return servo.raw(*reg) == raw; }
+};
+
+bool endsAll(ErrorCode code)
+{
+    return code == ErrorCode::LinkLost || code == ErrorCode::Stopped || code == ErrorCode::Held ||
+           code == ErrorCode::Preempted;
+}
+
+/// Without a mark silence has to prove the restart, so a servo that takes none is no error.
+base::Result<Mark> setMark(const device::Context& context, device::Servo& servo)
+{
+    const catalog::Register* limit = servo.profile->byRole(Role::TorqueLimit);
+    if (limit == nullptr || servo.profile->byRole(Role::MaxTorque) == nullptr)
+        return Mark{};
+    const auto read = device::readRoles(context, servo, {Role::TorqueLimit, Role::MaxTorque});
+    if (!read && endsAll(read.error().code))
+        return tl::unexpected(read.error());
+    const auto now = servo.raw(Role::TorqueLimit);
+    const auto loaded = servo.raw(Role::MaxTorque);
+    if (!read || !now || !loaded)
+        return Mark{};
+    if (*now != *loaded)
+        return Mark{limit, *now};
+    const std::int64_t raw = *now > limit->min.value_or(0) ? *now - 1 : *now + 1;
+    auto written = TemporarySettings::set(context, servo, {{limit->key, raw}});
+    if (!written && endsAll(written.error().code))
+        return tl::unexpected(written.error());
+    return written ? Mark{limit, raw, std::move(*written)} : Mark{};
+}
+
+/// True: it acknowledged a command that has no answer. Listens for as long as nobody may speak.
+base::Result<bool> acknowledged(const device::Context& context, const device::Servo& servo)
+{
+    const base::Duration quiet = context.bus.baud() == loaderBaud ? longestStart : quietTime;
+    const auto heard = context.bus.listen(std::max(quiet, context.bus.replyTimeout()));
+    if (!heard)
+        return tl::unexpected(heard.error());
+    bool answered = false;
+    for (const bus::Stray& stray : context.bus.takeStrays()) {
+        if (stray.id != servo.id)
+            continue;
+        if (stray.exception != 0)
+            return base::fail(ErrorCode::Refused, operation, bus::exceptionName(stray.exception),
+                              servo.id);
+        answered = true;
+    }
+    return answered;
+}
+
+/// Waits until it answers; how many questions before that it did not.
+base::Result<int> awaitAnswer(const device::Context& context, const device::Servo& servo,
+                              base::Duration sentAt)
+{
+    base::Clock& clock = context.bus.clock();
+    const base::Duration end = sentAt + longestStart + 200ms + 2 * context.bus.replyTimeout();
+    for (int silences = 0;; ++silences) {
+        const auto here = answers(context, servo.protocol, servo.id, 0);
+        if (!here && endsAll(here.error().code))
+            return tl::unexpected(here.error());
+        if (here && *here)
+            return silences;
+        if (clock.now() > end)
+            return base::fail(ErrorCode::NoAnswer, operation, {}, servo.id);
+        clock.sleepFor(askEvery);
+    }
+}
+
+/// What one request for a restart came to.
+struct Try {
+    bool acknowledged = false;
+    bool wasSilent = false;
+    bool markStands = false;
+    base::Duration took{};
+
+    /// Proven not to have happened: it is safe to ask again.
+    bool ignored() const { return markStands && !wasSilent && !acknowledged; }
+};
+
+base::Result<Try> tryOnce(const device::Context& context, device::Servo& servo, const Mark& mark)
+{
+    context.bus.takeStrays();
+    const auto sent = sendOnce(context, protocol::Request::reboot(servo.id).in(servo.protocol));
+    if (!sent)
+        return tl::unexpected(sent.error());
+    const base::Duration sentAt = context.bus.clock().now();
+    const auto word = acknowledged(context, servo);
+    if (!word)
+        return tl::unexpected(word.error());
+    const auto silences = awaitAnswer(context, servo, sentAt);
+    if (!silences)
+        return tl::unexpected(silences.error());
+    Try result{*word, *silences >= silencesThatProve, false, context.bus.clock().now() - sentAt};
+    servo.image.clear();
+    if (const auto fresh = device::readSettings(context, servo); !fresh)
+        return tl::unexpected(fresh.error());
+    if (mark.reg == nullptr)
+        return result;
+    if (const auto fresh = device::readRoles(context, servo, {mark.reg->role}); !fresh)
+        return tl::unexpected(fresh.error());
+    result.markStands = mark.stands(servo);
+    return result;
+}
+
+/// Why this is no proof of a restart; empty: it is one.
+QString doubt(const Try& last, const Mark& mark)
+{
+    const bool proven = mark.reg != nullptr ? !last.markStands : last.wasSilent;
+    if (proven)
+        return {};
+    if (mark.reg == nullptr || last.wasSilent)
+        return QStringLiteral("restart-unproven");
+    return last.acknowledged ? QStringLiteral("restart-acknowledged")
+                             : QStringLiteral("not-restarted");
+}
+
+base::Result<int> restart(const device::Context& context, device::Servo& servo, const Mark& mark)
+{
+    auto last = tryOnce(context, servo, mark);
+    if (last && last->ignored() && !context.stop.requested()) {
+        context.note(device::NoticeCode::SentAgain, servo.id);
+        last = tryOnce(context, servo, mark);
+    }
+    if (!last)
+        return tl::unexpected(last.error());
+    const QString why = doubt(*last, mark);
+    if (!why.isEmpty())
+        return base::fail(ErrorCode::Refused, operation, why, servo.id);
+    return static_cast<int>(last->took / 1ms);
+}
 } // namespace
 
 base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
 {
-    const QString operation = QStringLiteral("reboot");
     if (const auto writable = requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
     const auto reboots = protocol::Request::reboot(servo.id).in(servo.protocol);
@@ -32,28 +178,17 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
         return tl::unexpected(off.error());
     if (context.stop.requested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
-    if (const auto sent = sendOnce(context, reboots); !sent)
-        return tl::unexpected(sent.error());
-    base::Clock& clock = context.bus.clock();
-    const base::Duration start = clock.now();
-    const base::Duration listenFrom = context.bus.baud() == loaderBaud ? longestStart : quietTime;
-    clock.sleepUntil(start + listenFrom);
-    servo.image.clear();
-    for (;;) {
-        const auto here = answers(context, servo.protocol, servo.id);
-        if (!here && here.error().code == ErrorCode::LinkLost)
-            return tl::unexpected(here.error());
-        const base::Duration passed = clock.now() - start;
-        if (here && *here) {
-            const int milliseconds = static_cast<int>(passed / 1ms);
-            context.note(device::NoticeCode::RebootedAfter, servo.id, {}, milliseconds);
-            if (const auto fresh = device::readSettings(context, servo); !fresh)
-                return tl::unexpected(fresh.error());
-            return milliseconds;
-        }
-        if (passed > longestStart + 200ms)
-            return base::fail(ErrorCode::NoAnswer, operation, {}, servo.id);
-        clock.sleepFor(askEvery);
+    auto mark = setMark(context, servo);
+    if (!mark)
+        return tl::unexpected(mark.error());
+    const auto milliseconds = restart(context, servo, *mark);
+    if (!milliseconds)
+        return milliseconds; // the mark is taken back
+    context.note(device::NoticeCode::RebootedAfter, servo.id, {}, *milliseconds);
+    if (mark->written) {
+        if (const auto forgotten = mark->written->forget(); !forgotten)
+            return tl::unexpected(forgotten.error());
     }
+    return milliseconds;
 }
 } // namespace jobs

@@ -224,6 +224,13 @@ base::Result<void> TemporarySettings::tryBack()
     return back;
 }
 
+base::Result<void> TemporarySettings::forget()
+{
+    if (m_uuid.isEmpty())
+        return {};
+    return m_context.journal.end(std::exchange(m_uuid, {}), {QStringLiteral("undone"), {}});
+}
+
 base::Result<void> TemporarySettings::putBack()
 {
     if (m_uuid.isEmpty())

@@ -51,6 +51,8 @@ public:
 
     Part foreignPart(ByteView frame) const override
     {
+        if ((frame[1] & modbus::exceptionFlag) != 0)
+            return {modbus::idOf(frame[0]), 0, {}, frame[2]};
         const ByteView data = modbus::content(frame);
         return {modbus::idOf(frame[0]), 0, {data.begin(), data.end()}};
     }

@@ -173,6 +173,19 @@ constexpr std::array consent{
 };
 
 constexpr std::array refused{
+    RefusalWords{"not-restarted", QT_TRANSLATE_NOOP("text", "it did not restart"),
+                 QT_TRANSLATE_NOOP("text", "It answers, and its RAM is unchanged: it ignores the "
+                                           "restart command, or never received it."),
+                 QT_TRANSLATE_NOOP("text", "Switch its supply off and on.")},
+    RefusalWords{"restart-acknowledged",
+                 QT_TRANSLATE_NOOP("text", "it acknowledged the restart but did not restart"),
+                 QT_TRANSLATE_NOOP("text", "It answers, and its RAM is unchanged."),
+                 QT_TRANSLATE_NOOP("text", "Switch its supply off and on.")},
+    RefusalWords{"restart-unproven",
+                 QT_TRANSLATE_NOOP("text", "it could not be proven that it restarted"),
+                 QT_TRANSLATE_NOOP("text", "It answers, but nothing shows a restart: it ignored "
+                                           "the command, or started too quickly to be noticed."),
+                 QT_TRANSLATE_NOOP("text", "Switch its supply off and on to be sure.")},
     RefusalWords{"no-start", QT_TRANSLATE_NOOP("text", "it did not reach the start of the test"),
                  QT_TRANSLATE_NOOP("text", "It is blocked, too weak or too slow, or its limits "
                                            "lie before that place."),

@@ -15,12 +15,23 @@ public:
         m_tap.written.emplace_back(bytes.begin(), bytes.end());
         if (m_tap.onWrite)
             m_tap.onWrite(m_tap.written.back());
-        return m_link->write(bytes);
+        const auto own =
+            m_tap.answerInstead ? m_tap.answerInstead(m_tap.written.back()) : std::nullopt;
+        if (!own)
+            return m_link->write(bytes);
+        m_own.insert(m_own.end(), own->begin(), own->end());
+        return {};
     }
-    base::Result<std::size_t> read(base::Bytes& buffer) override { return m_link->read(buffer); }
+    base::Result<std::size_t> read(base::Bytes& buffer) override
+    {
+        const std::size_t count = m_own.size();
+        buffer.insert(buffer.end(), m_own.begin(), m_own.end());
+        m_own.clear();
+        return m_link->read(buffer).map([count](std::size_t more) { return count + more; });
+    }
     base::Result<bool> waitReadable(base::Duration span) override
     {
-        return m_link->waitReadable(span);
+        return m_own.empty() ? m_link->waitReadable(span) : base::Result<bool>(true);
     }
     base::Result<void> setBaud(int baud) override
     {
@@ -36,6 +47,7 @@ public:
 private:
     std::unique_ptr<transport::Link> m_link;
     LinkTap& m_tap;
+    base::Bytes m_own; ///< of the other device, on their way to the host
 };
 } // namespace
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A link with a witness: notes every frame the host writes before it passes it on, may call a hook
-// at each, and plays an adapter that cannot run some rates. The notes outlive the link. One thread.
+// at each, plays an adapter that cannot run some rates, and a device that answers in bytes of its
+// own. The notes outlive the link. One thread.
 #pragma once
 
 #include "transport/link.h"
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -15,6 +17,9 @@ struct LinkTap {
     std::function<void(const base::Bytes&)> onWrite;
     std::function<void()> onOpen; ///< about to try
     std::set<int> refusedRates;
+    /// What a device that is none of the simulator's makes of a frame: the bytes that come back,
+    /// maybe none. nullopt: the frame goes to the simulator.
+    std::function<std::optional<base::Bytes>(const base::Bytes&)> answerInstead;
 };
 
 /// `tap` and `link`'s own context must outlive the result.
