@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/program.h"
 
+#include "report/fonts.h"
 #include "ui/app/language_switch.h"
 #include "ui/app/main_window.h"
 #include "ui/app/theme.h"
@@ -38,6 +39,15 @@ void screenshotLater(MainWindow& window, const Options& options)
         QCoreApplication::exit(saved ? 0 : 1);
     });
 }
+
+/// The program's own letters in the size that the desktop asks for.
+void useOwnFont()
+{
+    QFont font = QApplication::font();
+    if (const QStringList families = report::textFamilies(); !families.isEmpty())
+        font.setFamilies(families);
+    QApplication::setFont(font);
+}
 } // namespace
 
 void initProgram()
@@ -46,6 +56,7 @@ void initProgram()
     QIcon::setThemeSearchPaths(QIcon::themeSearchPaths() << QStringLiteral(":/icons"));
     QIcon::setFallbackThemeName(QStringLiteral("breeze"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/servodesk.svg")));
+    useOwnFont();
 }
 
 int runProgram(int argc, char* argv[])

@@ -7,7 +7,7 @@
 namespace ui {
 int runProgram(int argc, char* argv[]);
 
-/// Icons as the program has them; for tests that make the window themselves. Needs
+/// Icons and fonts as the program has them; for tests that make the window themselves. Needs
 /// the QApplication.
 void initProgram();
 } // namespace ui

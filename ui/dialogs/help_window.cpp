@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/help_window.h"
 
+#include "report/fonts.h"
 #include "text/language.h"
 #include "ui/app/theme.h"
 
 #include <QEvent>
 #include <QFile>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextCursor>
 #include <QVBoxLayout>
+
+#include <vector>
 
 namespace ui {
 namespace {
@@ -26,6 +31,27 @@ QString withPictures(QString markdown, bool chinese, bool dark)
                          QStringLiteral("(qrc:/help/images/") + name + ending);
     }
     return markdown;
+}
+
+/// Code in the program's own letters; markdown asks the desktop for its.
+void useCodeFont(QTextDocument& document)
+{
+    QTextCharFormat code;
+    code.setFontFamilies(report::codeFamilies());
+    std::vector<std::pair<int, int>> pieces;
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        for (auto it = block.begin(); !it.atEnd(); ++it) {
+            const QTextFragment piece = it.fragment();
+            if (piece.charFormat().fontFixedPitch())
+                pieces.emplace_back(piece.position(), piece.position() + piece.length());
+        }
+    }
+    QTextCursor cursor(&document);
+    for (const auto& [begin, end] : pieces) {
+        cursor.setPosition(begin);
+        cursor.setPosition(end, QTextCursor::KeepAnchor);
+        cursor.mergeCharFormat(code);
+    }
 }
 } // namespace
 
@@ -51,9 +77,12 @@ void HelpWindow::fill()
     m_text->setToolTip(tr("Help"));
     const bool chinese = text::inChinese();
     QFile file(chinese ? QStringLiteral(":/help/help_zh.md") : QStringLiteral(":/help/help_en.md"));
-    if (file.open(QIODevice::ReadOnly))
-        m_text->setMarkdown(
-            withPictures(QString::fromUtf8(file.readAll()), chinese, isDark(palette())));
+    if (!file.open(QIODevice::ReadOnly))
+        return;
+    m_text->setMarkdown(
+        withPictures(QString::fromUtf8(file.readAll()), chinese, isDark(palette())));
+    if (!report::codeFamilies().isEmpty())
+        useCodeFont(*m_text->document());
 }
 
 void HelpWindow::changeEvent(QEvent* event)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editors/bits_editor.h"
 
+#include "report/fonts.h"
 #include "text/language.h"
 
 #include <QCheckBox>
@@ -43,6 +44,11 @@ void BitsEditor::build()
     const bool inCell = context().inCell;
     for (int bit = 0; bit < context().reg->size * 8; ++bit)
         m_boxes.push_back({bit, makeBox(bit)});
+    if (const QStringList families = report::codeFamilies(); !families.isEmpty()) {
+        QFont code = font();
+        code.setFamilies(families);
+        m_hex->setFont(code);
+    }
     m_sum->setObjectName(QStringLiteral("bitsSum"));
     m_sum->setAlignment(Qt::AlignRight);
     m_sum->setFixedWidth(m_sum->fontMetrics().horizontalAdvance(QStringLiteral("0000000")) + 16);

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fonts of the program on a machine that has DejaVu only: it uses its own, digits are of one
+// width, and every sign that a text of the program contains is in them.
+#include "gui/window_bench.h"
+#include "report/fonts.h"
+#include "support/font_machine.h"
+#include "ui/dialogs/help_window.h"
+
+#include <QDirIterator>
+#include <QFontDatabase>
+#include <QRawFont>
+#include <QTextBlock>
+#include <QTextBrowser>
+
+namespace {
+/// What stands in texts that are shown: string literals, help, register maps, translations.
+QString shownText()
+{
+    QString all;
+    for (const char* folder : {"src", "ui", "resources", "translations"}) {
+        QDirIterator files(QStringLiteral(SOURCE_DIR "/") + QLatin1String(folder),
+                           {QStringLiteral("*.cpp"), QStringLiteral("*.h"), QStringLiteral("*.md"),
+                            QStringLiteral("*.json"), QStringLiteral("*.ts")},
+                           QDir::Files, QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            QFile file(files.next());
+            if (file.open(QIODevice::ReadOnly))
+                all += QString::fromUtf8(file.readAll());
+        }
+    }
+    return all;
+}
+
+/// Those come from the system.
+bool isChinese(QChar one)
+{
+    return one.unicode() >= 0x2e80;
+}
+} // namespace
+
+class TestFonts : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { gui::failOnWarnings(); }
+
+    void theMachineHasNoneOfThem()
+    {
+        QVERIFY(QFontDatabase::hasFamily(QStringLiteral("DejaVu Sans")));
+        QVERIFY(!QFontDatabase::hasFamily(QStringLiteral("Noto Sans")));
+    }
+
+    void theWindowUsesItsOwn()
+    {
+        const double size = QApplication::font().pointSizeF();
+        gui::WindowBench bench;
+        for (const QWidget* widget : bench.window->findChildren<QWidget*>())
+            QCOMPARE(QFontInfo(widget->font()).family(), QStringLiteral("Noto Sans"));
+        QFont bold = bench.window->font();
+        bold.setBold(true);
+        QCOMPARE(QFontInfo(bold).family(), QStringLiteral("Noto Sans"));
+        QCOMPARE(QFontInfo(bold).weight(), int(QFont::Bold));
+        QCOMPARE(QApplication::font().pointSizeF(), size); // as the desktop has it
+    }
+
+    void digitsAreOfOneWidth()
+    {
+        for (const QString& family :
+             {report::textFamilies().front(), report::codeFamilies().front()}) {
+            const QFontMetricsF metrics{QFont(family)};
+            for (const char16_t digit : u"123456789") {
+                if (digit != 0)
+                    QCOMPARE(metrics.horizontalAdvance(QChar(digit)),
+                             metrics.horizontalAdvance(u'0'));
+            }
+        }
+        const QFontMetricsF code{QFont(report::codeFamilies().front())};
+        QCOMPARE(code.horizontalAdvance(u'W'), code.horizontalAdvance(u'i'));
+    }
+
+    void everySignIsInThem()
+    {
+        const QRawFont letters = QRawFont::fromFont(QFont(report::textFamilies().value(0)));
+        const QRawFont signs = QRawFont::fromFont(QFont(report::textFamilies().value(1)));
+        QString missing;
+        const QString text = shownText();
+        QVERIFY(text.contains(u'⚠') && text.contains(u'−'));
+        for (const QChar one : text) {
+            if (one.unicode() > 0x7e && !isChinese(one) && !missing.contains(one) &&
+                !letters.supportsCharacter(one) && !signs.supportsCharacter(one))
+                missing += one;
+        }
+        QCOMPARE(missing, QString());
+    }
+
+    /// A sign from another font makes no line taller.
+    void signsKeepTheLineHeight()
+    {
+        const QFontMetricsF letters{QFont(report::textFamilies().value(0), 20)};
+        const QFontMetricsF signs{QFont(report::textFamilies().value(1), 20)};
+        QCOMPARE(signs.ascent(), letters.ascent());
+        QCOMPARE(signs.descent(), letters.descent());
+    }
+
+    void codeInTheHelpIsOfOneWidth()
+    {
+        const gui::WindowBench bench;
+        const ui::HelpWindow help(nullptr);
+        int pieces = 0;
+        const auto* text = help.findChild<QTextBrowser*>(QStringLiteral("helpText"));
+        for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
+            for (auto it = block.begin(); !it.atEnd(); ++it) {
+                const QTextCharFormat format = it.fragment().charFormat();
+                if (!format.fontFixedPitch())
+                    continue;
+                ++pieces;
+                QCOMPARE(QFontInfo(format.font()).family(), QStringLiteral("Noto Sans Mono"));
+            }
+        }
+        QVERIFY(pieces > 5);
+    }
+};
+
+int main(int argc, char** argv)
+{
+    const QTemporaryDir place;
+    qputenv("FONTCONFIG_FILE", support::machineWith(place, DEJAVU_FONTS));
+    const QApplication application(argc, argv);
+    TestFonts test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_fonts.moc"

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A machine with few fonts, for a test of its own: the name of a fontconfig file, to be put into
+// the environment as FONTCONFIG_FILE before there is an application object.
+#pragma once
+
+#include <QFile>
+#include <QTemporaryDir>
+
+namespace support {
+/// Only the fonts of this folder are there.
+inline QByteArray machineWith(const QTemporaryDir& place, const char* fonts)
+{
+    QFile file(place.filePath(QStringLiteral("fonts.conf")));
+    if (file.open(QIODevice::WriteOnly))
+        file.write(QStringLiteral("<fontconfig><dir>%1</dir><cachedir>%2</cachedir></fontconfig>")
+                       .arg(QString::fromUtf8(fonts), place.filePath(QStringLiteral("cache")))
+                       .toUtf8());
+    return QFile::encodeName(file.fileName());
+}
+
+} // namespace support
