@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/html_page.h"
 
+#include "report/fonts.h"
+
 #include <cmath>
 
 namespace report {
 namespace {
 const char* const css = R"(
-body { font-family: "Noto Sans", "Noto Sans CJK SC", "Segoe UI", "Microsoft YaHei", sans-serif;
-  font-size: 14px; color: #1f2328; background: #ffffff; margin: 24px auto; max-width: 1100px;
-  padding: 0 16px; }
+body { font-family: "ServoDesk Text", "ServoDesk Signs", "Noto Sans", "Noto Sans CJK SC",
+  "Segoe UI", "Microsoft YaHei", sans-serif; font-size: 14px; color: #1f2328;
+  background: #ffffff; margin: 24px auto; max-width: 1100px; padding: 0 16px; }
 h1 { font-size: 24px; margin: 8px 0; }
 h2 { font-size: 19px; margin: 28px 0 8px; border-bottom: 1px solid #d0d7de; }
 h3 { font-size: 15px; margin: 18px 0 6px; }
@@ -41,8 +43,7 @@ const char* const switchCss = R"(
 
 // QTextDocument takes pixels for those of the printer, so paper is measured in points.
 const char* const paperCss = R"(
-body { font-family: "Noto Sans", "Noto Sans CJK SC", "Segoe UI", "Microsoft YaHei", sans-serif;
-  font-size: 8pt; color: #1f2328; }
+body { font-size: 8pt; color: #1f2328; }
 h1 { font-size: 16pt; }
 h2 { font-size: 12pt; }
 h3 { font-size: 9pt; }
@@ -181,13 +182,13 @@ QString page(const Scribe& scribe, const catalog::Text& title, const QString& bo
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"%1\">\n<head>\n"
         "<meta charset=\"utf-8\"/>\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-        "style-src 'unsafe-inline'; img-src data:\"/>\n"
+        "style-src 'unsafe-inline'; img-src data:; font-src data:\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
         "<link rel=\"icon\" href=\"data:,\"/>\n");
     text = text.arg(chinese ? QStringLiteral("zh") : QStringLiteral("en"));
     text += QStringLiteral("<title>") + escaped(title.in(chinese)) + QStringLiteral("</title>\n") +
             QStringLiteral("<style>") +
-            (both ? QString::fromUtf8(css) + QString::fromUtf8(switchCss)
+            (both ? embeddedFonts() + QString::fromUtf8(css) + QString::fromUtf8(switchCss)
                   : QString::fromUtf8(paperCss)) +
             QStringLiteral("</style>\n</head>\n<body>\n");
     if (both)

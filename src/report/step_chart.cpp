@@ -152,10 +152,10 @@ QString stepChart(const Scribe& scribe, const std::vector<record::StepRun>& runs
                         QStringLiteral("stroke=\"#57606a\" stroke-width=\"1\" "
                                        "stroke-dasharray=\"5 3\""));
     }
-    return QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
-                          "aria-label=\"%1\" width=\"%2\" height=\"%3\" viewBox=\"0 0 %2 %3\" "
-                          "font-family=\"sans-serif\">\n<rect x=\"0\" y=\"0\" width=\"%2\" "
-                          "height=\"%3\" fill=\"#ffffff\"/>\n%4</svg>\n")
+    return QStringLiteral(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
+               "aria-label=\"%1\" width=\"%2\" height=\"%3\" viewBox=\"0 0 %2 %3\">\n"
+               "<rect x=\"0\" y=\"0\" width=\"%2\" height=\"%3\" fill=\"#ffffff\"/>\n%4</svg>\n")
         .arg(scribe.inAttribute({QStringLiteral("Step responses"), QString::fromUtf8("阶跃响应")}))
         .arg(width)
         .arg(height)

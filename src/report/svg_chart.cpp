@@ -81,10 +81,10 @@ QString frame(const Scribe& scribe, const Axis& x, const Axis& y, const Text& xT
 
 QString picture(const Scribe& scribe, const Text& title, const QString& content)
 {
-    return QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
-                          "aria-label=\"%1\" width=\"%2\" height=\"%3\" viewBox=\"0 0 %2 %3\" "
-                          "font-family=\"sans-serif\">\n<rect x=\"0\" y=\"0\" width=\"%2\" "
-                          "height=\"%3\" fill=\"#ffffff\"/>\n%4</svg>\n")
+    return QStringLiteral(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
+               "aria-label=\"%1\" width=\"%2\" height=\"%3\" viewBox=\"0 0 %2 %3\">\n"
+               "<rect x=\"0\" y=\"0\" width=\"%2\" height=\"%3\" fill=\"#ffffff\"/>\n%4</svg>\n")
         .arg(scribe.inAttribute(title))
         .arg(chartWidth)
         .arg(chartHeight)

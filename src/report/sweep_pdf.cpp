@@ -2,9 +2,11 @@
 #include "report/sweep_pdf.h"
 
 #include "record/text_file.h"
+#include "report/fonts.h"
 #include "report/sweep_words.h"
 
 #include <QBuffer>
+#include <QFont>
 #include <QImage>
 #include <QPageLayout>
 #include <QPainter>
@@ -18,6 +20,14 @@ namespace {
 constexpr int imageScale = 2;
 constexpr int shownWidth = 620;
 
+QFont paperFont()
+{
+    QFont font;
+    if (const QStringList families = textFamilies(); !families.isEmpty())
+        font.setFamilies(families);
+    return font;
+}
+
 /// A text document knows no SVG, so a chart becomes a picture, sharp enough for paper.
 QImage pictureOf(const QString& svg)
 {
@@ -26,6 +36,7 @@ QImage pictureOf(const QString& svg)
     image.fill(Qt::white);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(paperFont());
     renderer.render(&painter);
     return image;
 }
@@ -36,6 +47,7 @@ QByteArray sweepPdf(const record::SweepRun& run, const std::vector<SweepSeries>&
 {
     const Scribe scribe(chinese ? Tongue::Chinese : Tongue::English);
     QTextDocument document;
+    document.setDefaultFont(paperFont());
     int charts = 0;
     const QString body = sweepBody(scribe, run, series, [&](const QString& svg) {
         const QString name = QStringLiteral("chart-%1").arg(++charts);

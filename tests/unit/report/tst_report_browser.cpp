@@ -62,7 +62,9 @@ window.onload = () => {
         shapes: [...svg.querySelectorAll('path, rect, line')]
           .filter(one => one.getClientRects().length > 0).length};
     });
-    found.push({first, chinese, english, charts,
+    const fonts = [...page.fonts].filter(font => font.status === 'loaded')
+      .map(font => font.family.replaceAll('\x22', '') + ' ' + font.weight);
+    found.push({first, chinese, english, charts, fonts,
       wide: page.documentElement.scrollWidth > frame.clientWidth});
   }
   document.getElementById('found').textContent = JSON.stringify(found);
@@ -156,6 +158,8 @@ void TestReportBrowser::chartsAndLanguages()
         QVERIFY(!one[text("english")][text("zh")].toBool());
         QVERIFY(one[text("chinese")][text("title")].toString() !=
                 one[text("english")][text("title")].toString());
+        for (const char* font : {"ServoDesk Text 400", "ServoDesk Text 700", "ServoDesk Signs 400"})
+            QVERIFY2(one[text("fonts")].toArray().contains(text(font)), font);
         QVERIFY(!one[text("wide")].toBool()); // nothing runs out of the page at the right
         const QJsonArray charts = one[text("charts")].toArray();
         QCOMPARE(charts.size(), 2);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The report on paper, read back by somebody else's program (poppler): the same figures as on the
-// page, in both languages, charts as pictures, nothing cut off at the right.
+// page, in both languages, charts as pictures, its fonts in it, nothing cut off at the right.
+// Runs on a machine with Chinese fonts only, where Qt would take one of those for everything.
 #include "report/sweep_pdf.h"
 #include "report/sweep_words.h"
+#include "support/font_machine.h"
 #include "unit/record/sweep_example.h"
 
 #include <QGuiApplication>
@@ -82,6 +84,24 @@ private Q_SLOTS:
         QVERIFY(!text.contains(QStringLiteral("English")));
     }
 
+    /// The reader needs none of them, and only Chinese, of which the example has a word, depends on
+    /// the machine.
+    void itsFontsAreInIt()
+    {
+        QVERIFY(report::saveSweepPdf(sweep_example::run(), exampleSeries(), false, m_path));
+        const QStringList fonts = outputOf(QStringLiteral("pdffonts"), {m_path})
+                                      .split(QLatin1Char('\n'), Qt::SkipEmptyParts)
+                                      .mid(2);
+        QVERIFY(fonts.size() >= 2);
+        static const QRegularExpression own(
+            QStringLiteral("^(NotoSans-(Regular|Bold)|ServoDeskSymbols|NotoSansCJKsc-Regular) .* "
+                           "yes (yes|no) +yes"));
+        for (const QString& font : fonts)
+            QVERIFY2(font.contains(own), qPrintable(font));
+        for (const char* text : {"NotoSans-Regular", "NotoSans-Bold"})
+            QVERIFY2(!fonts.filter(QLatin1String(text)).isEmpty(), text);
+    }
+
     void chartsAreInIt()
     {
         QVERIFY(report::saveSweepPdf(sweep_example::run(), exampleSeries(), false, m_path));
@@ -145,6 +165,8 @@ private:
 int main(int argc, char** argv)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QTemporaryDir place;
+    qputenv("FONTCONFIG_FILE", support::machineWith(place, CJK_FONTS));
     const QGuiApplication application(argc, argv);
     TestSweepPdf test;
     return QTest::qExec(&test, argc, argv);
