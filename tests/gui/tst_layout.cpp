@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window at its smallest useful size, in both languages: nothing is cut off without a tooltip
-// that says the rest, and whatever can be used has a name for people, for screen readers and for
-// tests.
+// The window at its smallest useful size, in both languages, in its own font, in larger letters and
+// in the font of a fresh machine: nothing is cut off without a tooltip that says the rest, and
+// whatever can be used has a name for people, for screen readers and for tests.
 #include "gui/window_bench.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QFontDatabase>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -135,30 +136,58 @@ class TestLayout : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void initTestCase()
+    {
+        m_font = QApplication::font();
+        for (const char* file : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"})
+            QVERIFY(QFontDatabase::addApplicationFont(QStringLiteral(DEJAVU_FONTS "/") +
+                                                      QLatin1String(file)) >= 0);
+    }
     void init() { gui::failOnWarnings(); }
+    void cleanup()
+    {
+        gui::otherFont.reset();
+        QApplication::setFont(m_font);
+    }
 
     void nothingIsCutOff_data()
     {
         QTest::addColumn<QString>("language");
         QTest::addColumn<QString>("port");
         QTest::addColumn<QString>("page");
+        QTest::addColumn<QString>("family"); // empty: the program's own
+        QTest::addColumn<double>("size");
         const QString english = QStringLiteral("en");
         const QString chinese = QStringLiteral("zh_CN");
         const QString memory = QStringLiteral("memory");
         const QString operate = QStringLiteral("operate");
-        QTest::newRow("English, no port") << english << QString() << memory;
-        QTest::newRow("Chinese, no port") << chinese << QString() << memory;
-        for (const QString& page : {memory, operate}) {
-            const auto row = [&](const char* what, const QString& language, const char* port) {
-                QTest::addRow("%s, %s", what, qPrintable(page))
-                    << language << QString::fromLatin1(port) << page;
+        struct Letters {
+            const char* name;
+            const char* family;
+            double size;
+        };
+        for (const Letters& letters : {Letters{"own font", "", 1}, Letters{"120 %", "", 1.2},
+                                       Letters{"DejaVu", "DejaVu Sans", 1}}) {
+            const auto row = [&](const char* what, const QString& language, const char* port,
+                                 const QString& page) {
+                QTest::addRow("%s, %s, %s", what, qPrintable(page), letters.name)
+                    << language << QString::fromLatin1(port) << page
+                    << QString::fromLatin1(letters.family) << letters.size;
             };
-            row("English, STS", english, "sim:demo");
-            row("Chinese, STS", chinese, "sim:demo");
-            row("English, SCS", english, "sim:scs15@1");
-            row("Chinese, HLS", chinese, "sim:hls3625@1");
-            row("English, LX", english, "sim:lx");
-            row("Chinese, Modbus", chinese, "sim:modbus");
+            row("English, no port", english, "", memory);
+            row("Chinese, no port", chinese, "", memory);
+            for (const char* page : {"sweep", "step", "snapshots", "commission", "history"}) {
+                row("English, STS", english, "sim:demo", QString::fromLatin1(page));
+                row("Chinese, STS", chinese, "sim:demo", QString::fromLatin1(page));
+            }
+            for (const QString& page : {memory, operate}) {
+                row("English, STS", english, "sim:demo", page);
+                row("Chinese, STS", chinese, "sim:demo", page);
+                row("English, SCS", english, "sim:scs15@1", page);
+                row("Chinese, HLS", chinese, "sim:hls3625@1", page);
+                row("English, LX", english, "sim:lx", page);
+                row("Chinese, Modbus", chinese, "sim:modbus", page);
+            }
         }
     }
     void nothingIsCutOff()
@@ -166,7 +195,18 @@ private Q_SLOTS:
         QFETCH(QString, language);
         QFETCH(QString, port);
         QFETCH(QString, page);
+        QFETCH(QString, family);
+        QFETCH(double, size);
+        QFont font = m_font;
+        font.setPointSizeF(m_font.pointSizeF() * size);
+        QApplication::setFont(font);
+        if (!family.isEmpty()) {
+            font.setFamilies({family});
+            gui::otherFont = font;
+        }
         gui::WindowBench bench(language);
+        QCOMPARE(QFontInfo(bench.window->font()).family(),
+                 family.isEmpty() ? QStringLiteral("Noto Sans") : family);
         bench.page = page;
         bench.window->resize(1024, 700);
         if (!port.isEmpty())
@@ -240,6 +280,9 @@ private Q_SLOTS:
         }
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
     }
+
+private:
+    QFont m_font; ///< of the platform
 };
 
 QTEST_MAIN(TestLayout)

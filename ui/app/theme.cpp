@@ -63,6 +63,7 @@ QPalette paletteOf(const Colours& c)
 const char* const styleRules = R"(
 QToolTip { padding: 4px; }
 QPushButton, QToolButton { padding: 4px 10px; }
+QTabWidget > QToolButton { padding: 0 8px; }
 QPushButton[mainAction="true"] {
     background: palette(highlight); color: palette(highlighted-text);
     border: 1px solid palette(highlight); border-radius: 4px; padding: 5px 12px;

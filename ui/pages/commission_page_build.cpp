@@ -166,6 +166,7 @@ QWidget* CommissionPage::buildWork()
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_sum = new QLabel(right);
     m_sum->setObjectName(QStringLiteral("commissionSum"));
+    m_sum->setWordWrap(true);
     m_copy = button("commissionCopy");
     auto* foot = new QHBoxLayout;
     foot->addWidget(m_sum, 1);

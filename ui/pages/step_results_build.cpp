@@ -56,8 +56,8 @@ void StepResults::build()
     m_choiceLabel->setBuddy(m_choice);
     m_forget = new QPushButton(this);
     m_forget->setObjectName(QStringLiteral("stepForget"));
-    head->addWidget(m_title);
-    head->addStretch();
+    m_title->setWordWrap(true);
+    head->addWidget(m_title, 1);
     head->addWidget(m_choiceLabel);
     head->addWidget(m_choice);
     head->addWidget(m_forget);

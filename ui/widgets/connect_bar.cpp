@@ -216,11 +216,12 @@ void ConnectBar::showButton()
         m_button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     }
     m_button->setAccessibleName(wanted->iconText());
+    const QFontMetrics metrics = m_button->fontMetrics();
+    const int frame = m_button->sizeHint().width() - metrics.horizontalAdvance(m_button->text());
     int width = 0;
     for (const Command command : {Command::Connect, Command::Disconnect})
-        width =
-            qMax(width, fontMetrics().horizontalAdvance(m_commands.action(command)->iconText()));
-    m_button->setMinimumWidth(width + 24);
+        width = qMax(width, metrics.horizontalAdvance(m_commands.action(command)->iconText()));
+    m_button->setMinimumWidth(width + frame);
 }
 
 void ConnectBar::look()
@@ -305,5 +306,7 @@ void ConnectBar::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    if (event->type() == QEvent::FontChange)
+        showButton();
 }
 } // namespace ui
