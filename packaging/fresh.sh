@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Proves the commands of the README on a fresh machine: makes a Debian 12 of its minimal packages with
+# debootstrap, copies the commit that is checked out into it, and runs run.sh and test.sh there, which
+# install what the lists of packages name and nothing else.
+#   packaging/fresh.sh [run | test [CTEST OPTION...]]     without an argument: run, then test
+# Root only. Needs debootstrap, git, and 5 GB in TMPDIR (default: /var/tmp), which are free again at the
+# end. Sources, keys, proxy and certificates of apt are those of this machine.
+set -euo pipefail
+
+# shellcheck source=packaging/common.sh
+. "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh"
+
+release=bookworm
+inside=/root/servodesk # the project on the fresh machine
+
+what=${1:-all}
+[ $# -eq 0 ] || shift
+case $what in
+run | test | all) ;;
+*) die "unknown argument \"$what\"." "Usage:  packaging/fresh.sh [run | test [CTEST OPTION...]]" ;;
+esac
+[ "$(id -u)" -eq 0 ] || die "only root can make a fresh machine."
+for tool in debootstrap git unshare; do
+    command -v "$tool" >/dev/null ||
+        die "$tool is needed, but not installed." "Install it:  apt-get install debootstrap git util-linux"
+done
+
+root=$(mktemp -d "${TMPDIR:-/var/tmp}/servodesk-fresh.XXXXXX")
+# Nothing is mounted here: all mounts belong to namespaces of their own, which end with their programs.
+trap 'rm -rf --one-file-system -- "$root"' EXIT
+
+# "URI suite component" of each archive of this Debian release that apt uses here; no third party's.
+archives() {
+    # shellcheck disable=SC2016 # apt expands these
+    apt-get indextargets --format '$(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
+        grep -E " $release(-updates|-security)? main\$" | sort -u
+}
+
+# The machine as an installer would leave it, able to reach the archives as this one does.
+make_machine() {
+    local mirror keys log=$root.log
+    mirror=$(archives | sed -n "s/ $release main\$//p" | head -n 1)
+    [ -n "$mirror" ] || die "apt has no source for Debian's release $release here."
+    if ! debootstrap --variant=minbase "$release" "$root" "$mirror" >"$log" 2>&1; then
+        tail -n 15 -- "$log" >&2
+        rm -f -- "$log"
+        die "debootstrap failed; the reason stands above."
+    fi
+    rm -f -- "$log"
+    archives | sed 's/^/deb /' >"$root/etc/apt/sources.list"
+    apt-config dump Acquire >"$root/etc/apt/apt.conf.d/90acquire"
+    for keys in /etc/apt/trusted.gpg.d /etc/apt/keyrings /usr/share/keyrings \
+        /usr/local/share/ca-certificates; do
+        [ ! -d "$keys" ] || { mkdir -p -- "$root$keys" && cp -r -- "$keys/." "$root$keys"; }
+    done
+    if [ -f /etc/ssl/certs/ca-certificates.crt ]; then
+        mkdir -p -- "$root/etc/ssl/certs"
+        cp -- /etc/ssl/certs/ca-certificates.crt "$root/etc/ssl/certs"
+    fi
+    cp -L -- /etc/resolv.conf /etc/hosts "$root/etc"
+    mkdir -p -- "$root$inside"
+    git -C "$SOURCE_DIR" archive HEAD | tar -x -C "$root$inside"
+}
+
+# on_machine [NAME=VALUE...] COMMAND...: in the project's folder there, without a display or an input.
+on_machine() {
+    # shellcheck disable=SC2016 # expanded inside
+    unshare --mount --pid --fork --kill-child --propagation private bash -euc '
+        root=$1 inside=$2
+        shift 2
+        mount -t proc proc "$root/proc"
+        mount -t sysfs -o ro sysfs "$root/sys"
+        mkdir -p "$root/dev/pts" "$root/dev/shm"
+        mount -t devpts -o newinstance,ptmxmode=0666,mode=620,gid=5 devpts "$root/dev/pts"
+        mount -t tmpfs tmpfs "$root/dev/shm"
+        exec chroot "$root" env -i HOME=/root LANG=C.UTF-8 \
+            PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+            ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
+            ${no_proxy:+no_proxy="$no_proxy"} \
+            sh -c "cd \"\$1\" && shift && exec env \"\$@\"" sh "$inside" "$@"' \
+        bash "$root" "$inside" "$@" </dev/null
+}
+
+[ -z "$(git -C "$SOURCE_DIR" status --porcelain)" ] ||
+    say "Changes that are not committed are left out."
+step fresh "A machine with nothing but Debian's minimal packages"
+make_machine
+if [ "$what" != test ]; then
+    step fresh "packaging/run.sh, without a display"
+    on_machine packaging/run.sh
+    step fresh "packaging/run.sh, the window"
+    on_machine QT_QPA_PLATFORM=offscreen packaging/run.sh --screenshot /root/window.png --after 4000
+    [ -s "$root/root/window.png" ] || die "the window left no picture."
+fi
+if [ "$what" != run ]; then
+    step fresh "packaging/test.sh $*"
+    on_machine packaging/test.sh "$@"
+fi
+step fresh "Both commands of the README work with the listed packages."
