@@ -283,15 +283,17 @@ void TestControlModes::switchingStartsNothing_data()
     QTest::addColumn<QByteArray>("key");
     QTest::addColumn<int>("raw");
     QTest::addColumn<QByteArray>("mode");
-    QTest::newRow("SCS with a time")
-        << text("sim:scs15@1") << QByteArray("goal_time") << 1000 << QByteArray("motor");
+    QTest::newRow("SCS with a time") << text("sim:scs15@1+run-to-goal=1") << QByteArray("goal_time")
+                                     << 1000 << QByteArray("motor");
     QTest::newRow("STS with a speed, to speed")
-        << text("sim:sts3215@1") << QByteArray("goal_speed") << 2500 << QByteArray("speed");
-    QTest::newRow("STS with a PWM")
-        << text("sim:sts3215@1") << QByteArray("goal_pwm") << 300 << QByteArray("pwm");
+        << text("sim:sts3215@1+run-to-goal=1") << QByteArray("goal_speed") << 2500
+        << QByteArray("speed");
+    QTest::newRow("STS with a PWM") << text("sim:sts3215@1+run-to-goal=1") << QByteArray("goal_pwm")
+                                    << 300 << QByteArray("pwm");
     QTest::newRow("STS with a goal, to step")
-        << text("sim:sts3215@1") << QByteArray("goal_position") << 2048 << QByteArray("step");
-    QTest::newRow("HLS") << text("sim:hls3625@1") << QByteArray("goal_speed") << 40
+        << text("sim:sts3215@1+run-to-goal=1") << QByteArray("goal_position") << 2048
+        << QByteArray("step");
+    QTest::newRow("HLS") << text("sim:hls3625@1+run-to-goal=1") << QByteArray("goal_speed") << 40
                          << QByteArray("speed");
 }
 

@@ -12,7 +12,8 @@ QString text(const char* words)
     return QString::fromUtf8(words);
 }
 
-const QString sts = QStringLiteral("sim:sts3215@1");
+// Its firmware runs to an old goal when torque is switched on, so the window must not let it.
+const QString sts = QStringLiteral("sim:sts3215@1+run-to-goal=1");
 } // namespace
 
 class TestControlPanel : public QObject {

@@ -84,7 +84,7 @@ public:
         return hear(replyBytes);
     }
 
-    /// Repeats a harmless request while nobody answers: a servo is deaf while it writes or starts.
+    /// Repeats a harmless request while nobody answers: a servo is deaf while it starts.
     QByteArray askUntilAnswered(const char* requestHex, qsizetype replyBytes) const
     {
         const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(patienceMs);

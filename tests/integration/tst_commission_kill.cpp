@@ -34,7 +34,7 @@ QJsonArray listOf(const Ran& ran, const char* name)
 /// The line on one batch, with the servos' bag and the cable between.
 struct Killed {
     Killed()
-        : sim(support::words("--preset line"))
+        : sim(support::words("--preset line+deaf=1+run-to-goal=1"))
         , cable(sim.port())
     {
         cli.setPort(cable.port());

@@ -12,6 +12,7 @@
 #include <memory>
 #include <modbus/modbus.h>
 #include <mutex>
+#include <poll.h>
 #include <termios.h>
 #include <thread>
 
@@ -223,6 +224,34 @@ private Q_SLOTS:
         QVERIFY(ran.exit != 0);
         QVERIFY2(ran.out.contains(QLatin1String("refused")), qPrintable(ran.out + ran.err));
         QVERIFY2(ran.out.contains(QLatin1String("exception 2")), qPrintable(ran.out + ran.err));
+    }
+
+    // Stations 248 to 255 are reserved, also for finding out whether the adapter echoes.
+    void noReservedStationIsAddressed()
+    {
+        const PtyPair line;
+        QByteArray heard;
+        std::jthread reader([&](const std::stop_token& stop) {
+            while (!stop.stop_requested()) {
+                char chunk[512];
+                pollfd state{line.master, POLLIN, 0};
+                const ssize_t got =
+                    poll(&state, 1, 20) > 0 ? read(line.master, chunk, sizeof chunk) : 0;
+                heard.append(chunk, std::max<ssize_t>(got, 0));
+            }
+        });
+        CliProgram cli;
+        cli.setPort(line.path);
+        const Ran ran = cli.run(words("--protocol modbus --baud 115200 read 5 lock"));
+        reader.request_stop();
+        reader.join();
+        QVERIFY(ran.exit != 0); // nobody is there
+        constexpr qsizetype readFrame = 8;
+        QVERIFY(heard.size() > readFrame && heard.size() % readFrame == 0);
+        for (qsizetype at = 0; at < heard.size(); at += readFrame) {
+            const int addressed = static_cast<unsigned char>(heard[at]);
+            QVERIFY2(addressed == 0 || addressed == station, heard.mid(at, readFrame).toHex());
+        }
     }
 
     void anotherStationIsSilent()

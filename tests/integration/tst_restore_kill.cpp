@@ -228,7 +228,8 @@ void TestRestoreKill::killedAtEveryWrite()
                                 << QStringLiteral("--json");
     int kills = 0;
     for (int at = 1;; ++at) {
-        const raw::Simulator simulator(support::words("--servos sts3215@1 --baud 1000000"));
+        const raw::Simulator simulator(
+            support::words("--servos sts3215@1+deaf=1+run-to-goal=1 --baud 1000000"));
         Bridge bridge(simulator.port());
         CliProgram cli;
         cli.setPort(bridge.port());

@@ -56,6 +56,20 @@ const catalog::Catalog& builtInCatalog()
     return catalog;
 }
 
+sim::FirmwareBehavior benchFirmware()
+{
+    const QByteArray chosen = qgetenv("SERVODESK_TEST_FIRMWARE");
+    if (chosen == "default")
+        return {};
+    if (!chosen.isEmpty())
+        qFatal("no such firmware: %s", chosen.constData());
+    sim::FirmwareBehavior hardest;
+    hardest.deafWhileWriting = true;
+    hardest.acknowledgesWithNewId = true;
+    hardest.runsToOldGoal = true;
+    return hardest;
+}
+
 SimBench::SimBench(const QString& servos, const BenchOptions& options)
     : SimBench(makeWire(servos, options), options)
 {}
