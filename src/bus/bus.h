@@ -149,8 +149,8 @@ public:
     /// Replaces the starting patience (25 ms) of ordinary transactions.
     virtual void setPatience(base::Duration patience) = 0;
     /// How long beyond the wire time a reply may still come: the latest one this link has shown and
-    /// half as much again, never less than the patience that was set, nor than 25 ms. Whoever draws
-    /// a conclusion from silence waits for so long.
+    /// half as much again, never less than the patience that was set, nor than 25 ms, nor than
+    /// 250 ms before the first reply. Whoever draws a conclusion from silence waits for so long.
     virtual base::Duration replyTimeout() const = 0;
     /// The largest reply delay of any servo on this bus (SMS: up to 508 µs).
     virtual void setReplyDelay(base::Duration delay) = 0;

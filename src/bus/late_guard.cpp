@@ -2,6 +2,7 @@
 #include "bus/late_guard.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace bus {
 namespace {
@@ -34,14 +35,14 @@ void LateGuard::setPatience(Duration start)
 
 Duration LateGuard::replyTimeout() const
 {
-    return std::max(shortestReplyTimeout, patience());
+    return std::max(hasMeasured() ? shortestReplyTimeout : longestLateness, patience());
 }
 
 void LateGuard::learn(Duration lateness)
 {
     if (lateness > believable)
         return;
-    m_measured = true;
+    m_measured.store(true, std::memory_order_relaxed);
     const Duration::rep wanted = lateness.count() * 3 / 2;
     if (wanted > m_learnt.load(std::memory_order_relaxed))
         m_learnt.store(wanted, std::memory_order_relaxed);
@@ -55,6 +56,7 @@ Duration LateGuard::window() const
 void LateGuard::timedOut(int id, Duration onTime, Duration now)
 {
     if (!known(id)) {
+        m_anybodyOwes = onTime;
         quietAll(now);
         return;
     }
@@ -103,8 +105,12 @@ void LateGuard::sending(const protocol::Request& request)
 
 std::optional<Duration> LateGuard::settle(int id, Duration now)
 {
-    if (!known(id) || m_servos[std::size_t(id)].debt == Debt::None)
+    if (!known(id))
         return std::nullopt;
+    if (m_servos[std::size_t(id)].debt == Debt::None) {
+        const auto owed = std::exchange(m_anybodyOwes, std::nullopt);
+        return owed && now - *owed <= believable ? std::optional(now - *owed) : std::nullopt;
+    }
     Servo& servo = m_servos[std::size_t(id)];
     servo.debt = Debt::None;
     return now - servo.onTime;

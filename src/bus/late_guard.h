@@ -23,7 +23,7 @@ public:
     /// No adapter is later than this.
     static constexpr base::Duration longestLateness = std::chrono::milliseconds(250);
     /// A reply has shown how late this link is.
-    bool hasMeasured() const { return m_measured; }
+    bool hasMeasured() const { return m_measured.load(std::memory_order_relaxed); }
 
     /// A reply came `lateness` after the instant at which a prompt adapter would have shown it.
     void learn(base::Duration lateness);
@@ -60,9 +60,10 @@ private:
 
     std::array<Servo, protocol::maxId + 1> m_servos{};
     base::Duration m_allQuietUntil{};
-    base::Duration m_latestQuiet{}; ///< of any servo
+    base::Duration m_latestQuiet{};              ///< of any servo
+    std::optional<base::Duration> m_anybodyOwes; ///< since when: a question to all timed out
     std::atomic<base::Duration::rep> m_start{25'000};
     std::atomic<base::Duration::rep> m_learnt{0};
-    bool m_measured = false;
+    std::atomic<bool> m_measured{false};
 };
 } // namespace bus

@@ -13,7 +13,6 @@ using base::ErrorCode;
 using base::Protocol;
 
 constexpr base::Duration settleTime = std::chrono::milliseconds(2);
-constexpr base::Duration longPatience = std::chrono::milliseconds(50);
 /// IDs of the slow search in one round: some 150 ms.
 constexpr int sliceIds = 32;
 /// The vendor's rates; the first three are what servos leave the factory with.
@@ -112,15 +111,50 @@ base::Result<CommissionLook::Answer> CommissionLook::ask(Protocol protocol, int 
     }
 }
 
-base::Result<std::optional<CommissionLook::Place>> CommissionLook::question(Protocol protocol,
-                                                                            int id, int baud)
+/// Asks these IDs one after the other with the short patience of a search, then listens for what a
+/// slow adapter brings later. The first answer of all may have been asked for elsewhere: the line
+/// is drained and the question repeated. What comes late, or broken, which a late answer in another
+/// language is, makes it listen every time from then on.
+base::Result<std::optional<CommissionLook::Place>>
+CommissionLook::questions(Protocol protocol, const std::vector<int>& ids, int baud)
 {
-    const auto heard = ask(protocol, id, mannerOf(protocol).patience);
-    if (!heard)
-        return tl::unexpected(heard.error());
-    if (heard->voice == Voice::Silent)
-        return std::nullopt;
-    return Place{protocol, heard->voice == Voice::Clean ? heard->id : -1, baud};
+    const base::Duration drain = m_context.bus.replyTimeout();
+    m_context.bus.takeStrays();
+    Answer heard;
+    for (std::size_t i = 0; i < ids.size() && heard.voice == Voice::Silent; ++i) {
+        const auto answer = ask(protocol, ids[i], mannerOf(protocol).patience);
+        if (!answer)
+            return tl::unexpected(answer.error());
+        heard = *answer;
+    }
+    const bool clean = heard.voice == Voice::Clean;
+    auto strays = m_context.bus.takeStrays();
+    const bool late = !m_awaitsLate && (heard.voice == Voice::Broken || !strays.empty());
+    const bool again = late || (clean && !m_heard);
+    if (!again && heard.voice != Voice::Silent)
+        return Place{protocol, clean ? heard.id : -1, baud};
+    if (again || (m_awaitsLate && strays.empty())) {
+        const auto span = std::max(drain, m_context.bus.replyTimeout());
+        if (const auto listened = m_context.bus.listen(span); !listened)
+            return tl::unexpected(listened.error());
+    }
+    m_awaitsLate = m_awaitsLate || late;
+    m_heard = m_heard || clean;
+    if (again)
+        return questions(protocol, ids, baud);
+    for (const bus::Stray& more : m_context.bus.takeStrays())
+        strays.push_back(more);
+    return lateAnswer(strays, protocol, baud);
+}
+
+std::optional<CommissionLook::Place>
+CommissionLook::lateAnswer(const std::vector<bus::Stray>& strays, Protocol protocol, int baud) const
+{
+    for (const bus::Stray& late : strays) {
+        if (answersQuestion(protocol, late) && !readsLikeEcho(m_context.bus, protocol, late))
+            return Place{protocol, late.id, baud};
+    }
+    return std::nullopt;
 }
 
 /// Whoever is alone answers the question to all; families that do not know it have the factory's
@@ -134,11 +168,9 @@ base::Result<std::optional<CommissionLook::Place>> CommissionLook::quickly(int b
         std::vector<int> ids{protocol::broadcastId};
         if (protocol == Protocol::Feetech)
             ids.push_back(factoryId);
-        for (const int id : ids) {
-            auto heard = question(protocol, id, baud);
-            if (!heard || *heard)
-                return heard;
-        }
+        auto heard = questions(protocol, ids, baud);
+        if (!heard || *heard)
+            return heard;
     }
     return std::nullopt;
 }
@@ -152,11 +184,12 @@ base::Result<std::optional<CommissionLook::Place>> CommissionLook::slowly()
         return tl::unexpected(tuned.error());
     const auto spoken = languages(baud);
     const bool feetech = std::find(spoken.begin(), spoken.end(), Protocol::Feetech) != spoken.end();
-    for (int i = 0; *tuned && feetech && i < sliceIds && m_sweptId <= protocol::maxId; ++i) {
-        auto heard = question(Protocol::Feetech, m_sweptId++, baud);
-        if (!heard || *heard)
-            return heard;
-    }
+    std::vector<int> ids;
+    while (*tuned && feetech && int(ids.size()) < sliceIds && m_sweptId <= protocol::maxId)
+        ids.push_back(m_sweptId++);
+    auto heard = questions(Protocol::Feetech, ids, baud);
+    if (!heard || *heard)
+        return heard;
     if (m_sweptId > protocol::maxId || !*tuned || !feetech) {
         m_sweptId = 0;
         m_sweptRate = (m_sweptRate + 1) % m_likely.size();
@@ -171,7 +204,7 @@ CommissionLook::round(const std::vector<Place>& known)
         const auto tuned = tune(place.baud);
         if (!tuned)
             return tl::unexpected(tuned.error());
-        auto heard = question(place.protocol, place.id, place.baud);
+        auto heard = questions(place.protocol, {place.id}, place.baud);
         if (!heard || *heard)
             return heard;
     }
@@ -195,7 +228,7 @@ base::Result<void> CommissionLook::addAlone(const Place& first, std::vector<Foun
 {
     constexpr int questions = 3;
     for (int i = 0; i < questions; ++i) {
-        const auto heard = ask(first.protocol, protocol::broadcastId, longPatience);
+        const auto heard = ask(first.protocol, protocol::broadcastId, m_context.bus.replyTimeout());
         if (!heard)
             return tl::unexpected(heard.error());
         const bool same = heard->voice == Voice::Clean && heard->id == first.id;
@@ -224,7 +257,7 @@ base::Result<void> CommissionLook::addElsewhere(const Place& first, std::vector<
             if (protocol == Protocol::Modbus && baud != usualRates[1])
                 continue;
             const int id = protocol == Protocol::Feetech ? factoryId : protocol::broadcastId;
-            const auto heard = question(protocol, id, baud);
+            const auto heard = questions(protocol, {id}, baud);
             if (!heard)
                 return tl::unexpected(heard.error());
             if (!*heard)
@@ -257,6 +290,11 @@ base::Result<std::vector<Found>> CommissionLook::everybody(const Place& first)
     const auto tuned = tune(first.baud);
     if (!tuned)
         return tl::unexpected(tuned.error());
+    // An answer to the questions before is no second servo.
+    if (m_awaitsLate) {
+        if (const auto drained = m_context.bus.listen(m_context.bus.replyTimeout()); !drained)
+            return tl::unexpected(drained.error());
+    }
     const auto report = scan(m_context, spec);
     if (!report)
         return tl::unexpected(report.error());
@@ -292,7 +330,7 @@ base::Result<bool> CommissionLook::present(const Place& place)
     if (!tuned || !*tuned)
         return tuned;
     for (int i = 0; i < tries; ++i) {
-        const auto heard = ask(place.protocol, place.id, longPatience);
+        const auto heard = ask(place.protocol, place.id, m_context.bus.replyTimeout());
         if (!heard)
             return tl::unexpected(heard.error());
         if (heard->voice != Voice::Silent)

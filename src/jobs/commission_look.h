@@ -44,7 +44,10 @@ private:
     base::Result<bool> tune(int baud) const; ///< false: the adapter cannot
     std::vector<base::Protocol> languages(int baud) const;
     base::Result<std::optional<Place>> quickly(int baud);
-    base::Result<std::optional<Place>> question(base::Protocol protocol, int id, int baud);
+    base::Result<std::optional<Place>> questions(base::Protocol protocol,
+                                                 const std::vector<int>& ids, int baud);
+    std::optional<Place> lateAnswer(const std::vector<bus::Stray>& strays, base::Protocol protocol,
+                                    int baud) const;
     base::Result<std::optional<Place>> slowly();
     base::Result<void> addAlone(const Place& first, std::vector<Found>& found);
     base::Result<void> addElsewhere(const Place& first, std::vector<Found>& found);
@@ -56,5 +59,7 @@ private:
     std::size_t m_other = 0; ///< whose turn it is
     std::size_t m_sweptRate = 0;
     int m_sweptId = 0;
+    bool m_heard = false;      ///< somebody has answered
+    bool m_awaitsLate = false; ///< something has come after its time on this link
 };
 } // namespace jobs

@@ -58,4 +58,10 @@ bool answersQuestion(Protocol protocol, const bus::Stray& stray)
     }
     return stray.data.empty();
 }
+
+bool readsLikeEcho(const bus::Bus& bus, Protocol protocol, const bus::Stray& stray)
+{
+    constexpr std::uint8_t pingInstruction = 1;
+    return protocol == Protocol::Feetech && bus.echoes() && stray.status == pingInstruction;
+}
 } // namespace jobs

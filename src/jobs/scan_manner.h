@@ -31,4 +31,8 @@ base::Duration askTime(const Manner& manner, int baud, base::Duration patience);
 
 /// Is this a late answer to the question a scan asks, not to another one?
 bool answersQuestion(base::Protocol protocol, const bus::Stray& stray);
+
+/// The echo of a PING is the reply of a servo with a voltage alarm, byte for byte. The bus strips
+/// echoes that come in time.
+bool readsLikeEcho(const bus::Bus& bus, base::Protocol protocol, const bus::Stray& stray);
 } // namespace jobs

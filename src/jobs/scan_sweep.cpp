@@ -22,6 +22,12 @@ constexpr base::Duration quietTime = milliseconds(25);
 // More broken answers than this at one rate are a bad line, and asking each again would take long.
 constexpr std::size_t maxGarblesExplained = 16;
 
+/// What this link has shown and the user's time-out may ask for more.
+base::Duration patient(const bus::Bus& bus, base::Duration usual)
+{
+    return std::max(usual, bus.statistics().patience);
+}
+
 bool unreadable(base::ErrorCode code)
 {
     return code == base::ErrorCode::Garbled || code == base::ErrorCode::WrongAnswer;
@@ -78,7 +84,7 @@ base::Result<std::optional<int>> RateSweep::askAll()
     if (!alone || !m_ids.contains(*alone))
         return std::nullopt;
     // Out of colliding answers may come a frame that nobody sent.
-    if (const auto asked = ask(*alone, longPatience); !asked)
+    if (const auto asked = ask(*alone, patient(m_context.bus, longPatience)); !asked)
         return tl::unexpected(asked.error());
     return m_contacts[*alone].replies > 0 ? alone : std::nullopt;
 }
@@ -89,7 +95,7 @@ base::Result<void> RateSweep::run()
         return {};
     m_context.bus.takeStrays();
     return askEach()
-        .and_then([this] { return listen(lateWindow); })
+        .and_then([this] { return listen(patient(m_context.bus, lateWindow)); })
         .and_then([this] { return confirmLate(); })
         .and_then([this] { return explainGarbles(); })
         .and_then([this] { return m_spec.slowPass ? askSilent() : base::Result<void>{}; });
@@ -119,12 +125,13 @@ base::Result<void> RateSweep::askEach()
 
 base::Result<void> RateSweep::confirmLate()
 {
+    const base::Duration patience = patient(m_context.bus, longPatience);
     for (auto& [id, contact] : m_contacts) {
         // A late reply is proof of a servo; a clean one adds its present status and shows twins.
         const bool doubtful = contact.maybeEcho && contact.replies == 0;
         for (int i = 0; (contact.late || doubtful) && i < (doubtful ? 1 : confirmTries); ++i) {
             const int repliesBefore = contact.replies;
-            if (const auto asked = ask(id, longPatience); !asked)
+            if (const auto asked = ask(id, patience); !asked)
                 return asked;
             if (contact.replies > repliesBefore)
                 break;
@@ -180,7 +187,7 @@ base::Result<bool> RateSweep::askUntilKnown(int id, bool persistent)
     Contact& contact = m_contacts[id];
     for (int i = 0; contact.replies == 0 && i < confirmTries; ++i) {
         const int garbledBefore = contact.garbled;
-        if (const auto asked = ask(id, longPatience); !asked)
+        if (const auto asked = ask(id, patient(m_context.bus, longPatience)); !asked)
             return tl::unexpected(asked.error());
         const bool silent = contact.replies == 0 && contact.garbled == garbledBefore;
         if (silent && !persistent)
@@ -191,10 +198,11 @@ base::Result<bool> RateSweep::askUntilKnown(int id, bool persistent)
 
 base::Result<void> RateSweep::askSilent()
 {
-    const auto step = askTime(m_manner, m_context.bus.baud(), longPatience);
+    const base::Duration patience = patient(m_context.bus, longPatience);
+    const auto step = askTime(m_manner, m_context.bus.baud(), patience);
     for (auto& [id, contact] : m_contacts) {
         if (!contact.present()) {
-            if (const auto asked = ask(id, longPatience); !asked)
+            if (const auto asked = ask(id, patience); !asked)
                 return asked;
         }
         tell(step);
@@ -251,7 +259,7 @@ void RateSweep::collectStrays()
         if (asked == m_contacts.end() || !answersQuestion(m_protocol, stray))
             continue; // not the reply to a question of this sweep
         Contact& contact = asked->second;
-        if (readsLikeEcho(stray)) {
+        if (readsLikeEcho(m_context.bus, m_protocol, stray)) {
             contact.maybeEcho = true;
             continue;
         }
@@ -262,15 +270,6 @@ void RateSweep::collectStrays()
             ++m_lateReplies;
         }
     }
-}
-
-/// The echo of a PING is the reply of a servo with a voltage alarm, byte for byte. The bus strips
-/// echoes that come in time.
-bool RateSweep::readsLikeEcho(const bus::Stray& stray) const
-{
-    constexpr std::uint8_t pingInstruction = 1;
-    return m_protocol == base::Protocol::Feetech && m_context.bus.echoes() &&
-           stray.status == pingInstruction;
 }
 
 void RateSweep::tell(base::Duration planned) const

@@ -69,7 +69,6 @@ private:
     base::Result<bus::Outcome> question(int id, base::Duration patience);
     base::Result<void> listen(base::Duration span);
     void collectStrays();
-    bool readsLikeEcho(const bus::Stray& stray) const;
     void tell(base::Duration planned) const;
 
     const device::Context& m_context;

@@ -27,7 +27,8 @@ public:
         // A servo that was silent in a language it does not speak is left alone for a while; then
         // the first round has everybody.
         const bool several = m_context.catalog.protocolsAt(m_context.bus.baud()).size() > 1;
-        const auto heard = m_context.bus.listen(several ? quietTime : base::Duration{});
+        const auto heard = m_context.bus.listen(
+            several ? std::max(quietTime, m_context.bus.replyTimeout()) : base::Duration{});
         if (!heard)
             return tl::unexpected(heard.error());
         const base::Duration start = m_context.bus.clock().now();

@@ -3,7 +3,7 @@
 // the lock closed; and an ID that is taken is never given away.
 #include "jobs/change.h"
 #include "jobs/free_ids.h"
-#include "support/sim_bench.h"
+#include "support/commission_bench.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -65,6 +65,10 @@ private Q_SLOTS:
     void defaultsAreRestored();
     void middleIsSet_data() { links(); }
     void middleIsSet();
+    void lineIsCommissioned_data() { links(); }
+    void lineIsCommissioned();
+    void twoOnTheLineAreSeen_data() { links(); }
+    void twoOnTheLineAreSeen();
     void quickLinkStaysQuick();
 
 private:
@@ -150,6 +154,59 @@ void TestSlowAdapter::middleIsSet()
     QCOMPARE(report->lock, LockState::Closed);
     QVERIFY(std::abs(*report->positionAfter - 2048) <= 12);
     QVERIFY(closed(bench, 1));
+}
+
+/// Factory servos one after the other, all of it: settings, ID, rate, middle.
+void TestSlowAdapter::lineIsCommissioned()
+{
+    QFETCH(base::Duration, latency);
+    QFETCH(base::Duration, timeout);
+    support::CommissionBench line(text("sts3215@1,sts3215@1"));
+    line.bench.wireConfig().adapterLatency = latency;
+    if (timeout > 0ms)
+        line.bench.bus().setPatience(timeout);
+    line.spec.baud = 500'000;
+    line.spec.center = true;
+    line.spec.settings = support::templateOf("sts3215", {{"position_p", 24}});
+    line.spec.count = 2;
+    const auto end = line.run();
+    QVERIFY(end);
+    QCOMPARE(*end, jobs::CommissionEnd::CountReached);
+    for (std::size_t place : {0, 1}) {
+        QCOMPARE(line.batch.rows[place].verdict, record::CommissionVerdict::Good);
+        QCOMPARE(line.batch.rows[place].newId, 11 + int(place));
+        const sim::VirtualServo& servo = line.servoAt(place);
+        QCOMPARE(servo.id(), 11 + int(place));
+        QCOMPARE(servo.baud(), 500'000);
+        QCOMPARE(servo.raw(text("position_p")), 24);
+        QCOMPARE(servo.raw(text("lock")), 1);
+        QVERIFY2(line.spans[place] < 60s, qPrintable(QString::number(line.spans[place] / 1ms)));
+    }
+    QVERIFY(!line.saw(jobs::CommissionStep::Blocked)); // it was alone all the time
+    QCOMPARE(line.bench.journal().open()->size(), std::size_t(0));
+}
+
+/// The second one is heard although it answers long after the search has asked on.
+void TestSlowAdapter::twoOnTheLineAreSeen()
+{
+    QFETCH(base::Duration, latency);
+    QFETCH(base::Duration, timeout);
+    support::CommissionBench line(text("sts3215@1,sts3215@253"));
+    line.bench.wireConfig().adapterLatency = latency;
+    if (timeout > 0ms)
+        line.bench.bus().setPatience(timeout);
+    line.hand = [&](const jobs::CommissionView& view) {
+        if (view.step == jobs::CommissionStep::Waiting && !line.somebodyPlugged()) {
+            line.plug(0);
+            line.plug(1);
+        }
+        if (view.step == jobs::CommissionStep::Blocked || view.step == jobs::CommissionStep::Unplug)
+            line.bench.stop().request();
+        return true;
+    };
+    QVERIFY(line.run());
+    QVERIFY(line.saw(jobs::CommissionObstacle::SeveralServos));
+    QVERIFY(line.bench.onlyAsked());
 }
 
 void TestSlowAdapter::quickLinkStaysQuick()
