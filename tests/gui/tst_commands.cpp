@@ -51,11 +51,11 @@ private Q_SLOTS:
             const QAction* action = bench.action(command);
             QVERIFY(!action->text().isEmpty());
             QVERIFY(!action->toolTip().isEmpty());
-            english << action->statusTip();
+            english << action->whatsThis();
         }
         bench.speak(QStringLiteral("zh_CN"));
         for (const Command command : all()) {
-            const QString tip = bench.action(command)->statusTip();
+            const QString tip = bench.action(command)->whatsThis();
             QVERIFY2(tip != english[static_cast<int>(command)], qPrintable(tip));
         }
     }

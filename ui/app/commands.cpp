@@ -107,7 +107,7 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
     {Command::OpenRecording, QT_TRANSLATE_NOOP("Commands", "Op&en a recording…"),
      QT_TRANSLATE_NOOP("Commands", "Show a recording in the chart"), "document-open", "Ctrl+O", Always},
     {Command::TorqueOffAll, QT_TRANSLATE_NOOP("Commands", "&Torque off — all"),
-     QT_TRANSLATE_NOOP("Commands", "Take torque off the whole bus at once (Esc, always: Shift+Esc)"), "process-stop", "", Open},
+     QT_TRANSLATE_NOOP("Commands", "Take torque off the whole bus at once (Esc, also in a field of the motion panel; whatever is open: Shift+Esc)"), "process-stop", "", Open},
     {Command::ThemeSystem, QT_TRANSLATE_NOOP("Commands", "Theme of the &system"),
      QT_TRANSLATE_NOOP("Commands", "Light or dark as the desktop is"), "", "", Always, true},
     {Command::ThemeLight, QT_TRANSLATE_NOOP("Commands", "&Light"),
@@ -198,7 +198,7 @@ void Commands::retranslate()
         action->setText(QCoreApplication::translate("Commands", row.text));
         action->setIconText(buttonText(action->text()));
         QString tip = QCoreApplication::translate("Commands", row.tip);
-        action->setStatusTip(tip);
+        action->setWhatsThis(tip); // no status tip: it would take the place of results
         if (!action->shortcut().isEmpty())
             tip +=
                 QStringLiteral(" (%1)").arg(action->shortcut().toString(QKeySequence::NativeText));

@@ -248,6 +248,12 @@ void MainWindow::closeEvent(QCloseEvent* event)
     m_desk.close();
 }
 
+/// A status tip would hide the latest result behind what the pointer happens to be on.
+bool MainWindow::event(QEvent* event)
+{
+    return event->type() == QEvent::StatusTip || QMainWindow::event(event);
+}
+
 void MainWindow::changeEvent(QEvent* event)
 {
     QMainWindow::changeEvent(event);

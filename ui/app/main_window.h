@@ -46,6 +46,7 @@ public:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     void build();
@@ -90,6 +91,7 @@ private:
     QDockWidget* m_logDock = nullptr;
     MessageLine* m_message = nullptr;
     MessageLog* m_log = nullptr;
+    QToolButton* m_undo = nullptr;
     QPushButton* m_stop = nullptr;
     QToolButton* m_languageButton = nullptr;
     QToolButton* m_themeButton = nullptr;

@@ -16,6 +16,7 @@
 #include "ui/pages/sweep_page.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/connect_bar.h"
+#include "ui/widgets/float_over.h"
 #include "ui/widgets/welcome.h"
 
 #include <QDockWidget>
@@ -89,8 +90,8 @@ QWidget* MainWindow::buildCentre()
     m_centre = new QStackedWidget(centre);
     m_centre->addWidget(new Welcome(m_commands, m_centre));
     m_centre->addWidget(m_pages);
-    column->addWidget(m_banner);
     column->addWidget(m_centre, 1);
+    new FloatOver(m_banner, centre, FloatOver::Corner::BottomRight);
     return centre;
 }
 
@@ -111,7 +112,11 @@ void MainWindow::buildDocks()
 
 void MainWindow::buildStatusBar()
 {
-    m_message = new MessageLine(m_desk, m_commands, this);
+    m_message = new MessageLine(m_desk, this);
+    m_undo = new QToolButton(this);
+    m_undo->setObjectName(QStringLiteral("undoButton"));
+    m_undo->setDefaultAction(m_commands.action(Command::Undo));
+    m_undo->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_stop = new QPushButton(this);
     m_stop->setObjectName(QStringLiteral("stopButton"));
     m_stop->setProperty("stopAction", true);
@@ -119,6 +124,7 @@ void MainWindow::buildStatusBar()
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setContentsMargins(0, 3, 8, 3);
     statusBar()->addWidget(m_message, 1);
+    statusBar()->addPermanentWidget(m_undo);
     statusBar()->addPermanentWidget(m_stop);
 }
 
@@ -151,6 +157,7 @@ void MainWindow::retranslate()
     m_stop->setText(tr("Esc   Torque off — all"));
     m_stop->setToolTip(m_commands.action(Command::TorqueOffAll)->toolTip());
     m_stop->setAccessibleName(tr("Torque off for all servos"));
+    m_undo->setAccessibleName(m_commands.action(Command::Undo)->iconText());
     const bool chinese = m_language.chinese();
     m_languageButton->setText(chinese ? QStringLiteral("中 / EN") : QStringLiteral("EN / 中"));
     m_languageButton->setToolTip(tr("Switch between English and Chinese"));

@@ -4,31 +4,22 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QToolButton>
 
 namespace ui {
-MessageLine::MessageLine(const session::Desk& desk, const Commands& commands, QWidget* parent)
+MessageLine::MessageLine(const session::Desk& desk, QWidget* parent)
     : QWidget(parent)
     , m_desk(desk)
-    , m_commands(commands)
     , m_sign(new QLabel(this))
     , m_text(new QLabel(this))
-    , m_undo(new QToolButton(this))
 {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(6, 0, 0, 0);
     row->addWidget(m_sign);
     row->addWidget(m_text, 1);
-    row->addWidget(m_undo);
     m_text->setObjectName(QStringLiteral("messageText"));
     m_text->setTextFormat(Qt::PlainText);
     m_text->setMinimumWidth(80);
     m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_undo->setObjectName(QStringLiteral("undoButton"));
-    m_undo->setDefaultAction(commands.action(Command::Undo));
-    m_undo->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    connect(&desk, &session::Desk::undoChanged, this, &MessageLine::updateUndo);
-    updateUndo();
     fill();
 }
 
@@ -50,7 +41,6 @@ void MessageLine::fill()
     m_text->setToolTip((QStringList{m_words.line} + m_words.more).join(QLatin1Char('\n')));
     m_text->setAccessibleName(tr("Latest message"));
     m_text->setAccessibleDescription(m_text->toolTip());
-    m_undo->setAccessibleName(m_commands.action(Command::Undo)->iconText());
     elide();
 }
 
@@ -59,11 +49,6 @@ void MessageLine::elide()
 {
     const QString all = (QStringList{m_words.line} + m_words.more).join(QStringLiteral("  —  "));
     m_text->setText(m_text->fontMetrics().elidedText(all, Qt::ElideRight, m_text->width()));
-}
-
-void MessageLine::updateUndo()
-{
-    m_undo->setVisible(m_desk.nextUndo() != nullptr);
 }
 
 void MessageLine::changeEvent(QEvent* event)

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The latest message, at the bottom of the window: sign, sentence (elided, whole in the tooltip),
-// and the way back. Owned by the window; main thread.
+// The latest message, at the bottom of the window: sign and sentence (elided, whole in the
+// tooltip). Owned by the window; main thread.
 #pragma once
 
 #include "session/desk.h"
-#include "ui/app/commands.h"
 #include "ui/app/event_words.h"
 
 #include <QWidget>
 
 class QLabel;
-class QToolButton;
 
 namespace ui {
 class MessageLine final : public QWidget {
     Q_OBJECT
 
 public:
-    MessageLine(const session::Desk& desk, const Commands& commands, QWidget* parent = nullptr);
+    explicit MessageLine(const session::Desk& desk, QWidget* parent = nullptr);
 
     void show(const session::Event& event);
 
@@ -28,14 +26,11 @@ protected:
 private:
     void fill();
     void elide();
-    void updateUndo();
 
     const session::Desk& m_desk;
-    const Commands& m_commands;
     std::optional<session::Event> m_event; ///< kept, so that it can be worded in another language
     EventWords m_words;
     QLabel* m_sign;
     QLabel* m_text;
-    QToolButton* m_undo;
 };
 } // namespace ui

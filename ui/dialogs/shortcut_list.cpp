@@ -28,9 +28,11 @@ ShortcutList::ShortcutList(const Commands& commands, QWidget* parent)
     list->setToolTip(tr("The list of all shortcuts"));
     list->setRootIsDecorated(false);
     list->setHeaderLabels({tr("Keys"), tr("Command"), tr("What it does")});
-    addRow(*list, QStringLiteral("Esc"), tr("Torque off — all"),
-           tr("Takes torque off the whole bus at once; the first Esc in an editor, menu or dialog "
-              "only cancels that"));
+    addRow(
+        *list, QStringLiteral("Esc"), tr("Torque off — all"),
+        tr("Takes torque off the whole bus at once, also from a field of the motion panel, which "
+           "then shows the present value again; only in a table cell that is being edited, a "
+           "menu or a dialog does the first Esc cancel that instead"));
     addRow(*list, QStringLiteral("Shift+Esc"), tr("Torque off — all"),
            tr("Takes torque off the whole bus at once, whatever is open"));
     for (int i = 0; i < static_cast<int>(Command::Count); ++i) {
@@ -38,7 +40,7 @@ ShortcutList::ShortcutList(const Commands& commands, QWidget* parent)
         if (action->shortcut().isEmpty())
             continue;
         addRow(*list, action->shortcut().toString(QKeySequence::NativeText), action->iconText(),
-               action->statusTip());
+               action->whatsThis());
     }
     list->header()->setStretchLastSection(true);
     for (int column = 0; column < 2; ++column)

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/float_over.h"
+
+#include <QEvent>
+#include <QWidget>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+constexpr int margin = 6;
+constexpr int maxWidth = 560;
+constexpr int maxPercent = 50; ///< of the area: what moves servos stands in its left half
+} // namespace
+
+FloatOver::FloatOver(QWidget* floating, QWidget* area, Corner corner)
+    : QObject(floating)
+    , m_floating(*floating)
+    , m_area(*area)
+    , m_corner(corner)
+{
+    const bool shown = floating->isVisibleTo(floating->parentWidget());
+    floating->setParent(area);
+    floating->setVisible(shown);
+    floating->installEventFilter(this);
+    area->installEventFilter(this);
+    place();
+}
+
+bool FloatOver::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool resized = watched == &m_area && event->type() == QEvent::Resize;
+    const bool changed = watched == &m_floating &&
+                         (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show);
+    if (resized || changed)
+        place();
+    return false;
+}
+
+void FloatOver::place()
+{
+    const int room = m_area.width() - 2 * margin;
+    const int share = m_corner == Corner::TopLeft ? room : room * maxPercent / 100;
+    const int width = std::min(share, maxWidth);
+    const int height = m_floating.hasHeightForWidth() ? m_floating.heightForWidth(width)
+                                                      : m_floating.sizeHint().height();
+    const QPoint corner = m_corner == Corner::TopLeft ? QPoint(margin, margin)
+                                                      : QPoint(m_area.width() - margin - width,
+                                                               m_area.height() - margin - height);
+    m_floating.setGeometry(QRect(corner, QSize(width, height)));
+    m_floating.raise();
+}
+} // namespace ui

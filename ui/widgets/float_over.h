@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lets a widget float over an area instead of taking room in a layout, so that nothing else moves
+// when it appears, grows or goes. It is as high as its text needs. Owned by the floating widget,
+// whose parent becomes the area; main thread.
+#pragma once
+
+#include <QObject>
+
+class QWidget;
+
+namespace ui {
+class FloatOver final : public QObject {
+    Q_OBJECT
+
+public:
+    enum class Corner : std::uint8_t { TopLeft, BottomRight };
+
+    FloatOver(QWidget* floating, QWidget* area, Corner corner);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void place();
+
+    QWidget& m_floating;
+    QWidget& m_area;
+    const Corner m_corner;
+};
+} // namespace ui
