@@ -5,6 +5,7 @@
 #include "sim/sim_link.h"
 #include "ui/dialogs/ask.h"
 
+#include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
@@ -215,6 +216,59 @@ private Q_SLOTS:
         QCOMPARE(servo("torque_switch"), 0);
         QCOMPARE(servo("goal_position"), goal);
         QVERIFY(bench.find<QLabel>("controlStopped")->isVisible());
+    }
+
+    /// The first one already, and what was typed is not sent by a later Enter.
+    void escInAFieldOfTheMotionPanelStopsAtOnce_data()
+    {
+        QTest::addColumn<QString>("field");
+        for (const char* field : {"goal", "speed", "acceleration", "torqueLimitPercent"})
+            QTest::newRow(field) << QString::fromLatin1(field);
+    }
+    void escInAFieldOfTheMotionPanelStopsAtOnce()
+    {
+        QFETCH(QString, field);
+        gui::WindowBench bench;
+        bench.page = QStringLiteral("operate");
+        QVERIFY(bench.ready(1));
+        Stops stops(bench.desk());
+        QAbstractSpinBox* box = nullptr;
+        QTRY_VERIFY((box = bench.find<QAbstractSpinBox>(qPrintable(field))) != nullptr);
+        QTRY_VERIFY(box->isEnabled() && !box->text().isEmpty());
+        const QString before = box->text();
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, QStringLiteral("77"));
+        QVERIFY(box->text() != before);
+        QTest::keyClick(box, Qt::Key_Escape);
+        QCOMPARE(stops.count, 1);
+        QTRY_COMPARE(box->text(), before);
+        QVERIFY(bench.settled());
+        QVERIFY(box->toolTip().contains(QLatin1String("Esc takes torque off the whole bus")));
+    }
+
+    void escInThePanelOfARegisterStopsAtOnce()
+    {
+        gui::WindowBench bench;
+        QVERIFY(bench.ready(1));
+        Stops stops(bench.desk());
+        auto* table = bench.find<QTableView>("memoryTable");
+        for (int row = 0; row < table->model()->rowCount(); ++row) {
+            if (table->model()->index(row, 0).data().toString() == QLatin1String("9"))
+                table->selectRow(row);
+        }
+        auto* editor = bench.find<QWidget>("panelEditor");
+        QVERIFY(editor != nullptr);
+        auto* box = editor->findChild<QAbstractSpinBox*>();
+        QVERIFY(box != nullptr);
+        const QString before = box->text();
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, QStringLiteral("77"));
+        QTest::keyClick(box, Qt::Key_Escape);
+        QCOMPARE(stops.count, 1);
+        QTRY_COMPARE(box->text(), before);
+        QVERIFY(box->toolTip().contains(QLatin1String("Esc takes torque off the whole bus")));
     }
 
     void shiftEscStopsWhateverIsOpen()

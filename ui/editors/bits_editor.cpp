@@ -181,7 +181,7 @@ void BitsEditor::retranslate()
 {
     m_label->setText(tr("Value"));
     m_sum->setAccessibleName(accessibleName());
-    m_sum->setToolTip(tr("The sum of the ticked bits. Enter writes, Esc cancels."));
+    m_sum->setToolTip(tr("The sum of the ticked bits. %1").arg(keysHelp()));
     for (const Box& one : m_boxes) {
         const std::int64_t weight = std::int64_t{1} << one.bit;
         one.box->setText(QStringLiteral("%1 (%2)").arg(wordOf(one.bit)).arg(weight));

@@ -89,7 +89,7 @@ void EnumEditor::retranslate()
     const QVariant chosen = m_box->currentData();
     fill(chosen.isValid() ? std::optional<std::int64_t>(chosen.toLongLong()) : std::nullopt);
     m_box->setAccessibleName(accessibleName());
-    m_box->setToolTip(tr("Choose a value. Enter writes, Esc cancels."));
+    m_box->setToolTip(tr("Choose a value. %1").arg(keysHelp()));
 }
 
 void EnumEditor::changeEvent(QEvent* event)

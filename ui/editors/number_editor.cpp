@@ -143,10 +143,9 @@ void NumberEditor::retranslate()
 {
     const QString range = rangeWord(*context().reg, context().meaning, inUnit(context()));
     m_spin->setAccessibleName(accessibleName());
-    m_spin->setToolTip(
-        inUnit(context())
-            ? tr("%1, in %2. Enter writes, Esc cancels.").arg(range, context().meaning.unit)
-            : tr("%1. Enter writes, Esc cancels.").arg(range));
+    const QString what =
+        inUnit(context()) ? tr("%1, in %2").arg(range, context().meaning.unit) : range;
+    m_spin->setToolTip(tr("%1. %2").arg(what, keysHelp()));
 }
 
 void NumberEditor::changeEvent(QEvent* event)

@@ -14,8 +14,6 @@ RegisterEditor::RegisterEditor(EditContext context, QWidget* parent)
     : QWidget(parent)
     , m_context(std::move(context))
 {
-    // The escape key's guard asks for this: the first Esc belongs to an open editor.
-    setProperty("cellEditor", m_context.inCell);
     setAccessibleName(m_context.meaning.name.in(text::inChinese()));
 }
 
@@ -54,6 +52,16 @@ void RegisterEditor::userEdited()
 {
     m_touched = true;
     Q_EMIT edited();
+}
+
+/// ui::StopKey leaves only the editors of cells their Esc.
+QString RegisterEditor::keysHelp() const
+{
+    if (m_context.inCell)
+        return tr("Enter writes, Esc cancels.");
+    const QString stops =
+        tr("Esc takes torque off the whole bus and shows the present value again.");
+    return m_context.enterSends ? tr("Enter sends it.") + QLatin1Char(' ') + stops : stops;
 }
 
 RegisterEditor* makeRegisterEditor(const EditContext& context, QWidget* parent)

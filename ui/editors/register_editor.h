@@ -16,6 +16,7 @@ struct EditContext {
     std::optional<std::int64_t> present; ///< as read: may always be written back
     bool physical = false;               ///< numbers in their unit
     bool inCell = false;                 ///< small, framed, above its neighbours
+    bool enterSends = false;             ///< outside a cell: whoever owns it takes Enter
 };
 
 class RegisterEditor : public QWidget {
@@ -48,6 +49,7 @@ Q_SIGNALS:
 protected:
     virtual base::Result<std::int64_t> parse() const;
     virtual void contextChanged() {}
+    QString keysHelp() const; ///< what Enter and Esc do here
     void userEdited();
     void untouched() { m_touched = false; }
 

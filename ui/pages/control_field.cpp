@@ -48,13 +48,16 @@ void ControlField::setRegister(const catalog::ProfilePtr& profile, const catalog
     m_profile = profile;
     m_reg = reg;
     m_sent.reset();
-    m_free = false;
+    m_start.reset();
     setVisible(reg != nullptr);
 }
 
 void ControlField::makeEditor(const device::Servo& servo)
 {
-    const EditContext context{m_reg, servo.meaning(*m_reg), servo.raw(*m_reg), false, false};
+    const EditContext context{.reg = m_reg,
+                              .meaning = servo.meaning(*m_reg),
+                              .present = servo.raw(*m_reg),
+                              .enterSends = true};
     m_editor = new NumberEditor(context, this);
     m_editor->setObjectName(m_name + QStringLiteral("Editor"));
     m_place->addWidget(m_editor);
@@ -99,7 +102,7 @@ void ControlField::follow(const device::Servo& servo, std::optional<std::int64_t
     context.present = servo.raw(*m_reg);
     m_editor->setContext(context);
     setTitle(m_titleText);
-    if (!m_free && !m_editor->touched()) {
+    if (!m_start && !m_editor->touched()) {
         const auto now = m_editor->value();
         if (!(raw && now && *raw == *now))
             m_editor->setRaw(raw);
@@ -109,7 +112,7 @@ void ControlField::follow(const device::Servo& servo, std::optional<std::int64_t
 
 void ControlField::setRaw(std::int64_t raw)
 {
-    m_free = true;
+    m_start = raw;
     if (m_editor != nullptr && value() != raw)
         m_editor->setRaw(raw);
     showPhysical();
@@ -131,7 +134,7 @@ bool ControlField::edited() const
 void ControlField::forgetEdit()
 {
     if (m_editor != nullptr && m_editor->touched())
-        m_editor->setRaw(m_sent ? m_sent : m_editor->context().present);
+        m_editor->setRaw(m_start ? m_start : m_sent ? m_sent : m_editor->context().present);
     showPhysical();
 }
 
@@ -151,7 +154,7 @@ void ControlField::wasSent(std::int64_t raw, base::Duration at)
     m_sent = raw;
     m_sentAt = at;
     // Somebody may have typed on while it was on its way.
-    if (m_editor != nullptr && value() == raw && !m_free)
+    if (m_editor != nullptr && value() == raw && !m_start)
         m_editor->setRaw(raw);
 }
 
@@ -170,14 +173,14 @@ void ControlField::type(std::int64_t raw)
 void ControlField::forgetSent()
 {
     m_sent.reset();
-    if (m_editor != nullptr && !m_editor->touched() && !m_free)
+    if (m_editor != nullptr && !m_editor->touched() && !m_start)
         m_editor->setRaw(std::nullopt);
 }
 
 void ControlField::startAnew()
 {
     m_sent.reset();
-    m_free = false;
+    m_start.reset();
     if (m_editor != nullptr)
         m_editor->setRaw(std::nullopt);
 }

@@ -37,6 +37,7 @@ public:
     /// As shown and understood; nullopt while it is empty or makes no sense.
     std::optional<std::int64_t> value() const;
     bool edited() const;
+    /// What was typed is dropped: it shows again what the servo has, or its own start.
     void forgetEdit();
     QString complaint() const;
     /// On its way: newer than anything that is read. What was typed stays typed until it is there.
@@ -75,6 +76,6 @@ private:
     const catalog::Register* m_reg = nullptr;
     std::optional<std::int64_t> m_sent;
     base::Duration m_sentAt{};
-    bool m_free = false; ///< follows no reading
+    std::optional<std::int64_t> m_start; ///< follows no reading, but begins here
 };
 } // namespace ui

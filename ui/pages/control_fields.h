@@ -32,18 +32,22 @@ public:
     /// Why a changed field makes no sense; empty: all is well.
     QString complaint() const;
     void wasSent(const session::MoveWish& wish, base::Duration at);
+    /// What was typed is dropped.
+    void forgetEdits();
 
 Q_SIGNALS:
     void entered();
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     enum Which : std::uint8_t { Speed, Acceleration, Time, Current, Count };
     void arrange();
     void typed(Which which);
     void showHint();
+    void reserveHint();
     std::optional<QString> wished(Which which) const;
     bool forAll(Which which) const;
 

@@ -41,6 +41,8 @@ public:
     /// It is there, and shown until a newer reading.
     void wasSent(std::int64_t raw, base::Duration at);
     void forgetSent();
+    /// What was typed is dropped.
+    void forgetEdit();
     /// As if it had been typed: nothing is sent.
     void type(std::int64_t raw);
     /// What was being dragged did not get there. What is typed stays, to be corrected.

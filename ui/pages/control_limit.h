@@ -22,6 +22,8 @@ public:
     ControlLimit(session::Settings& settings, QWidget* parent);
 
     void showServo(const session::ServoEntry* entry, bool usable);
+    /// What was typed or dragged and not sent is dropped.
+    void forgetEdit();
     void retranslate();
 
 Q_SIGNALS:

@@ -155,6 +155,10 @@ void MemoryPage::connectDesk()
             refreshSoon();
     };
     connect(&m_desk, &session::Desk::tableChanged, this, concern);
+    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
+        if (event.kind == session::Event::Kind::Stopped)
+            m_panel->forgetEdit();
+    });
     connect(&m_desk, &session::Desk::servoChanged, this, concern);
     connect(&m_desk, &session::Desk::linkChanged, this, [this] {
         refreshSoon();

@@ -170,6 +170,14 @@ void RegisterPanel::fillEditor()
     checkInput();
 }
 
+void RegisterPanel::forgetEdit()
+{
+    if (m_editor == nullptr || !m_row)
+        return;
+    m_editor->setRaw(m_row->editable());
+    checkInput();
+}
+
 void RegisterPanel::checkInput()
 {
     QStringList words;

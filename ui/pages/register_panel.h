@@ -25,6 +25,8 @@ public:
     void showRow(session::ServoRef servo, const MemoryRow* row, const catalog::ProfilePtr& profile,
                  bool physical);
     RegisterEditor* editor() const { return m_editor; }
+    /// What was typed and not written is dropped.
+    void forgetEdit();
 
 Q_SIGNALS:
     void writeWanted(const QString& key, qint64 raw, bool temporary);
