@@ -203,10 +203,6 @@
         <translation>全部卸力(&amp;T)</translation>
     </message>
     <message>
-        <source>Take torque off the whole bus at once (Esc, always: Shift+Esc)</source>
-        <translation>立即让整条总线卸力（Esc；任何时候：Shift+Esc）</translation>
-    </message>
-    <message>
         <source>Theme of the &amp;system</source>
         <translation>跟随系统(&amp;S)</translation>
     </message>
@@ -373,6 +369,10 @@
     <message>
         <source>Set up servos plugged in one after the other</source>
         <translation>逐个接上并设置舵机</translation>
+    </message>
+    <message>
+        <source>Take torque off the whole bus at once (Esc, also in a field of the motion panel; whatever is open: Shift+Esc)</source>
+        <translation>立即让整条总线卸力（Esc，在运动面板的输入框中也有效；无论打开什么：Shift+Esc）</translation>
     </message>
 </context>
 <context>
@@ -6145,16 +6145,16 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>数值</translation>
     </message>
     <message>
-        <source>The sum of the ticked bits. Enter writes, Esc cancels.</source>
-        <translation>所勾选各位之和。回车写入，Esc 取消。</translation>
-    </message>
-    <message>
         <source>Bit %1, adds %2</source>
         <translation>位 %1，加 %2</translation>
     </message>
     <message>
         <source>Bit %1, adds %2; the sheet gives it no name, so it is kept as it is</source>
         <translation>位 %1，加 %2；资料中没有命名，因此保持原样</translation>
+    </message>
+    <message>
+        <source>The sum of the ticked bits. %1</source>
+        <translation>所勾选各位之和。%1</translation>
     </message>
 </context>
 <context>
@@ -6973,10 +6973,6 @@ Asked more than once: %9</source>
         <translation>≈ %1 kg·cm</translation>
     </message>
     <message>
-        <source>Share of the stall torque; Enter sends it</source>
-        <translation>堵转扭矩的百分比；按回车发送</translation>
-    </message>
-    <message>
         <source>Largest output; sent when the knob is let go</source>
         <translation>最大输出；松开滑块时发送</translation>
     </message>
@@ -6995,6 +6991,10 @@ Asked more than once: %9</source>
     <message>
         <source>Gripping: set the share of the stall torque the part can take (10 % of 10 kg·cm is about 1 kg·cm). The servo also gets slower. Only for parts of equal mass.</source>
         <translation>夹持：按物体能承受的程度设置堵转扭矩的百分比（10 kg·cm 的 10 % 约 1 kg·cm）。速度会变慢；仅适合质量相同的物品。</translation>
+    </message>
+    <message>
+        <source>Share of the stall torque. Enter sends it; Esc takes torque off the whole bus and shows the present value again.</source>
+        <translation>堵转扭矩的百分比。按回车发送；按 Esc 让整条总线卸力，并重新显示当前值。</translation>
     </message>
 </context>
 <context>
@@ -7279,8 +7279,8 @@ Asked more than once: %9</source>
         <translation>资料中没有说明</translation>
     </message>
     <message>
-        <source>Choose a value. Enter writes, Esc cancels.</source>
-        <translation>选择一个值。回车写入，Esc 取消。</translation>
+        <source>Choose a value. %1</source>
+        <translation>选择一个值。%1</translation>
     </message>
 </context>
 <context>
@@ -8343,12 +8343,12 @@ Asked more than once: %9</source>
 <context>
     <name>ui::NumberEditor</name>
     <message>
-        <source>%1, in %2. Enter writes, Esc cancels.</source>
-        <translation>%1，单位 %2。回车写入，Esc 取消。</translation>
+        <source>%1, in %2</source>
+        <translation>%1，单位 %2</translation>
     </message>
     <message>
-        <source>%1. Enter writes, Esc cancels.</source>
-        <translation>%1。回车写入，Esc 取消。</translation>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
     </message>
 </context>
 <context>
@@ -8564,6 +8564,13 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::PressGuard</name>
+    <message>
+        <source>Ignored: this control moved just now. Press it again.</source>
+        <translation>已忽略：此控件刚刚移动了位置。请再按一次。</translation>
+    </message>
+</context>
+<context>
     <name>ui::RateChooser</name>
     <message>
         <source>Rates to search</source>
@@ -8670,6 +8677,21 @@ Asked more than once: %9</source>
     <message>
         <source>“%1” was not written: the cell was left without Enter.</source>
         <translation>“%1”没有写入：离开单元格时没有按回车。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::RegisterEditor</name>
+    <message>
+        <source>Enter writes, Esc cancels.</source>
+        <translation>回车写入，Esc 取消。</translation>
+    </message>
+    <message>
+        <source>Esc takes torque off the whole bus and shows the present value again.</source>
+        <translation>按 Esc 让整条总线卸力，并重新显示当前值。</translation>
+    </message>
+    <message>
+        <source>Enter sends it.</source>
+        <translation>按回车发送。</translation>
     </message>
 </context>
 <context>
@@ -9180,12 +9202,12 @@ Asked more than once: %9</source>
         <translation>全部卸力</translation>
     </message>
     <message>
-        <source>Takes torque off the whole bus at once; the first Esc in an editor, menu or dialog only cancels that</source>
-        <translation>立即让整条总线卸力；在编辑框、菜单或对话框中，第一次 Esc 只取消它们</translation>
-    </message>
-    <message>
         <source>Takes torque off the whole bus at once, whatever is open</source>
         <translation>无论打开了什么，立即让整条总线卸力</translation>
+    </message>
+    <message>
+        <source>Takes torque off the whole bus at once, also from a field of the motion panel, which then shows the present value again; only in a table cell that is being edited, a menu or a dialog does the first Esc cancel that instead</source>
+        <translation>立即让整条总线卸力，在运动面板的输入框中也是如此，输入框随后重新显示当前值；只有在正在编辑的表格单元格、菜单或对话框中，第一次 Esc 只取消它们</translation>
     </message>
 </context>
 <context>

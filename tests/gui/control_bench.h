@@ -4,6 +4,7 @@
 // Main thread.
 #pragma once
 
+#include "gui/steady_clock.h"
 #include "sim/sim_link.h"
 #include "support/own_data_folder.h"
 #include "ui/app/commands.h"
@@ -71,7 +72,9 @@ public:
     {
         QSignalSpy spy(&panel, &ui::ControlPanel::shownAnew);
         Q_EMIT drive.changed();
-        return spy.wait(5000);
+        const bool come = spy.wait(5000);
+        QCoreApplication::processEvents(); // new widgets have got their places
+        return come;
     }
     const session::ServoEntry& entry() { return *desk.servo(selection.current()); }
 
@@ -217,6 +220,7 @@ private:
     }
 
 public:
+    SteadyClock steady;           ///< nothing has just moved
     support::OwnDataFolder place; ///< before the session
     session::Settings settings{place.folder.filePath(QStringLiteral("servodesk.ini"))};
     session::Session session; ///< in its folder

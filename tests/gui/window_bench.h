@@ -3,6 +3,7 @@
 // window on a simulated bus, without a screen. One at a time; main thread.
 #pragma once
 
+#include "gui/steady_clock.h"
 #include "support/own_data_folder.h"
 #include "ui/app/language_switch.h"
 #include "ui/app/main_window.h"
@@ -93,6 +94,7 @@ public:
     }
 
 private:
+    SteadyClock m_steady; ///< nothing has just moved
     support::OwnDataFolder m_place;
 
 public:

@@ -8,8 +8,11 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QResizeEvent>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace ui {
@@ -18,6 +21,11 @@ using catalog::Role;
 namespace {
 constexpr std::array roles{Role::GoalSpeed, Role::Acceleration, Role::GoalTime, Role::GoalCurrent};
 constexpr int columns = 2;
+
+QString noCurrentWords()
+{
+    return ControlFields::tr("Current 0 = no torque at all");
+}
 } // namespace
 
 ControlFields::ControlFields(QWidget* parent)
@@ -168,13 +176,41 @@ void ControlFields::showHint()
     const bool limit = m_fields[Current]->reg() != nullptr && m_fields[Current]->value() == 0;
     QString words = speed ? speedHint(m_servo, raw) : QString();
     if (limit)
-        words = tr("Current 0 = no torque at all");
+        words = noCurrentWords();
     m_hint->setText(words);
-    m_hint->setVisible(!words.isEmpty());
+    reserveHint();
     QPalette colours = palette();
     const bool warns = limit || (speed && noFaster(m_servo, raw));
     colours.setColor(QPalette::WindowText, tone(warns ? Tone::Warn : Tone::Quiet, palette()));
     m_hint->setPalette(colours);
+}
+
+/// As much room as the longest sentence needs: what stands below must not move while a speed is
+/// being typed.
+void ControlFields::reserveHint()
+{
+    QStringList all{m_hint->text()};
+    if (m_fields[Speed]->reg() != nullptr)
+        all << speedHint(m_servo, 0) << speedHint(m_servo, std::numeric_limits<int>::max());
+    if (m_fields[Current]->reg() != nullptr)
+        all << noCurrentWords();
+    int height = 0;
+    for (const QString& words : all) {
+        if (words.isEmpty())
+            continue;
+        const QRect room(0, 0, width(), std::numeric_limits<short>::max());
+        height = std::max(
+            height, m_hint->fontMetrics().boundingRect(room, Qt::TextWordWrap, words).height());
+    }
+    m_hint->setVisible(height > 0);
+    m_hint->setMinimumHeight(height);
+}
+
+void ControlFields::forgetEdits()
+{
+    for (ControlField* field : m_fields)
+        field->forgetEdit();
+    showHint();
 }
 
 void ControlFields::retranslate()
@@ -190,7 +226,16 @@ void ControlFields::retranslate()
 void ControlFields::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && m_servo.profile)
+    const bool concerns =
+        event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange;
+    if (concerns && m_servo.profile)
         showHint();
+}
+
+void ControlFields::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        reserveHint();
 }
 } // namespace ui

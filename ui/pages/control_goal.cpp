@@ -6,6 +6,7 @@
 #include "ui/pages/control_field.h"
 #include "ui/pages/control_slider.h"
 #include "ui/pages/control_words.h"
+#include "ui/widgets/press_guard.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -69,6 +70,8 @@ ControlGoal::ControlGoal(QWidget* parent)
     connect(m_slider, &ControlSlider::released, this, &ControlGoal::dragEnded);
     connect(m_field, &ControlField::entered, this, &ControlGoal::entered);
     connect(m_stop, &QPushButton::clicked, this, &ControlGoal::stopWanted);
+    for (QWidget* mover : std::initializer_list<QWidget*>{m_slider, m_minus, m_plus, m_again})
+        new PressGuard(mover); // not the stop button: it must always act
     retranslate();
 }
 
@@ -225,6 +228,11 @@ void ControlGoal::forgetSent()
 {
     if (m_kind != GoalKind::Step)
         m_field->forgetSent();
+}
+
+void ControlGoal::forgetEdit()
+{
+    m_field->forgetEdit();
 }
 
 void ControlGoal::type(std::int64_t raw)

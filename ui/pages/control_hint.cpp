@@ -2,6 +2,7 @@
 #include "ui/pages/control_hint.h"
 
 #include "ui/app/theme.h"
+#include "ui/widgets/press_guard.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -48,6 +49,7 @@ ControlHint::ControlHint(session::Settings& settings, QWidget* parent)
     column->addLayout(row);
     connect(m_cancel, &QPushButton::clicked, this, &ControlHint::dismiss);
     connect(m_yes, &QPushButton::clicked, this, &ControlHint::goOn);
+    new PressGuard(m_yes); // what it lets go on moves the servo
     retranslate();
     hide();
 }
@@ -105,8 +107,11 @@ void ControlHint::paintEvent(QPaintEvent*)
     QColor line = tone(Tone::Warn, palette());
     QColor ground = line;
     ground.setAlphaF(0.12F);
+    const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
     painter.setPen(QPen(line, 1));
+    painter.setBrush(palette().color(QPalette::Window)); // it may float over a chart
+    painter.drawRoundedRect(frame, 6, 6);
     painter.setBrush(ground);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+    painter.drawRoundedRect(frame, 6, 6);
 }
 } // namespace ui

@@ -4,6 +4,7 @@
 #include "device/move_limits.h"
 #include "ui/app/theme.h"
 #include "ui/pages/control_slider.h"
+#include "ui/widgets/press_guard.h"
 
 #include <QDoubleSpinBox>
 #include <QEvent>
@@ -63,6 +64,7 @@ ControlLimit::ControlLimit(session::Settings& settings, QWidget* parent)
         m_settings.setChoice(stallChoice(m_model), m_stall->value());
         fill();
     });
+    new PressGuard(m_slider);
     retranslate();
     hide();
 }
@@ -172,6 +174,13 @@ void ControlLimit::showServo(const session::ServoEntry* entry, bool usable)
     fill();
 }
 
+void ControlLimit::forgetEdit()
+{
+    m_editing = false;
+    m_next.reset();
+    fill();
+}
+
 void ControlLimit::fill()
 {
     m_title->setText(m_temporary ? tr("Torque limit (until power-off)") : tr("Torque limit"));
@@ -198,7 +207,8 @@ void ControlLimit::showForce()
 void ControlLimit::retranslate()
 {
     m_percent->setAccessibleName(tr("Torque limit"));
-    m_percent->setToolTip(tr("Share of the stall torque; Enter sends it"));
+    m_percent->setToolTip(tr("Share of the stall torque. Enter sends it; Esc takes torque off the "
+                             "whole bus and shows the present value again."));
     m_slider->setAccessibleName(tr("Torque limit"));
     m_slider->setToolTip(tr("Largest output; sent when the knob is let go"));
     m_stallTitle->setText(tr("Stall torque of this model"));

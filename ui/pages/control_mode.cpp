@@ -3,6 +3,7 @@
 
 #include "ui/pages/control_words.h"
 #include "ui/widgets/flow_layout.h"
+#include "ui/widgets/press_guard.h"
 #include "ui/widgets/segment_button.h"
 
 #include <QButtonGroup>
@@ -41,6 +42,7 @@ void ControlMode::build()
         button->setAccessibleName(button->text());
         button->setToolTip(
             tr("%1. A click says first what the switch will change.").arg(modeHelp(mode.key)));
+        new PressGuard(button);
         m_group->addButton(button, index++);
         m_row->addWidget(button);
         connect(button, &SegmentButton::clicked, this, [this, key = mode.key] {

@@ -33,6 +33,7 @@ void ControlPanel::choose()
     m_drive.setServos(m_selection.chosen());
     m_banner->clear();
     unsay();
+    m_said->setMinimumHeight(0);
     m_hint->dismiss();
     if (isVisible())
         readUnread();

@@ -38,6 +38,9 @@ public:
     /// Between the mode and the slider; the panel becomes its parent. Shown in every mode that has
     /// a goal: where the shaft stands matters while it turns, too.
     void setDial(QWidget* dial);
+    /// What it has to say, and the question before the first torque. Stands below the controls
+    /// until the page gives it a place; whatever appears in it must not move a control.
+    QWidget* messages() const { return m_messages; }
     /// The goal as the servo has it, or as it is being dragged; nullopt: none that means a place.
     std::optional<std::int64_t> placeGoal() const;
     /// The dial's goal may be dragged now.
@@ -57,6 +60,8 @@ protected:
 
 private:
     void build(session::Settings& settings);
+    QScrollArea* buildScroll();
+    void buildMessages(session::Settings& settings);
     QWidget* buildHead(QWidget* body);
     QWidget* buildWrite(QWidget* body);
     void connectParts();
@@ -92,6 +97,7 @@ private:
     void showError(const base::Error& error);
     void showNotices(const device::Notices& notices);
     void showSaid();
+    void reserveSaid();
     void unsay();
     void complain(const std::function<QString()>& wrong);
     device::MoveHow how() const;
@@ -104,6 +110,7 @@ private:
     QLabel* m_title = nullptr;
     ControlTorque* m_torque = nullptr;
     QLabel* m_stopped = nullptr;
+    QWidget* m_messages = nullptr;
     Banner* m_banner = nullptr;
     ControlHint* m_hint = nullptr;
     QLabel* m_empty = nullptr;

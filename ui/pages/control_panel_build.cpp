@@ -9,6 +9,7 @@
 #include "ui/pages/control_torque.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/flow_layout.h"
+#include "ui/widgets/press_guard.h"
 #include "ui/widgets/segment_button.h"
 
 #include <QButtonGroup>
@@ -17,6 +18,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QShowEvent>
 #include <QVBoxLayout>
 
@@ -29,6 +31,20 @@ constexpr auto dialRest = 400ms;
 constexpr int margin = 12;
 constexpr int leastWidth = 340;
 constexpr int mostWidth = 420;
+constexpr int titleLines = 2; ///< as many as a long one has
+
+/// Always there, so that the controls keep their width; empty while everything is in sight.
+class QuietScrollBar final : public QScrollBar {
+public:
+    using QScrollBar::QScrollBar;
+
+protected:
+    void paintEvent(QPaintEvent* event) override
+    {
+        if (minimum() < maximum())
+            QScrollBar::paintEvent(event);
+    }
+};
 } // namespace
 
 ControlPanel::ControlPanel(session::Desk& desk, Commands& commands, Selection& selection,
@@ -49,7 +65,10 @@ ControlPanel::ControlPanel(session::Desk& desk, Commands& commands, Selection& s
     choose();
 }
 
-ControlPanel::~ControlPanel() = default;
+ControlPanel::~ControlPanel()
+{
+    m_goal->disconnect(this); // a drag that is under way ends when its slider goes
+}
 
 QWidget* ControlPanel::buildHead(QWidget* body)
 {
@@ -62,6 +81,7 @@ QWidget* ControlPanel::buildHead(QWidget* body)
     QFont bold = m_title->font();
     bold.setBold(true);
     m_title->setFont(bold);
+    m_title->setMinimumHeight(titleLines * m_title->fontMetrics().lineSpacing());
     m_torque = new ControlTorque(m_commands, head);
     row->addWidget(m_title, 1);
     row->addWidget(m_torque);
@@ -100,21 +120,48 @@ QWidget* ControlPanel::buildWrite(QWidget* body)
     m_set = new QPushButton(deeds);
     m_set->setObjectName(QStringLiteral("setGoal"));
     m_set->setProperty("mainAction", true);
+    for (QWidget* mover : {m_execute, m_set})
+        new PressGuard(mover);
     deeds->layout()->addWidget(m_execute);
     deeds->layout()->addWidget(m_set);
     return box;
 }
 
-void ControlPanel::build(session::Settings& settings)
+QScrollArea* ControlPanel::buildScroll()
 {
     auto* scroll = new QScrollArea(this);
     scroll->setObjectName(QStringLiteral("controlScroll"));
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setVerticalScrollBar(new QuietScrollBar(Qt::Vertical, scroll));
+    scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+    return scroll;
+}
+
+void ControlPanel::buildMessages(session::Settings& settings)
+{
+    m_messages = new QWidget(this);
+    m_messages->setObjectName(QStringLiteral("controlMessages"));
+    auto* column = new QVBoxLayout(m_messages);
+    column->setContentsMargins({});
+    m_hint = new ControlHint(settings, m_messages);
+    m_banner = new Banner(m_messages);
+    m_banner->setObjectName(QStringLiteral("controlBanner"));
+    m_banner->clear();
+    column->addWidget(m_hint);
+    column->addWidget(m_banner);
+}
+
+void ControlPanel::build(session::Settings& settings)
+{
+    QScrollArea* scroll = buildScroll();
+    buildMessages(settings);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins({});
-    outer->addWidget(scroll);
+    outer->setSpacing(0);
+    outer->addWidget(scroll, 1);
+    outer->addWidget(m_messages);
     auto* body = new QWidget(scroll);
     scroll->setWidget(body);
     scroll->viewport()->setAutoFillBackground(false);
@@ -122,22 +169,23 @@ void ControlPanel::build(session::Settings& settings)
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(margin, margin, margin, margin);
     column->setSpacing(10);
-    column->addWidget(buildHead(body));
+    auto* top = new QVBoxLayout;
+    top->setSpacing(2);
+    top->addWidget(buildHead(body));
+    column->addLayout(top);
     m_stopped = new QLabel(body);
     m_stopped->setObjectName(QStringLiteral("controlStopped"));
-    m_stopped->setWordWrap(true);
+    QSizePolicy kept = m_stopped->sizePolicy();
+    kept.setRetainSizeWhenHidden(true);
+    m_stopped->setSizePolicy(kept);
     m_stopped->hide();
-    m_banner = new Banner(body);
-    m_banner->setObjectName(QStringLiteral("controlBanner"));
-    m_banner->clear();
-    m_hint = new ControlHint(settings, body);
+    top->addWidget(m_stopped);
     m_empty = new QLabel(body);
     m_empty->setObjectName(QStringLiteral("controlEmpty"));
     m_empty->setWordWrap(true);
     m_content = new QWidget(body);
-    for (QWidget* part : {static_cast<QWidget*>(m_stopped), static_cast<QWidget*>(m_banner),
-                          static_cast<QWidget*>(m_hint), static_cast<QWidget*>(m_empty), m_content})
-        column->addWidget(part);
+    column->addWidget(m_empty);
+    column->addWidget(m_content);
     column->addStretch(1);
 
     auto* parts = new QVBoxLayout(m_content);
@@ -152,11 +200,11 @@ void ControlPanel::build(session::Settings& settings)
     m_said = new QLabel(m_content);
     m_said->setObjectName(QStringLiteral("controlSaid"));
     m_said->setWordWrap(true);
-    m_said->hide();
     parts->addWidget(m_mode);
     parts->addLayout(m_dialPlace);
+    // What was said stands last: its lines come and go.
     for (QWidget* part : {static_cast<QWidget*>(m_goal), static_cast<QWidget*>(m_fields), m_write,
-                          static_cast<QWidget*>(m_said), static_cast<QWidget*>(m_limit)})
+                          static_cast<QWidget*>(m_limit), static_cast<QWidget*>(m_said)})
         parts->addWidget(part);
 }
 
@@ -213,6 +261,10 @@ void ControlPanel::connectDesk()
         if (event.kind == session::Event::Kind::Stopped) {
             m_hint->dismiss();
             unsay();
+            m_goal->forgetEdit();
+            m_fields->forgetEdits();
+            m_limit->forgetEdit();
+            refreshSoon();
         }
     });
     connect(&m_drive, &session::Drive::modePlanned, this, &ControlPanel::askForMode);
@@ -225,6 +277,7 @@ void ControlPanel::setDial(QWidget* dial)
 {
     m_dial = dial;
     m_dialPlace->addWidget(dial, 0, Qt::AlignHCenter);
+    new PressGuard(dial);
     refreshSoon();
 }
 

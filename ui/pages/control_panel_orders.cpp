@@ -254,7 +254,15 @@ void ControlPanel::showSaid()
 {
     const QString said = linesOf(m_saidOf, m_notices, false);
     m_said->setText(said);
-    m_said->setVisible(!said.isEmpty());
+    if (!said.isEmpty())
+        reserveSaid();
+}
+
+/// Its room stays when it goes: a panel that is scrolled to its end would shift otherwise.
+void ControlPanel::reserveSaid()
+{
+    const int needed = m_said->heightForWidth(m_said->width());
+    m_said->setMinimumHeight(std::max(m_said->minimumHeight(), needed));
 }
 
 void ControlPanel::unsay()

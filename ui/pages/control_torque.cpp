@@ -2,10 +2,14 @@
 #include "ui/pages/control_torque.h"
 
 #include "ui/app/theme.h"
+#include "ui/widgets/press_guard.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace ui {
 namespace {
@@ -42,6 +46,7 @@ ControlTorque::ControlTorque(Commands& commands, QWidget* parent)
     });
     connect(m_more, &QToolButton::clicked, this,
             [this] { m_menu->popup(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
+    new PressGuard(m_switch);
     retranslate();
 }
 
@@ -56,6 +61,15 @@ void ControlTorque::fillMenu()
     }
     if (m_centring)
         m_menu->addAction(m_commands.action(Command::Center));
+}
+
+QString ControlTorque::stateWords(std::optional<std::int64_t> state)
+{
+    if (!state)
+        return tr("Torque: not read");
+    return *state == isOn    ? tr("● Torque on")
+           : *state == damps ? tr("◐ Damping")
+                             : tr("○ Torque off");
 }
 
 void ControlTorque::showServo(const session::ServoEntry* entry, bool usable)
@@ -79,11 +93,7 @@ void ControlTorque::showServo(const session::ServoEntry* entry, bool usable)
 
 void ControlTorque::showState()
 {
-    QString words = tr("Torque: not read");
-    if (m_state)
-        words = m_state == isOn    ? tr("● Torque on")
-                : m_state == damps ? tr("◐ Damping")
-                                   : tr("○ Torque off");
+    const QString words = stateWords(m_state);
     m_switch->setText(words);
     m_switch->setAccessibleName(words);
     m_switch->setChecked(m_state == isOn || m_state == damps);
@@ -94,6 +104,27 @@ void ControlTorque::showState()
         m_switch->setPalette(colours);
 }
 
+/// The widest state, so that nothing beside it moves when torque goes on or off.
+void ControlTorque::reserveWidth()
+{
+    int widest = 0;
+    for (const std::optional<std::int64_t> state :
+         {std::optional<std::int64_t>(), std::optional<std::int64_t>(0),
+          std::optional<std::int64_t>(isOn), std::optional<std::int64_t>(damps)}) {
+        m_switch->setText(stateWords(state));
+        widest = std::max(widest, m_switch->sizeHint().width());
+    }
+    m_switch->setMinimumWidth(widest);
+    showState();
+}
+
+void ControlTorque::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        reserveWidth();
+}
+
 void ControlTorque::retranslate()
 {
     m_switch->setToolTip(tr("On: the servo holds where it stands now, whatever its mode. Off: the "
@@ -101,6 +132,6 @@ void ControlTorque::retranslate()
     m_more->setAccessibleName(tr("More of torque"));
     m_more->setToolTip(tr("Damping and centring"));
     fillMenu();
-    showState();
+    reserveWidth();
 }
 } // namespace ui

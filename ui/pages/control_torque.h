@@ -24,8 +24,13 @@ public:
 Q_SIGNALS:
     void wanted(device::Torque torque);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    static QString stateWords(std::optional<std::int64_t> state);
     void fillMenu();
+    void reserveWidth();
     void showState();
 
     Commands& m_commands;

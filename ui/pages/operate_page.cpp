@@ -6,6 +6,7 @@
 #include "ui/pages/operate_status.h"
 #include "ui/pages/servo_strip.h"
 #include "ui/pages/trend_panel.h"
+#include "ui/widgets/float_over.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -66,6 +67,7 @@ void OperatePage::build(session::Settings& settings)
     m_control->setDial(m_dial);
     row->addWidget(m_control);
     row->addWidget(buildWatch(settings), 1);
+    new FloatOver(m_control->messages(), m_trend->chart(), FloatOver::Corner::TopLeft);
     setAccessibleName(tr("Operate"));
     m_dial->setAccessibleName(tr("Position and goal"));
 }

@@ -5,6 +5,8 @@
 #include "ui/pages/step_page.h"
 #include "ui/pages/step_results.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/float_over.h"
+#include "ui/widgets/press_guard.h"
 #include "ui/widgets/thin_progress.h"
 
 #include <QCheckBox>
@@ -36,8 +38,8 @@ void StepPage::build(session::Settings& settings)
     row->setSpacing(10);
     row->addLayout(left);
     row->addWidget(m_results, 1);
-    column->addWidget(m_banner);
     column->addLayout(row, 1);
+    new FloatOver(m_banner, this, FloatOver::Corner::BottomRight);
 }
 
 QWidget* StepPage::buildSetup(session::Settings& settings)
@@ -84,14 +86,17 @@ QWidget* StepPage::buildRun()
     m_progress = new ThinProgress(box);
     m_progress->setObjectName(QStringLiteral("stepProgress"));
     m_progress->setRange(0, 1000);
-    grid->addWidget(m_why, 0, 0, 1, 3);
-    grid->addWidget(m_switchMode, 1, 0, 1, 3);
-    grid->addWidget(m_run, 2, 0);
-    grid->addWidget(m_try, 2, 1);
-    grid->addWidget(m_stop, 2, 2);
-    grid->addWidget(m_accept, 3, 0, 1, 2);
-    grid->addWidget(m_back, 3, 2);
-    grid->addWidget(m_progress, 4, 0, 1, 3);
+    // The buttons stand last: what comes and goes above them must not move them.
+    grid->addWidget(m_progress, 0, 0, 1, 3);
+    grid->addWidget(m_why, 1, 0, 1, 3);
+    grid->addWidget(m_switchMode, 2, 0, 1, 3);
+    grid->addWidget(m_run, 3, 0);
+    grid->addWidget(m_try, 3, 1);
+    grid->addWidget(m_stop, 3, 2);
+    grid->addWidget(m_accept, 4, 0, 1, 2);
+    grid->addWidget(m_back, 4, 2);
+    for (QWidget* mover : {m_run, m_try})
+        new PressGuard(mover);
     return box;
 }
 

@@ -11,6 +11,8 @@
 #include "ui/pages/sweep_results.h"
 #include "ui/pages/sweep_servos.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/float_over.h"
+#include "ui/widgets/press_guard.h"
 #include "ui/widgets/thin_progress.h"
 
 #include <QCheckBox>
@@ -99,8 +101,8 @@ void SweepPage::build(session::Settings& settings)
     m_results = new SweepResults(m_desk, m_test, settings, this);
     row->addLayout(left);
     row->addWidget(m_results, 1);
-    column->addWidget(m_banner);
     column->addLayout(row, 1);
+    new FloatOver(m_banner, this, FloatOver::Corner::BottomRight);
 }
 
 /// Always in sight, however long the fields above are.
@@ -131,11 +133,13 @@ QWidget* SweepPage::buildRun()
     m_progressWords = new QLabel(box);
     m_progressWords->setObjectName(QStringLiteral("sweepProgressWords"));
     m_progressWords->setWordWrap(true);
+    // The buttons stand last: what comes and goes above them must not move them.
+    column->addWidget(m_progress);
+    column->addWidget(m_progressWords);
     column->addWidget(m_outlook);
     column->addWidget(m_switchMode);
     column->addLayout(buttons);
-    column->addWidget(m_progress);
-    column->addWidget(m_progressWords);
+    new PressGuard(m_run);
     return box;
 }
 

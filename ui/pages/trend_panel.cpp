@@ -75,6 +75,11 @@ TrendPanel::TrendPanel(session::Desk& desk, session::Scope& scope, Selection& se
     showTrigger();
 }
 
+QWidget* TrendPanel::chart() const
+{
+    return m_chart;
+}
+
 TrendPanel::~TrendPanel() = default;
 
 void TrendPanel::build()

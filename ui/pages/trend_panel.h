@@ -29,6 +29,7 @@ public:
                session::Settings& settings, QWidget* parent = nullptr);
     ~TrendPanel() override;
 
+    QWidget* chart() const;
     bool replaying() const { return m_replayed != nullptr; }
     base::Duration period() const { return m_period; } ///< of the readings that were chosen
 
