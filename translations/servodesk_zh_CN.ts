@@ -3785,10 +3785,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>向历史服务器(PostgreSQL)补发其缺少的数据;不需要端口</translation>
     </message>
     <message>
-        <source>its connection string, such as postgresql://USER@HOST/DATABASE; else the one remembered</source>
-        <translation>连接字符串,例如 postgresql://USER@HOST/DATABASE;不填则用已记住的</translation>
-    </message>
-    <message>
         <source>what this bench is called there</source>
         <translation>本工位在服务器上的名称</translation>
     </message>
@@ -4067,6 +4063,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>The alarms could not be kept in the history: %1 (%2)</source>
         <translation>报警未能存入历史：%1（%2）</translation>
+    </message>
+    <message>
+        <source>its connection string, such as postgresql://USER@HOST/DATABASE, without a password (store it in ~/.pgpass); default: the one remembered. Another computer must have a valid TLS certificate, unless ?sslmode=... says otherwise</source>
+        <translation>连接字符串，例如 postgresql://USER@HOST/DATABASE，不含密码（密码存放在 ~/.pgpass）；默认：已记住的那个。其他计算机上的服务器必须有有效的 TLS 证书，除非用 ?sslmode=... 另行指定</translation>
     </message>
 </context>
 <context>
@@ -5750,10 +5750,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>密码错误或缺失,或没有该用户。</translation>
     </message>
     <message>
-        <source>Check the user in the connection string, and the password in ~/.pgpass, PGPASSWORD or the string.</source>
-        <translation>请检查连接字符串中的用户,以及 ~/.pgpass、PGPASSWORD 或字符串中的密码。</translation>
-    </message>
-    <message>
         <source>the history server has no such database</source>
         <translation>历史服务器上没有该数据库</translation>
     </message>
@@ -5776,18 +5772,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Have the database&apos;s owner permit it (GRANT, pg_hba.conf), or use another user.</source>
         <translation>请数据库所有者授权(GRANT、pg_hba.conf),或换用其他用户。</translation>
-    </message>
-    <message>
-        <source>the history server and this bench cannot agree on encryption</source>
-        <translation>历史服务器与本工位的加密设置不一致</translation>
-    </message>
-    <message>
-        <source>One of them asks for TLS and the other has none, or the certificate is not trusted.</source>
-        <translation>一方要求 TLS 而另一方没有,或证书不受信任。</translation>
-    </message>
-    <message>
-        <source>Check sslmode and sslrootcert in the connection string, and the server&apos;s certificate.</source>
-        <translation>请检查连接字符串中的 sslmode 和 sslrootcert,以及服务器的证书。</translation>
     </message>
     <message>
         <source>the history server lets nobody in</source>
@@ -5936,6 +5920,70 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Switch its supply off and on to be sure.</source>
         <translation>请断电再上电，以确保重启。</translation>
+    </message>
+    <message>
+        <source>Check the user in the connection string, and the password in ~/.pgpass (a line HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600).</source>
+        <translation>请检查连接字符串中的用户名，以及 ~/.pgpass 中的密码（一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600）。</translation>
+    </message>
+    <message>
+        <source>the history server and this computer cannot agree on encryption</source>
+        <translation>历史记录服务器与本机无法就加密方式达成一致</translation>
+    </message>
+    <message>
+        <source>One side requires TLS and the other does not offer it. Servers on other computers must use TLS (sslmode=verify-full) unless sslmode says otherwise.</source>
+        <translation>一方要求 TLS，而另一方不提供。其他计算机上的服务器必须使用 TLS（sslmode=verify-full），除非用 sslmode 另行指定。</translation>
+    </message>
+    <message>
+        <source>Enable TLS on the server (ssl = on). On a trusted network, sslmode=disable in the connection string sends everything unencrypted.</source>
+        <translation>请在服务器上启用 TLS（ssl = on）。在可信网络中，可在连接字符串中写 sslmode=disable，此时所有数据不加密传输。</translation>
+    </message>
+    <message>
+        <source>the certificate of the history server cannot be verified</source>
+        <translation>无法验证历史记录服务器的证书</translation>
+    </message>
+    <message>
+        <source>It is not issued by an authority this computer trusts, it has expired, or another computer is answering in the server&apos;s place.</source>
+        <translation>证书不是由本机信任的机构签发的，或已过期，或者是另一台计算机在冒充该服务器应答。</translation>
+    </message>
+    <message>
+        <source>Save the authority&apos;s certificate as ~/.postgresql/root.crt, or name its file with sslrootcert=FILE in the connection string. sslmode=require encrypts without verification.</source>
+        <translation>请将签发机构的证书保存为 ~/.postgresql/root.crt，或在连接字符串中用 sslrootcert=FILE 指定其文件。sslmode=require 只加密而不验证。</translation>
+    </message>
+    <message>
+        <source>the certificate of the history server is for another host name</source>
+        <translation>历史记录服务器的证书属于另一个主机名</translation>
+    </message>
+    <message>
+        <source>The connection string names the server differently, or another computer is answering in its place.</source>
+        <translation>连接字符串中的服务器名称与证书不同，或者是另一台计算机在冒充它应答。</translation>
+    </message>
+    <message>
+        <source>Use the host name in the certificate, or have a certificate issued for this one. sslmode=verify-ca checks only who issued it.</source>
+        <translation>请使用证书中的主机名，或为此主机名签发证书。sslmode=verify-ca 只检查签发机构。</translation>
+    </message>
+    <message>
+        <source>the connection string contains a password</source>
+        <translation>连接字符串中含有密码</translation>
+    </message>
+    <message>
+        <source>Others could read it in the settings and in the list of processes, so it is neither used nor saved.</source>
+        <translation>其他人可能从设置文件和进程列表中读到它，因此既不使用也不保存。</translation>
+    </message>
+    <message>
+        <source>Remove it from the string and store it in ~/.pgpass: a line HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600.</source>
+        <translation>请从连接字符串中删除密码，并将其存放在 ~/.pgpass 中：一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600。</translation>
+    </message>
+    <message>
+        <source>the password of the history server was removed from the settings</source>
+        <translation>已从设置中删除历史记录服务器的密码</translation>
+    </message>
+    <message>
+        <source>An earlier version saved it there as plain text.</source>
+        <translation>早期版本曾将它以明文保存在设置中。</translation>
+    </message>
+    <message>
+        <source>Store it in ~/.pgpass: a line HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600. Change it if others could read the settings.</source>
+        <translation>请将其存放在 ~/.pgpass 中：一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600。如果他人可能读到过设置文件，请更换密码。</translation>
     </message>
 </context>
 <context>
@@ -7423,10 +7471,6 @@ Asked more than once: %9</source>
         <translation>✔ %1 已是最新</translation>
     </message>
     <message>
-        <source>⚠ %1 is away; what it misses is sent later</source>
-        <translation>⚠ %1 连接不上；缺少的内容稍后发送</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>历史记录</translation>
     </message>
@@ -7586,6 +7630,14 @@ Asked more than once: %9</source>
         <source>Newest first; each row&apos;s own hint has all of it</source>
         <translation>最新的在最前；每行的提示有全部内容</translation>
     </message>
+    <message>
+        <source>⚠ %1: what is written now is sent later.</source>
+        <translation>⚠ %1：现在写入的内容将稍后发送。</translation>
+    </message>
+    <message>
+        <source>History server</source>
+        <translation>历史记录服务器</translation>
+    </message>
 </context>
 <context>
     <name>ui::HistoryPanel</name>
@@ -7637,10 +7689,6 @@ Asked more than once: %9</source>
         <translation>他人在服务器上凭此名称找到本工位的记录</translation>
     </message>
     <message>
-        <source>A password in the string is kept in the settings as it is; better leave it to PostgreSQL&apos;s own password file.</source>
-        <translation>字符串中的密码会原样存入设置；最好使用 PostgreSQL 自己的密码文件。</translation>
-    </message>
-    <message>
         <source>The server is set by SERVODESK_HISTORY_SERVER.</source>
         <translation>服务器由环境变量 SERVODESK_HISTORY_SERVER 指定。</translation>
     </message>
@@ -7659,6 +7707,10 @@ Asked more than once: %9</source>
     <message>
         <source>Change nothing</source>
         <translation>不作更改</translation>
+    </message>
+    <message>
+        <source>Store the password in ~/.pgpass, not in the string. A server on another computer must use TLS with a valid certificate; to change that, add ?sslmode=… to the string.</source>
+        <translation>密码请存放在 ~/.pgpass 中，不要写在连接字符串里。其他计算机上的服务器必须使用带有效证书的 TLS；如需更改，请在字符串后加 ?sslmode=…。</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include "cli/translate.h"
 #include "protocol/request.h"
+#include "record/server_address.h"
 #include "transport/port_opener.h"
 
 #include <QRegularExpression>
@@ -39,9 +40,11 @@ int distance(const QString& a, const QString& b)
 }
 } // namespace
 
+/// What was not understood is repeated, and may be a connection string.
 tl::unexpected<base::Error> badArgument(const QString& detail)
 {
-    return base::fail(ErrorCode::BadArgument, QStringLiteral("arguments"), detail);
+    return base::fail(ErrorCode::BadArgument, QStringLiteral("arguments"),
+                      record::ServerAddress::masked(detail));
 }
 
 base::Result<int> parseId(const QString& word)

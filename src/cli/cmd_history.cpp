@@ -247,7 +247,7 @@ base::Result<Exit> exportTo(Run& run, const record::History& history, HistoryKin
 
 base::Result<Exit> showBenches(Run& run, const Values& values)
 {
-    const auto benches = listBenches(values);
+    const auto benches = listBenches(run, values);
     if (!benches)
         return tl::unexpected(benches.error());
     Table table(
@@ -266,7 +266,7 @@ base::Result<Exit> showBenches(Run& run, const Values& values)
     return Exit::Done;
 }
 
-base::Result<Exit> runList(Run& run, const Values& values)
+base::Result<Exit> list(Run& run, const Values& values)
 {
     if (values.option("--kind") == QStringLiteral("benches"))
         return showBenches(run, values);
@@ -277,7 +277,7 @@ base::Result<Exit> runList(Run& run, const Values& values)
     const auto json = values.option("--export");
     if (csv && json)
         return badArgument(translate("cli", "give --csv or --export, not both"));
-    const auto history = openHistory(values);
+    const auto history = openHistory(run, values);
     if (!history)
         return tl::unexpected(history.error());
     const auto filter = historyFilter(history->get(), values);
@@ -288,6 +288,11 @@ base::Result<Exit> runList(Run& run, const Values& values)
     if (!*history)
         return badArgument(translate("cli", "there is no history yet"));
     return exportTo(run, **history, *kind, *filter, csv ? *csv : *json, csv.has_value());
+}
+
+base::Result<Exit> runList(Run& run, const Values& values)
+{
+    return askHistory(run, values, list);
 }
 } // namespace
 

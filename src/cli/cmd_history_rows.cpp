@@ -11,9 +11,9 @@
 
 namespace cli {
 namespace {
-base::Result<std::unique_ptr<record::History>> needHistory(const Values& values)
+base::Result<std::unique_ptr<record::History>> needHistory(Run& run, const Values& values)
 {
-    auto history = openHistory(values);
+    auto history = openHistory(run, values);
     if (history && !*history)
         return badArgument(translate("cli", "there is no history yet"));
     return history;
@@ -51,12 +51,12 @@ base::Result<std::vector<record::HistoryWrite>> together(const record::HistoryLo
     return own;
 }
 
-base::Result<Exit> runShow(Run& run, const Values& values)
+base::Result<Exit> show(Run& run, const Values& values)
 {
     const auto number = parseNumber(values.word("WRITE"));
     if (!number)
         return tl::unexpected(number.error());
-    const auto history = needHistory(values);
+    const auto history = needHistory(run, values);
     if (!history)
         return tl::unexpected(history.error());
     const auto writes = together((*history)->log(), *number);
@@ -110,7 +110,7 @@ base::Result<Exit> runShow(Run& run, const Values& values)
 
 base::Result<Exit> runLabel(Run& run, const Values& values)
 {
-    const auto history = needHistory(values);
+    const auto history = needHistory(run, values);
     if (!history)
         return tl::unexpected(history.error());
     const record::HistoryLog log = (*history)->log();
@@ -143,12 +143,12 @@ base::Result<Exit> runLabel(Run& run, const Values& values)
     return Exit::Done;
 }
 
-base::Result<Exit> runSnapshot(Run& run, const Values& values)
+base::Result<Exit> takeSnapshot(Run& run, const Values& values)
 {
     const auto number = parseNumber(values.word("SNAPSHOT"));
     if (!number)
         return tl::unexpected(number.error());
-    const auto history = needHistory(values);
+    const auto history = needHistory(run, values);
     if (!history)
         return tl::unexpected(history.error());
     const auto snapshot = (*history)->log().snapshot(*number);
@@ -168,12 +168,12 @@ base::Result<Exit> runSnapshot(Run& run, const Values& values)
     return Exit::Done;
 }
 
-base::Result<Exit> runTable(Run& run, const Values& values)
+base::Result<Exit> takeTable(Run& run, const Values& values)
 {
     const auto at = parseMoment(values.word("TIME"), QDateTime::currentDateTimeUtc());
     if (!at)
         return tl::unexpected(at.error());
-    const auto history = needHistory(values);
+    const auto history = needHistory(run, values);
     if (!history)
         return tl::unexpected(history.error());
     const auto servo = parseServo(**history, values.word("SERVO"));
@@ -206,6 +206,21 @@ base::Result<Exit> runTable(Run& run, const Values& values)
                    .add("unknown", point->unknown),
                lines.join(QLatin1Char('\n')) + QLatin1Char('\n'));
     return Exit::Done;
+}
+
+base::Result<Exit> runShow(Run& run, const Values& values)
+{
+    return askHistory(run, values, show);
+}
+
+base::Result<Exit> runSnapshot(Run& run, const Values& values)
+{
+    return askHistory(run, values, takeSnapshot);
+}
+
+base::Result<Exit> runTable(Run& run, const Values& values)
+{
+    return askHistory(run, values, takeTable);
 }
 } // namespace
 

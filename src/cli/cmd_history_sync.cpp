@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/history_remote.h"
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "session/history_sending.h"
@@ -42,8 +43,11 @@ base::Result<SendProgress> send(Run& run, const session::HistoryServerChoice& ch
 base::Result<Exit> runSync(Run& run, const Values& values)
 {
     session::Settings settings;
-    session::HistoryServerChoice choice = session::historyServerChoice(settings);
-    choice.address = values.option("--server").value_or(choice.address);
+    session::HistoryServerChoice choice = rememberedServer(run, settings);
+    if (const auto server = values.option("--server")) {
+        choice.address = *server;
+        choice.fixed = false;
+    }
     choice.bench = values.option("--bench").value_or(choice.bench).trimmed();
     if (choice.address.trimmed().isEmpty())
         return badArgument(translate("cli", "no history server is set; name one with --server or "
@@ -51,9 +55,12 @@ base::Result<Exit> runSync(Run& run, const Values& values)
     const auto address = record::ServerAddress::parse(choice.address);
     if (!address)
         return tl::unexpected(address.error());
-    if (values.has("--remember"))
-        session::setHistoryServerChoice(settings, choice);
     const auto sent = send(run, choice);
+    // One that is away now is remembered as well, one that makes no sense to libpq is not.
+    if (values.has("--remember") && (sent || sent.error().code != base::ErrorCode::BadArgument)) {
+        if (const auto kept = session::setHistoryServerChoice(settings, choice); !kept)
+            return tl::unexpected(kept.error());
+    }
     if (!sent)
         return tl::unexpected(sent.error());
     run.finish(Json::object()
@@ -76,7 +83,10 @@ Command historySyncCommand()
             {},
             {{"--server",
               QT_TRANSLATE_NOOP("cli", "its connection string, such as "
-                                       "postgresql://USER@HOST/DATABASE; else the one remembered"),
+                                       "postgresql://USER@HOST/DATABASE, without a password (store "
+                                       "it in ~/.pgpass); default: the one remembered. Another "
+                                       "computer must have a valid TLS certificate, unless "
+                                       "?sslmode=... says otherwise"),
               "STRING"},
              {"--bench", QT_TRANSLATE_NOOP("cli", "what this bench is called there"), "NAME"},
              {"--remember",

@@ -4,23 +4,28 @@
 #include "cli/arguments.h"
 #include "cli/history_input.h"
 #include "cli/translate.h"
-#include "session/history_server_choice.h"
+#include "session/loose_thread.h"
+#include "text/error_words.h"
+
+#include <future>
 
 namespace cli {
 namespace {
 using record::HistoryServer;
+constexpr auto lookEvery = std::chrono::milliseconds(50);
+constexpr auto atTheEnd = std::chrono::milliseconds(900);
 
-base::Result<std::unique_ptr<HistoryServer>> connect(const Values& values)
+base::Result<std::unique_ptr<HistoryServer>> connect(Run& run, const Values& values)
 {
     QString address = values.option("--server").value_or(QStringLiteral("default"));
     if (address == QLatin1String("default")) {
-        const session::Settings settings;
-        address = session::historyServerChoice(settings).address;
+        session::Settings settings;
+        address = rememberedServer(run, settings).address;
     }
     if (address.isEmpty())
         return badArgument(translate("cli", "no history server is set; name one with --server or "
                                             "SERVODESK_HISTORY_SERVER"));
-    return record::connectHistoryServer(address, HistoryServer::Purpose::Browse);
+    return record::connectHistoryServer(address, HistoryServer::Purpose::Browse, &run.stop());
 }
 
 base::Result<void> chooseBench(const HistoryServer& server, const QString& name)
@@ -37,7 +42,42 @@ base::Result<void> chooseBench(const HistoryServer& server, const QString& name)
     return badArgument(translate("cli", "no bench called %1 sends there; these do: %2")
                            .arg(name, names.join(QStringLiteral(", "))));
 }
+
+bool asksServer(const Values& values)
+{
+    return values.option("--server") || values.option("--bench") ||
+           values.option("--kind") == QStringLiteral("benches");
+}
 } // namespace
+
+base::Result<Exit> askHistory(Run& run, const Values& values,
+                              base::Result<Exit> (*work)(Run&, const Values&))
+{
+    if (!asksServer(values))
+        return work(run, values);
+    (void)run.session(); // belongs to this thread
+    const auto promise = std::make_shared<std::promise<base::Result<Exit>>>();
+    auto answer = promise->get_future();
+    session::LooseThread thread;
+    thread.start([&run, values, work, promise] { promise->set_value(work(run, values)); });
+    while (answer.wait_for(lookEvery) != std::future_status::ready) {
+        // One that is connected hangs up by itself; connecting cannot be ended.
+        if (run.stop().requested() && answer.wait_for(atTheEnd) != std::future_status::ready)
+            return base::fail(base::ErrorCode::Stopped, QStringLiteral("history-server"));
+    }
+    thread.end(atTheEnd);
+    return answer.get();
+}
+
+session::HistoryServerChoice rememberedServer(Run& run, session::Settings& settings)
+{
+    if (const auto removed = session::removeStoredPassword(settings)) {
+        const text::Description words = text::describe(*removed);
+        run.console().say(
+            QStringList{words.what, words.cause, words.remedy}.join(QLatin1Char('\n')));
+    }
+    return session::historyServerChoice(settings);
+}
 
 std::vector<Option> serverOptions()
 {
@@ -49,12 +89,12 @@ std::vector<Option> serverOptions()
              "NAME"}};
 }
 
-base::Result<std::unique_ptr<record::History>> openHistory(const Values& values)
+base::Result<std::unique_ptr<record::History>> openHistory(Run& run, const Values& values)
 {
     const auto bench = values.option("--bench");
     if (!values.option("--server") && !bench)
         return openHistory();
-    auto server = connect(values);
+    auto server = connect(run, values);
     if (!server)
         return tl::unexpected(server.error());
     if (bench) {
@@ -64,9 +104,9 @@ base::Result<std::unique_ptr<record::History>> openHistory(const Values& values)
     return std::make_unique<record::History>(std::move(*server));
 }
 
-base::Result<std::vector<record::HistoryBench>> listBenches(const Values& values)
+base::Result<std::vector<record::HistoryBench>> listBenches(Run& run, const Values& values)
 {
-    const auto server = connect(values);
+    const auto server = connect(run, values);
     if (!server)
         return tl::unexpected(server.error());
     return (*server)->benches();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The history that a command looks at: this computer's, or with --server the copies on a history
-// server. Main thread; waits for the server. Errors of record/history_server.h; BadArgument.
+// server. A server is waited for until Ctrl-C, or until it leaves a question unanswered for half a
+// minute. Main thread. Errors of record/history_server.h; BadArgument.
 #pragma once
 
-#include "cli/command.h"
+#include "cli/run.h"
 #include "record/history_server.h"
+#include "session/history_server_choice.h"
 
 namespace record {
 class History;
@@ -13,8 +15,14 @@ class History;
 namespace cli {
 /// --server, --bench
 std::vector<Option> serverOptions();
+/// `work`, which may ask a server: then on a thread that Ctrl-C leaves behind.
+base::Result<Exit> askHistory(Run& run, const Values& values,
+                              base::Result<Exit> (*work)(Run&, const Values&));
 /// Null: nothing was ever kept on this computer.
-base::Result<std::unique_ptr<record::History>> openHistory(const Values& values);
+base::Result<std::unique_ptr<record::History>> openHistory(Run& run, const Values& values);
 /// Who sends to the server.
-base::Result<std::vector<record::HistoryBench>> listBenches(const Values& values);
+base::Result<std::vector<record::HistoryBench>> listBenches(Run& run, const Values& values);
+
+/// What is remembered, said once if a password had to be removed from it.
+session::HistoryServerChoice rememberedServer(Run& run, session::Settings& settings);
 } // namespace cli

@@ -5,6 +5,8 @@
 #include "record/server_error.h"
 
 #include <QDateTime>
+#include <QDir>
+#include <QFile>
 #include <QSqlDatabase>
 #include <QSqlDriver>
 #include <QSqlError>
@@ -17,16 +19,66 @@ namespace record {
 namespace {
 const QString driverName = QStringLiteral("QPSQL");
 
+using Clock = std::chrono::steady_clock;
+constexpr auto guardPeriod = std::chrono::milliseconds(50);
+constexpr auto guardPatience = std::chrono::seconds(30);
+constexpr int defaultConnectSeconds = 3;
+constexpr int maxConnectSeconds = 30; ///< nothing can end the wait for a connection
+
+/// What a service file names is known to libpq only.
+bool mayBeElsewhere(ServerAddress address)
+{
+    const QString host = QStringLiteral("host");
+    const QString hostaddr = QStringLiteral("hostaddr");
+    if (address.value(host).isEmpty() && address.value(hostaddr).isEmpty()) {
+        if (!address.value(QStringLiteral("service")).isEmpty() ||
+            qEnvironmentVariableIsSet("PGSERVICE"))
+            return true;
+        address.setDefault(host, qEnvironmentVariable("PGHOST"));
+        address.setDefault(hostaddr, qEnvironmentVariable("PGHOSTADDR"));
+    }
+    return !address.isLocal();
+}
+
+/// The authorities that this computer trusts, where the user has named none. Only for verify-full:
+/// with any lesser check a certificate of somebody else's would do.
+void setDefaultRoots(ServerAddress& address)
+{
+    static const QString systemRoots = QStringLiteral("/etc/ssl/certs/ca-certificates.crt");
+    if (address.value(QStringLiteral("sslmode")) == QLatin1String("verify-full") &&
+        !qEnvironmentVariableIsSet("PGSSLROOTCERT") &&
+        !QFile::exists(QDir::home().filePath(QStringLiteral(".postgresql/root.crt"))) &&
+        QFile::exists(systemRoots))
+        address.setDefault(QStringLiteral("sslrootcert"), systemRoots);
+}
+
+/// Another computer has to prove who it is, unless the user says otherwise.
+void setDefaultTls(ServerAddress& address)
+{
+    if (mayBeElsewhere(address) && !qEnvironmentVariableIsSet("PGSSLMODE"))
+        address.setDefault(QStringLiteral("sslmode"), QStringLiteral("verify-full"));
+    setDefaultRoots(address);
+}
+
 /// So that a dead line is found out, and a bench that vanishes holds up no other one.
 void setDefaults(ServerAddress& address)
 {
     const std::pair<const char*, const char*> defaults[] = {
-        {"connect_timeout", "3"},      {"keepalives_idle", "10"},
-        {"keepalives_interval", "5"},  {"keepalives_count", "3"},
-        {"tcp_user_timeout", "15000"}, {"fallback_application_name", "servodesk"},
+        {"keepalives_idle", "10"},
+        {"keepalives_interval", "5"},
+        {"keepalives_count", "3"},
+        {"tcp_user_timeout", "15000"},
+        {"fallback_application_name", "servodesk"},
     };
     for (const auto& [keyword, value] : defaults)
         address.setDefault(QString::fromLatin1(keyword), QString::fromLatin1(value));
+    const QString connectTimeout = QStringLiteral("connect_timeout");
+    address.setDefault(connectTimeout, QString::number(defaultConnectSeconds));
+    bool isNumber = false;
+    const int seconds = address.value(connectTimeout).toInt(&isNumber);
+    if (isNumber && (seconds < 1 || seconds > maxConnectSeconds))
+        address.set(connectTimeout, QString::number(maxConnectSeconds));
+    setDefaultTls(address);
 }
 
 ServerAddress withDefaults(ServerAddress address)
@@ -72,6 +124,9 @@ HistoryServer::HistoryServer(ServerAddress address, Purpose purpose)
 
 HistoryServer::~HistoryServer()
 {
+    m_ending = true;
+    if (m_guard.joinable())
+        m_guard.join();
     m_socket.release();
     QSqlDatabase::removeDatabase(m_name);
 }
@@ -81,12 +136,29 @@ void HistoryServer::abort()
     m_socket.close();
 }
 
+void HistoryServer::guard(const base::Stop& stop, std::chrono::milliseconds patience)
+{
+    m_stop = &stop;
+    m_guard = std::thread([this, patience] {
+        while (!m_ending) {
+            const auto since = m_askedAt.load();
+            const auto silence = Clock::now().time_since_epoch() - Clock::duration(since);
+            if (m_stop->requested() || (since != 0 && silence > patience)) {
+                abort();
+                return;
+            }
+            std::this_thread::sleep_for(guardPeriod);
+        }
+    });
+}
+
 base::Error HistoryServer::error(const QSqlError& error, bool connecting) const
 {
+    if (m_stop != nullptr && m_stop->requested())
+        return {base::ErrorCode::Stopped, serverOperation};
     if (m_socket.closed())
         return serverError(ServerTrouble::Hung, {});
-    return serverError(m_address.withoutPassword(error.databaseText()), error.nativeErrorCode(),
-                       connecting);
+    return serverError(error.databaseText(), error.nativeErrorCode(), connecting);
 }
 
 base::Result<void> HistoryServer::connect()
@@ -98,7 +170,6 @@ base::Result<void> HistoryServer::connect()
     if (!database.isValid())
         return tl::unexpected(serverError(ServerTrouble::Driver, {}));
     database.setUserName(m_address.value(QStringLiteral("user")));
-    database.setPassword(m_address.value(QStringLiteral("password")));
     database.setDatabaseName(m_address.value(QStringLiteral("dbname")));
     database.setConnectOptions(m_address.options());
     if (!database.open())
@@ -160,7 +231,10 @@ base::Result<HistoryAnswer> HistoryServer::run(const QString& sql, const QVarian
             serverError(m_socket.closed() ? ServerTrouble::Hung : ServerTrouble::Away, QString()));
     QSqlQuery query(database);
     HistoryAnswer answer;
-    if (!query.exec(statement(sql, values)))
+    m_askedAt = Clock::now().time_since_epoch().count();
+    const bool answered = query.exec(statement(sql, values));
+    m_askedAt = 0;
+    if (!answered)
         return tl::unexpected(error(query.lastError(), false));
     if (!query.isSelect()) {
         answer.changed = query.numRowsAffected();
@@ -239,13 +313,15 @@ HistoryServer::benchesOf(const QString& table, const std::vector<std::int64_t>& 
     return names;
 }
 
-base::Result<std::unique_ptr<HistoryServer>> connectHistoryServer(const QString& text,
-                                                                  HistoryServer::Purpose purpose)
+base::Result<std::unique_ptr<HistoryServer>>
+connectHistoryServer(const QString& text, HistoryServer::Purpose purpose, const base::Stop* stop)
 {
     const auto address = ServerAddress::parse(text);
     if (!address)
         return tl::unexpected(address.error());
     auto server = std::make_unique<HistoryServer>(*address, purpose);
+    if (stop != nullptr)
+        server->guard(*stop, guardPatience);
     if (const auto connected = server->connect(); !connected)
         return tl::unexpected(connected.error());
     return server;

@@ -4,15 +4,22 @@
 // the server's own), so record::History and HistoryLog read from it; what changes it is taken by
 // record/history_copy.h only. The thread that connected; abort() from any. Calls wait for the
 // server: connecting some seconds, statements until they are answered or aborted.
+// Another computer must prove by its certificate that it is the one named (sslmode=verify-full),
+// unless sslmode in the string or PGSSLMODE says otherwise.
 // Fails with operation "history-server" and a detail "KIND: the server's words": away, hung,
-// password, database, rights, tls, refused (LinkLost, Port…), driver (NotSupported), newer, older,
-// encoding (FileFormat), empty (FileMissing: nothing was ever sent there), busy (PortBusy), full
-// (DiskFull), string (BadArgument), server (PortFailed). text/server_words.cpp has the words.
+// password, database, rights, tls, certificate, host-name, refused (LinkLost, Port…), driver
+// (NotSupported), newer, older, encoding (FileFormat), empty (FileMissing: nothing was ever sent
+// there), busy (PortBusy), full (DiskFull), string, secret (BadArgument), server (PortFailed).
+// text/server_words.cpp has the words.
 #pragma once
 
+#include "base/stop.h"
 #include "record/history_file.h"
 #include "record/server_address.h"
 #include "record/server_socket.h"
+
+#include <atomic>
+#include <thread>
 
 namespace record {
 /// One that has sent something there.
@@ -35,6 +42,9 @@ public:
     ~HistoryServer() override;
 
     base::Result<void> connect();
+    /// For a caller with nothing else to do: from now on a thread of its own aborts when `stop` is
+    /// requested (Stopped then), or when one answer takes longer than `patience` (hung).
+    void guard(const base::Stop& stop, std::chrono::milliseconds patience);
     /// What waits for the server fails at once (hung), and whatever is asked later. Any thread.
     void abort();
 
@@ -60,9 +70,15 @@ private:
     const Purpose m_purpose;
     const QString m_name; ///< of Qt's connection
     ServerSocket m_socket;
+    mutable std::atomic<std::chrono::steady_clock::rep> m_askedAt{0}; ///< 0: nothing is asked
+    const base::Stop* m_stop = nullptr;
+    std::atomic<bool> m_ending{false};
+    std::thread m_guard;
 };
 
-/// The connection string in the user's hands → one ready to be asked. Waits like connect().
+/// The connection string in the user's hands → one ready to be asked. Waits like connect(). With
+/// `stop`: guarded by it, with a patience that ends any wait.
 base::Result<std::unique_ptr<HistoryServer>> connectHistoryServer(const QString& text,
-                                                                  HistoryServer::Purpose purpose);
+                                                                  HistoryServer::Purpose purpose,
+                                                                  const base::Stop* stop = nullptr);
 } // namespace record

@@ -1,11 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record/server_address.h"
 
+#include <QRegularExpression>
 #include <QUrl>
+
+#include <algorithm>
 
 namespace record {
 namespace {
 const QString passwordWord = QStringLiteral("password");
+
+/// What libpq calls a password, and what people call it by mistake.
+bool isSecret(const QString& keyword)
+{
+    static const QRegularExpression secret(QStringLiteral("^(ssl)?(password|passwd|pass|pwd)$"),
+                                           QRegularExpression::CaseInsensitiveOption);
+    return secret.match(keyword).hasMatch();
+}
+
+/// Sockets in the file system and names of this computer that no name server can change.
+bool isLoopback(const QString& host)
+{
+    static const QRegularExpression loopback(
+        QStringLiteral(R"(^(127(\.\d{1,3}){3}|localhost|::1)$)"),
+        QRegularExpression::CaseInsensitiveOption);
+    return host.isEmpty() || host.startsWith(u'/') || host.startsWith(u'@') ||
+           loopback.match(host).hasMatch();
+}
 
 tl::unexpected<base::Error> wrong(const QString& what)
 {
@@ -46,9 +67,28 @@ QString quoted(QString value)
     value.replace(u'\\', QStringLiteral("\\\\")).replace(u'\'', QStringLiteral("\\'"));
     return u'\'' + value + u'\'';
 }
+
+QString quotedIfNeeded(const QString& value)
+{
+    static const QRegularExpression plain(QStringLiteral(R"(^[^\s'\\]+$)"));
+    return plain.match(value).hasMatch() ? value : quoted(value);
+}
 } // namespace
 
 base::Result<ServerAddress> ServerAddress::parse(const QString& text)
+{
+    auto address = parseAll(text);
+    if (!address)
+        return address;
+    for (const auto& [keyword, value] : address->m_values) {
+        if (isSecret(keyword) && !value.isEmpty())
+            return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history-server"),
+                              QStringLiteral("secret"));
+    }
+    return address;
+}
+
+base::Result<ServerAddress> ServerAddress::parseAll(const QString& text)
 {
     ServerAddress address;
     const QString trimmed = text.trimmed();
@@ -60,7 +100,7 @@ base::Result<ServerAddress> ServerAddress::parse(const QString& text)
         return tl::unexpected(done.error());
     for (const auto& [keyword, value] : address.m_values) {
         // Qt's driver parts options at semicolons.
-        if (value.contains(u';') && keyword != passwordWord && keyword != QLatin1String("user") &&
+        if (value.contains(u';') && !isSecret(keyword) && keyword != QLatin1String("user") &&
             keyword != QLatin1String("dbname"))
             return wrong(QStringLiteral("; in %1").arg(keyword));
     }
@@ -68,7 +108,7 @@ base::Result<ServerAddress> ServerAddress::parse(const QString& text)
 }
 
 /// The last one counts, as with libpq.
-void ServerAddress::add(const QString& keyword, const QString& value)
+void ServerAddress::set(const QString& keyword, const QString& value)
 {
     for (auto& known : m_values) {
         if (known.first == keyword) {
@@ -97,12 +137,15 @@ base::Result<void> ServerAddress::parseHosts(const QString& hosts)
             name = one.left(colon);
         }
         names.append(decoded(name));
-        ports.append(colon < 0 ? QString() : one.mid(colon + 1));
+        const QString port = colon < 0 ? QString() : one.mid(colon + 1);
+        if (std::any_of(port.begin(), port.end(), [](QChar c) { return !c.isDigit(); }))
+            return wrong(QStringLiteral("the port is not a number"));
+        ports.append(port);
     }
     if (!names.join(QString()).isEmpty())
-        add(QStringLiteral("host"), names.join(u','));
+        set(QStringLiteral("host"), names.join(u','));
     if (!ports.join(QString()).isEmpty())
-        add(QStringLiteral("port"), ports.join(u','));
+        set(QStringLiteral("port"), ports.join(u','));
     return {};
 }
 
@@ -122,19 +165,22 @@ base::Result<void> ServerAddress::parseUri(const QString& text)
         const QString who = server.left(at);
         server = server.mid(at + 1);
         const qsizetype colon = who.indexOf(u':');
-        add(QStringLiteral("user"), decoded(colon < 0 ? who : who.left(colon)));
+        set(QStringLiteral("user"), decoded(colon < 0 ? who : who.left(colon)));
         if (colon >= 0)
-            add(passwordWord, decoded(who.mid(colon + 1)));
+            set(passwordWord, decoded(who.mid(colon + 1)));
     }
     if (const auto hosts = parseHosts(server); !hosts)
         return hosts;
+    // An @ after the slash comes from a password with a slash in it.
+    if (slash >= 0 && rest.indexOf(u'@', slash) >= 0)
+        return wrong(QStringLiteral("@ in the name of the database; write %40"));
     if (slash >= 0 && slash + 1 < rest.size())
-        add(QStringLiteral("dbname"), decoded(rest.mid(slash + 1)));
+        set(QStringLiteral("dbname"), decoded(rest.mid(slash + 1)));
     for (const QString& one : parameters.split(u'&', Qt::SkipEmptyParts)) {
         const qsizetype equals = one.indexOf(u'=');
         if (equals < 1)
             return wrong(QStringLiteral("a parameter without ="));
-        add(decoded(one.left(equals)), decoded(one.mid(equals + 1)));
+        set(decoded(one.left(equals)), decoded(one.mid(equals + 1)));
     }
     return {};
 }
@@ -160,7 +206,7 @@ base::Result<void> ServerAddress::parseWords(const QString& text)
         const auto value = takeValue(text, at);
         if (!value)
             return wrong(QStringLiteral("a quote is not closed"));
-        add(keyword, *value);
+        set(keyword, *value);
     }
     return {};
 }
@@ -177,7 +223,7 @@ QString ServerAddress::value(const QString& keyword) const
 void ServerAddress::setDefault(const QString& keyword, const QString& value)
 {
     if (this->value(keyword).isEmpty())
-        add(keyword, value);
+        set(keyword, value);
 }
 
 QString ServerAddress::shown() const
@@ -207,12 +253,38 @@ QString ServerAddress::options() const
     return words.join(u' ');
 }
 
-QString ServerAddress::withoutPassword(QString message) const
+bool ServerAddress::isLocal() const
 {
-    const QString password = value(passwordWord);
-    // One that is a name as well, or a syllable, gives nothing away and would only spoil the text.
-    if (password.size() < 4 || shown().contains(password))
-        return message;
-    return message.replace(password, QStringLiteral("•••"));
+    const QStringList hosts =
+        value(QStringLiteral("host")).split(u',') + value(QStringLiteral("hostaddr")).split(u',');
+    return std::all_of(hosts.begin(), hosts.end(), isLoopback);
+}
+
+QString ServerAddress::masked(QString text)
+{
+    static const QString cover = QStringLiteral("•••");
+    static const QRegularExpression inUri(QStringLiteral(R"((://[^:/?@\s]*:)\S*(@))"));
+    static const QRegularExpression inWords(
+        QStringLiteral(
+            R"(((?:password|passwd|\bpass|pwd)\s*=\s*)(?:'(?:[^'\\]|\\.)*'?|(?:\\.|\S)+))"),
+        QRegularExpression::CaseInsensitiveOption);
+    text.replace(inUri, QStringLiteral("\\1") + cover + QStringLiteral("\\2"));
+    return text.replace(inWords, QStringLiteral("\\1") + cover);
+}
+
+std::optional<QString> ServerAddress::withoutSecrets(const QString& text)
+{
+    const auto address = parseAll(text);
+    if (!address)
+        return masked(text) == text ? std::nullopt : std::optional(QString());
+    QStringList words;
+    bool hasSecret = false;
+    for (const auto& [keyword, value] : address->m_values) {
+        if (isSecret(keyword))
+            hasSecret = hasSecret || !value.isEmpty();
+        else
+            words.append(keyword + u'=' + quotedIfNeeded(value));
+    }
+    return hasSecret ? std::optional(words.join(u' ')) : std::nullopt;
 }
 } // namespace record

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A connection string of PostgreSQL as libpq knows it, taken apart:
 // postgresql://user@host:5432/servodesk?sslmode=verify-full or host=… dbname=…. A plain value; any
-// thread. What it does not say libpq takes from PGHOST, PGPASSWORD, .pgpass … by itself. A password
-// is in here and in no text this gives out. Fails with BadArgument, detail "string: what".
+// thread. What it does not say libpq takes from PGHOST, PGPASSWORD, ~/.pgpass … by itself. A string
+// with a password is refused: it would end up in settings, lists of processes and logs. Fails with
+// BadArgument, detail "string: what" or "secret".
 #pragma once
 
 #include "base/error.h"
 
 #include <QStringList>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,21 +19,28 @@ class ServerAddress {
 public:
     static base::Result<ServerAddress> parse(const QString& text);
 
-    /// "user@host:5432/servodesk", for people: no password, no options.
+    /// `text` with every password in it covered ("•••"), whether it can be parsed or not.
+    static QString masked(QString text);
+    /// `text` without its passwords; nullopt: it has none. Empty where the rest makes no sense.
+    static std::optional<QString> withoutSecrets(const QString& text);
+
+    /// "user@host:5432/servodesk", for people: no options.
     QString shown() const;
     QString value(const QString& keyword) const; ///< empty: not given
+    void set(const QString& keyword, const QString& value);
     void setDefault(const QString& keyword, const QString& value);
 
-    /// Everything but user, password and dbname, quoted for libpq.
+    /// Every host it names is this very computer; true if it names none.
+    bool isLocal() const;
+
+    /// Everything but user and dbname, quoted for libpq.
     QString options() const;
-    /// `message` with the password, should it be in there, taken out.
-    QString withoutPassword(QString message) const;
 
 private:
+    static base::Result<ServerAddress> parseAll(const QString& text);
     base::Result<void> parseUri(const QString& text);
     base::Result<void> parseWords(const QString& text);
     base::Result<void> parseHosts(const QString& hosts);
-    void add(const QString& keyword, const QString& value);
 
     std::vector<std::pair<QString, QString>> m_values; ///< keyword → value, each once
 };

@@ -33,6 +33,10 @@ Kind kindOf(ServerTrouble trouble)
         return {ErrorCode::PortFailed, "refused"};
     case ServerTrouble::Tls:
         return {ErrorCode::PortFailed, "tls"};
+    case ServerTrouble::Certificate:
+        return {ErrorCode::PortFailed, "certificate"};
+    case ServerTrouble::HostName:
+        return {ErrorCode::PortFailed, "host-name"};
     case ServerTrouble::Driver:
         return {ErrorCode::NotSupported, "driver"};
     case ServerTrouble::Newer:
@@ -89,7 +93,14 @@ constexpr Sign sayings[] = {
     {"invalid integer value", ServerTrouble::String},
     {"invalid port number", ServerTrouble::String},
     {"value: \"", ServerTrouble::String}, // invalid sslmode value: "…"
+    {"does not match host name", ServerTrouble::HostName},
+    {"host name must be specified", ServerTrouble::HostName},
+    {"server's host name from server certificate", ServerTrouble::HostName},
+    {"certificate verify failed", ServerTrouble::Certificate},
+    {"root certificate", ServerTrouble::Certificate},
     {"support SSL", ServerTrouble::Tls},
+    {"SSL SYSCALL error", ServerTrouble::Away},
+    {"SSL connection has been closed", ServerTrouble::Away},
     {"SSL error", ServerTrouble::Tls},
     {"SSL negotiation", ServerTrouble::Tls},
     {"certificate", ServerTrouble::Tls},

@@ -19,7 +19,9 @@ enum class ServerTrouble : std::uint8_t {
     Database, ///< there is none of this name
     Rights,   ///< the account may not
     Refused,  ///< it let nobody in, for a reason in words we cannot read (its language is its own)
-    Tls,      ///< no encryption as asked for, or its certificate is not trusted
+    Tls,      ///< no encryption as asked for
+    Certificate, ///< it is not trusted, or there is nothing to check it against
+    HostName,    ///< the certificate is for another one
     Driver,
     Newer, ///< its schema
     Older, ///< and this connection may not change it

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/history_server_choice.h"
 
+#include "record/server_address.h"
+
 #include <QSysInfo>
 
 namespace session {
@@ -22,11 +24,29 @@ HistoryServerChoice historyServerChoice(const Settings& settings)
     return choice;
 }
 
-void setHistoryServerChoice(Settings& settings, const HistoryServerChoice& choice)
+base::Result<void> setHistoryServerChoice(Settings& settings, const HistoryServerChoice& choice)
 {
-    settings.setChoice(serverKey, choice.address.trimmed());
+    const QString address = choice.address.trimmed();
+    if (!choice.fixed) {
+        const auto parsed = record::ServerAddress::parse(address);
+        if (!address.isEmpty() && !parsed)
+            return tl::unexpected(parsed.error());
+        settings.setChoice(serverKey, address);
+    }
     settings.setChoice(benchKey, choice.bench.trimmed() == QSysInfo::machineHostName()
                                      ? QString()
                                      : choice.bench.trimmed());
+    return {};
+}
+
+std::optional<base::Error> removeStoredPassword(Settings& settings)
+{
+    const QString stored = settings.choice(serverKey, QString()).toString();
+    const auto rest = record::ServerAddress::withoutSecrets(stored);
+    if (!rest)
+        return std::nullopt;
+    settings.setChoice(serverKey, *rest);
+    return base::Error{base::ErrorCode::BadArgument, QStringLiteral("history-server"),
+                       QStringLiteral("secret-removed")};
 }
 } // namespace session

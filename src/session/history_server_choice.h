@@ -7,12 +7,18 @@
 
 namespace session {
 struct HistoryServerChoice {
-    QString address{};  ///< connection string; empty: none. May hold a password: never shown
+    /// Connection string; empty: none. As the user has typed it, so shown masked only.
+    QString address{};
     QString bench{};    ///< for people; this machine's name if none was given
     bool fixed = false; ///< by the environment: what is set has no effect
 };
 
 HistoryServerChoice historyServerChoice(const Settings& settings);
-/// Of `choice` address and bench.
-void setHistoryServerChoice(Settings& settings, const HistoryServerChoice& choice);
+/// Of `choice` address and bench; one that is fixed keeps the address that was set. Writes nothing
+/// where record::ServerAddress refuses the address: BadArgument.
+base::Result<void> setHistoryServerChoice(Settings& settings, const HistoryServerChoice& choice);
+
+/// A password that an earlier version has stored is removed from the settings. What to tell the
+/// user then, once.
+std::optional<base::Error> removeStoredPassword(Settings& settings);
 } // namespace session

@@ -2,6 +2,7 @@
 #include "session/settings.h"
 
 #include <QDateTime>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QMetaType>
@@ -116,15 +117,44 @@ std::optional<QVariant> readAs(const QVariant& stored, int type)
         return std::nullopt;
     }
 }
+
+/// Nobody else's business, whatever is in it. A file system that knows no owners is no trouble.
+void keepPrivate(const QString& path)
+{
+    constexpr QFileDevice::Permissions owner = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
+    constexpr QFileDevice::Permissions others = QFileDevice::ReadGroup | QFileDevice::WriteGroup |
+                                                QFileDevice::ExeGroup | QFileDevice::ReadOther |
+                                                QFileDevice::WriteOther | QFileDevice::ExeOther;
+    if (QFileInfo(path).isFile() && (QFile::permissions(path) & others) != 0)
+        QFile::setPermissions(path, owner);
+}
+
+/// QSettings keeps the permissions of a file that is there, and makes a new one for all to read.
+void makePrivate(const QString& path)
+{
+    if (QFileInfo::exists(path) || !QDir().mkpath(QFileInfo(path).path()))
+        return;
+    QFile(path).open(QIODevice::WriteOnly | QIODevice::NewOnly,
+                     QFileDevice::ReadOwner | QFileDevice::WriteOwner);
+}
+
+/// Before anything is read from it, or put aside.
+QString privateFile(const QString& path)
+{
+    const QString file = path.isEmpty() ? defaultPath() : path;
+    keepPrivate(file);
+    return file;
+}
 } // namespace
 
 Settings::Settings(const QString& path)
-    : m_brokenCopy(putAside(path.isEmpty() ? defaultPath() : path))
+    : m_brokenCopy(putAside(privateFile(path)))
     , m_file(path.isEmpty() ? defaultPath() : path, QSettings::IniFormat)
 {}
 
 void Settings::put(const QString& key, const QVariant& value)
 {
+    makePrivate(m_file.fileName());
     // A newer version's number stays: what it knows is still in the file.
     if (!number(versionKey, formatVersion, std::numeric_limits<int>::max()))
         m_file.setValue(versionKey, formatVersion);

@@ -23,7 +23,8 @@ constexpr std::array serverKinds{
                  QT_TRANSLATE_NOOP("text", "The password is wrong or missing, or there is no "
                                            "such user."),
                  QT_TRANSLATE_NOOP("text", "Check the user in the connection string, and the "
-                                           "password in ~/.pgpass, PGPASSWORD or the string.")},
+                                           "password in ~/.pgpass (a line "
+                                           "HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600).")},
     RefusalWords{"database", QT_TRANSLATE_NOOP("text", "the history server has no such database"),
                  QT_TRANSLATE_NOOP("text", "Its name is misspelt, or nobody has made it yet."),
                  QT_TRANSLATE_NOOP("text", "Have it made on the server: \"createdb -E UTF8 -O "
@@ -34,12 +35,45 @@ constexpr std::array serverKinds{
                  QT_TRANSLATE_NOOP("text", "Have the database's owner permit it (GRANT, "
                                            "pg_hba.conf), or use another user.")},
     RefusalWords{"tls",
-                 QT_TRANSLATE_NOOP("text", "the history server and this bench cannot agree on "
+                 QT_TRANSLATE_NOOP("text", "the history server and this computer cannot agree on "
                                            "encryption"),
-                 QT_TRANSLATE_NOOP("text", "One of them asks for TLS and the other has none, or "
-                                           "the certificate is not trusted."),
-                 QT_TRANSLATE_NOOP("text", "Check sslmode and sslrootcert in the connection "
-                                           "string, and the server's certificate.")},
+                 QT_TRANSLATE_NOOP("text", "One side requires TLS and the other does not offer "
+                                           "it. Servers on other computers must use TLS "
+                                           "(sslmode=verify-full) unless sslmode says otherwise."),
+                 QT_TRANSLATE_NOOP("text", "Enable TLS on the server (ssl = on). On a trusted "
+                                           "network, sslmode=disable in the connection string "
+                                           "sends everything unencrypted.")},
+    RefusalWords{"certificate",
+                 QT_TRANSLATE_NOOP("text", "the certificate of the history server cannot be "
+                                           "verified"),
+                 QT_TRANSLATE_NOOP("text", "It is not issued by an authority this computer "
+                                           "trusts, it has expired, or another computer is "
+                                           "answering in the server's place."),
+                 QT_TRANSLATE_NOOP("text", "Save the authority's certificate as "
+                                           "~/.postgresql/root.crt, or name its file with "
+                                           "sslrootcert=FILE in the connection string. "
+                                           "sslmode=require encrypts without verification.")},
+    RefusalWords{"host-name",
+                 QT_TRANSLATE_NOOP("text", "the certificate of the history server is for another "
+                                           "host name"),
+                 QT_TRANSLATE_NOOP("text", "The connection string names the server differently, "
+                                           "or another computer is answering in its place."),
+                 QT_TRANSLATE_NOOP("text", "Use the host name in the certificate, or have a "
+                                           "certificate issued for this one. sslmode=verify-ca "
+                                           "checks only who issued it.")},
+    RefusalWords{"secret", QT_TRANSLATE_NOOP("text", "the connection string contains a password"),
+                 QT_TRANSLATE_NOOP("text", "Others could read it in the settings and in the list "
+                                           "of processes, so it is neither used nor saved."),
+                 QT_TRANSLATE_NOOP("text", "Remove it from the string and store it in ~/.pgpass: "
+                                           "a line HOST:PORT:DATABASE:USER:PASSWORD, file mode "
+                                           "0600.")},
+    RefusalWords{"secret-removed",
+                 QT_TRANSLATE_NOOP("text", "the password of the history server was removed from "
+                                           "the settings"),
+                 QT_TRANSLATE_NOOP("text", "An earlier version saved it there as plain text."),
+                 QT_TRANSLATE_NOOP("text", "Store it in ~/.pgpass: a line "
+                                           "HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600. "
+                                           "Change it if others could read the settings.")},
     RefusalWords{"refused", QT_TRANSLATE_NOOP("text", "the history server lets nobody in"),
                  QT_TRANSLATE_NOOP("text", "It gives its reason in its own language."),
                  QT_TRANSLATE_NOOP("text", "Check user, password and database of the connection "

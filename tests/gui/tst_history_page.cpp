@@ -13,6 +13,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTableView>
@@ -60,6 +61,85 @@ class TestHistoryPage : public QObject {
 
 private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
+
+    /// A server that cannot be used is named with the cause and what to do, in the window itself.
+    void aServersTroubleIsExplained_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("what");
+        QTest::addColumn<QString>("remedy");
+        QTest::newRow("en") << "en"
+                            << "cannot be reached"
+                            << "Check host and port";
+        QTest::newRow("zh") << "zh_CN"
+                            << "无法连接"
+                            << "检查";
+    }
+
+    void aServersTroubleIsExplained()
+    {
+        QFETCH(QString, language);
+        QFETCH(QString, what);
+        QFETCH(QString, remedy);
+        HistoryBench bench(language);
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.write("position_p", 40));
+        bench.WindowBench::bench.sender.setServer(
+            QStringLiteral("host=127.0.0.1 port=1 dbname=shop"), QStringLiteral("Bench"));
+        auto* state = bench.find<QLabel>("historyServerState");
+        QTRY_VERIFY2(state->text().contains(what), qPrintable(state->text()));
+        QVERIFY2(state->text().contains(remedy), qPrintable(state->text()));
+        QVERIFY(state->isVisible() && state->wordWrap());
+        QVERIFY(state->height() >= state->heightForWidth(state->width()));
+    }
+
+    /// A password is refused beside the field, and neither kept nor sent anywhere.
+    void aPasswordIsRefused()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        const auto openDialog = [&] {
+            QTest::mouseClick(bench.find<QPushButton>("historyServer"), Qt::LeftButton);
+            return bench.find<QDialog>("historyServerDialog");
+        };
+        QPointer<QDialog> dialog = openDialog();
+        QVERIFY(dialog != nullptr);
+        auto* address = dialog->findChild<QLineEdit*>(QStringLiteral("serverAddress"));
+        auto* refusal = dialog->findChild<QLabel*>(QStringLiteral("serverRefusal"));
+        auto* save = dialog->findChild<QPushButton*>(QStringLiteral("serverSave"));
+        QVERIFY(!refusal->isVisible());
+        QTest::keyClicks(address, QStringLiteral("postgresql://u:swordfish@127.0.0.1:1/db"));
+        QTest::mouseClick(save, Qt::LeftButton);
+        QVERIFY(dialog != nullptr && dialog->isVisible());
+        QVERIFY(refusal->isVisible());
+        QVERIFY2(refusal->text().contains(QStringLiteral("~/.pgpass")),
+                 qPrintable(refusal->text()));
+        QVERIFY(!refusal->text().contains(QStringLiteral("swordfish")));
+        QVERIFY(!bench.settings.choice(QStringLiteral("history/server"), QString())
+                     .toString()
+                     .contains(QStringLiteral("swordfish")));
+        QCOMPARE(int(bench.WindowBench::bench.sender.state().phase),
+                 int(session::SendState::Phase::Off));
+        address->clear();
+        QTest::keyClicks(address, QStringLiteral("postgresql://u@127.0.0.1:1/db"));
+        QVERIFY(!refusal->isVisible());
+        QTest::mouseClick(save, Qt::LeftButton);
+        QTRY_VERIFY(dialog == nullptr);
+        QCOMPARE(bench.settings.choice(QStringLiteral("history/server"), QString()).toString(),
+                 QStringLiteral("postgresql://u@127.0.0.1:1/db"));
+        // One from the environment is shown masked, and not kept either.
+        qputenv("SERVODESK_HISTORY_SERVER", "postgresql://u:swordfish@127.0.0.1:1/db");
+        dialog = openDialog();
+        address = dialog->findChild<QLineEdit*>(QStringLiteral("serverAddress"));
+        QVERIFY(!address->text().contains(QStringLiteral("swordfish")));
+        QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("serverSave")),
+                          Qt::LeftButton);
+        QTRY_VERIFY(dialog == nullptr);
+        qunsetenv("SERVODESK_HISTORY_SERVER");
+        QCOMPARE(bench.settings.choice(QStringLiteral("history/server"), QString()).toString(),
+                 QStringLiteral("postgresql://u@127.0.0.1:1/db"));
+        QVERIFY(bench.WindowBench::bench.sender.state().phase != session::SendState::Phase::Off);
+    }
 
     void writesAreListedWithTheirOutcome()
     {

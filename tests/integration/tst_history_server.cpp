@@ -517,17 +517,19 @@ void TestHistoryServer::whatIsWrongIsSaid_data()
     QTest::addColumn<QString>("kind");
     const QString port = QString::number(m_pg.port());
     QTest::newRow("wrong password")
+        << m_pg.address(utf8("postgres"), utf8("postgres"), utf8("secret99")) << "password";
+    QTest::newRow("a password in it")
         << "host=127.0.0.1 port=" + port + " user=postgres password=secret99 dbname=postgres"
-        << "password";
+        << "secret";
     QTest::newRow("no password") << "postgresql://postgres@127.0.0.1:" + port +
                                         "/postgres?passfile=/nowhere"
                                  << "password";
-    QTest::newRow("unknown user") << "postgresql://nobody:secret99@127.0.0.1:" + port + "/postgres"
-                                  << "password";
+    QTest::newRow("unknown user")
+        << m_pg.address(utf8("postgres"), utf8("nobody"), utf8("secret99")) << "password";
     QTest::newRow("no such database") << m_pg.address(utf8("no such shop")) << "database";
-    QTest::newRow("nobody there") << "host=127.0.0.1 port=1 user=postgres password=secret99"
+    QTest::newRow("nobody there") << "host=127.0.0.1 port=1 user=postgres"
                                   << "away";
-    QTest::newRow("no such host") << "host=no.such.host.invalid password=secret99"
+    QTest::newRow("no such host") << "host=no.such.host.invalid"
                                   << "away";
     QTest::newRow("encryption") << m_pg.address(utf8("postgres")) + " sslmode=require"
                                 << "tls";
@@ -556,7 +558,8 @@ void TestHistoryServer::whatIsWrongIsSaid()
     const text::Description words = text::describe(sent.error());
     const QString all = words.what + words.cause + words.remedy + sent.error().detail;
     QVERIFY2(!all.contains(utf8("secret99")), qPrintable(all));
-    QVERIFY(words.what.contains(utf8("server")) || kind == utf8("string"));
+    QVERIFY(words.what.contains(utf8("server")) || kind == utf8("string") ||
+            kind == utf8("secret"));
 }
 
 void TestHistoryServer::aNewerSchemaIsLeftAlone()

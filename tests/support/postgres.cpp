@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/postgres.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QStandardPaths>
@@ -135,6 +136,24 @@ bool Postgres::makeCluster()
                         QStringLiteral("--no-sync")});
 }
 
+bool Postgres::useTls(const QString& certificate, const QString& key)
+{
+    const passwd* user = serverUser();
+    for (const auto& [from, to] : {std::pair(certificate, QStringLiteral("server.crt")),
+                                   std::pair(key, QStringLiteral("server.key"))}) {
+        const QString path = m_folder.filePath(to);
+        QFile::remove(path);
+        if (!QFile::copy(from, path) ||
+            !QFile::setPermissions(path, QFileDevice::ReadOwner | QFileDevice::WriteOwner) ||
+            ::chown(qPrintable(path), user->pw_uid, user->pw_gid) != 0) {
+            m_why = QStringLiteral("cannot copy ") + from;
+            return false;
+        }
+    }
+    m_tls = true;
+    return true;
+}
+
 bool Postgres::start()
 {
     if (!QFile::exists(m_folder.filePath(QStringLiteral("cluster/PG_VERSION"))) && !makeCluster())
@@ -144,14 +163,21 @@ bool Postgres::start()
     prepare(m_server);
     m_server.setStandardOutputFile(m_folder.filePath(QStringLiteral("log")), QIODevice::Append);
     m_server.setStandardErrorFile(m_folder.filePath(QStringLiteral("log")), QIODevice::Append);
-    m_server.start(program("postgres"),
-                   {QStringLiteral("-D"), m_folder.filePath(QStringLiteral("cluster")),
-                    QStringLiteral("-p"), QString::number(m_port), QStringLiteral("-c"),
-                    QStringLiteral("listen_addresses=127.0.0.1"), QStringLiteral("-c"),
-                    QStringLiteral("unix_socket_directories="), QStringLiteral("-c"),
-                    QStringLiteral("fsync=off"), QStringLiteral("-c"),
-                    QStringLiteral("shared_buffers=16MB"), QStringLiteral("-c"),
-                    QStringLiteral("max_connections=20")});
+    QStringList arguments{QStringLiteral("-D"), m_folder.filePath(QStringLiteral("cluster")),
+                          QStringLiteral("-p"), QString::number(m_port),
+                          QStringLiteral("-c"), QStringLiteral("listen_addresses=127.0.0.1"),
+                          QStringLiteral("-c"), QStringLiteral("unix_socket_directories="),
+                          QStringLiteral("-c"), QStringLiteral("fsync=off"),
+                          QStringLiteral("-c"), QStringLiteral("shared_buffers=16MB"),
+                          QStringLiteral("-c"), QStringLiteral("max_connections=20")};
+    if (m_tls) {
+        for (const char* setting :
+             {"ssl=on", "ssl_cert_file=%1/server.crt", "ssl_key_file=%1/server.key"})
+            arguments << QStringLiteral("-c")
+                      << QString::fromLatin1(setting).replace(QStringLiteral("%1"),
+                                                              m_folder.path());
+    }
+    m_server.start(program("postgres"), arguments);
     if (!m_server.waitForStarted(patienceMs)) {
         m_why = m_server.errorString();
         return false;
@@ -214,9 +240,27 @@ QString Postgres::address(const QString& database) const
 QString Postgres::address(const QString& database, const QString& user,
                           const QString& password) const
 {
-    return QStringLiteral("host=127.0.0.1 port=%1 dbname='%2' user='%3' password='%4'")
+    return QStringLiteral("host=127.0.0.1 port=%1 dbname='%2' user='%3' passfile='%4'")
         .arg(m_port)
-        .arg(database, user, password);
+        .arg(database, user, passwordFile(user, password));
+}
+
+/// One for each, as libpq reads ~/.pgpass.
+QString Postgres::passwordFile(const QString& user, const QString& password) const
+{
+    const auto escaped = [](QString word) {
+        return word.replace(u'\\', QStringLiteral("\\\\")).replace(u':', QStringLiteral("\\:"));
+    };
+    const QByteArray line =
+        QStringLiteral("*:*:*:%1:%2\n").arg(escaped(user), escaped(password)).toUtf8();
+    const QString path = m_folder.filePath(
+        QStringLiteral("pass-") +
+        QString::fromLatin1(QCryptographicHash::hash(line, QCryptographicHash::Sha1).toHex()));
+    QFile file(path);
+    if (!file.exists() && file.open(QIODevice::WriteOnly | QIODevice::NewOnly,
+                                    QFileDevice::ReadOwner | QFileDevice::WriteOwner))
+        file.write(line);
+    return path;
 }
 
 QString Postgres::query(const QString& database, const QString& sql)

@@ -18,6 +18,8 @@ public:
 
     static bool installed(); ///< Debian's postgresql, or what pg_config names
 
+    /// Before start(): connections may use TLS, with these PEM files; copies are made.
+    bool useTls(const QString& certificate, const QString& key);
     /// The cluster is made the first time. False: why() says it.
     bool start();
     void stop();   ///< orderly, at once
@@ -28,7 +30,7 @@ public:
 
     quint16 port() const { return m_port; }
     QString superuserPassword() const { return QStringLiteral("root of all"); }
-    /// A connection string of the superuser's.
+    /// A connection string of the superuser's. Passwords are in a file that it names.
     QString address(const QString& database) const;
     QString address(const QString& database, const QString& user, const QString& password) const;
     /// What psql prints, a line a row, cells parted by |; empty and why() if it failed.
@@ -39,10 +41,12 @@ private:
     bool runAsServer(const QString& program, const QStringList& arguments);
     void prepare(QProcess& process) const;
     void signalAll(int number);
+    QString passwordFile(const QString& user, const QString& password) const;
 
     QTemporaryDir m_folder;
     QProcess m_server;
     QString m_why;
     quint16 m_port = 0;
+    bool m_tls = false;
 };
 } // namespace support

@@ -31,7 +31,7 @@ public:
 
     QString address() const
     {
-        return QStringLiteral("host=127.0.0.1 port=%1 user=u password=p dbname=d").arg(m_port);
+        return QStringLiteral("host=127.0.0.1 port=%1 user=u dbname=d").arg(m_port);
     }
 
 private:

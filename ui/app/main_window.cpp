@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/main_window.h"
 
+#include "session/history_server_choice.h"
 #include "ui/app/language_switch.h"
 #include "ui/app/menus.h"
 #include "ui/app/message_line.h"
@@ -56,6 +57,8 @@ MainWindow::MainWindow(Bench& bench, session::Settings& settings, ThemeSwitch& t
     retranslate();
     showCentre();
     tellStartTroubles();
+    const auto server = session::historyServerChoice(m_settings);
+    m_bench.sender.setServer(server.address, server.bench);
 }
 
 MainWindow::~MainWindow() = default;
@@ -63,17 +66,22 @@ MainWindow::~MainWindow() = default;
 /// What could not be used of the user's own files: it costs that row, never the start.
 void MainWindow::tellStartTroubles()
 {
-    const auto tell = [this](const QString& detail) {
+    const auto tellError = [this](const base::Error& error) {
         session::Event event;
         event.at = QDateTime::currentDateTime();
-        event.error = base::Error{base::ErrorCode::FileFormat, QStringLiteral("start"), detail};
+        event.error = error;
         m_message->show(event);
         m_log->add(event);
+    };
+    const auto tell = [&](const QString& detail) {
+        tellError({base::ErrorCode::FileFormat, QStringLiteral("start"), detail});
     };
     for (const catalog::LoadWarning& warning : m_desk.session().warnings())
         tell(QStringList{warning.file, warning.where, warning.detail}.join(QStringLiteral(": ")));
     if (!m_settings.brokenCopy().isEmpty())
         tell(m_settings.brokenCopy());
+    if (const auto removed = session::removeStoredPassword(m_settings))
+        tellError(*removed);
 }
 
 void MainWindow::start(const Options& options)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What leads from one page of the window to another.
-#include "session/history_server_choice.h"
 #include "ui/app/main_window.h"
 #include "ui/pages/commission_page.h"
 #include "ui/pages/history_page.h"
@@ -59,8 +58,6 @@ void MainWindow::connectHistory()
             });
     connect(m_history, &HistoryPage::testsWished, m_commands.action(Command::EarlierTests),
             &QAction::trigger);
-    const auto server = session::historyServerChoice(m_settings);
-    m_bench.sender.setServer(server.address, server.bench);
     connect(&m_bench.archive, &session::Archive::changed, &m_bench.sender,
             &session::HistorySender::poke);
     connect(&m_desk, &session::Desk::happened, &m_bench.sender, &session::HistorySender::poke);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/history_server_dialog.h"
 
+#include "record/server_address.h"
 #include "session/history_server_choice.h"
+#include "text/error_words.h"
 
 #include <QDialogButtonBox>
 #include <QEvent>
@@ -26,15 +28,15 @@ HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
     , m_benchName(new QLabel(this))
     , m_bench(new QLineEdit(this))
     , m_hint(new QLabel(this))
+    , m_refusal(new QLabel(this))
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this))
 {
     setObjectName(QStringLiteral("historyServerDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     const session::HistoryServerChoice now = session::historyServerChoice(settings);
     m_address->setObjectName(QStringLiteral("serverAddress"));
-    m_address->setText(now.address);
+    m_address->setText(record::ServerAddress::masked(now.address));
     m_address->setEnabled(!now.fixed);
-    m_address->setEchoMode(QLineEdit::PasswordEchoOnEdit); // it may hold a password
     m_bench->setObjectName(QStringLiteral("serverBench"));
     m_bench->setText(now.bench);
     m_addressName->setBuddy(m_address);
@@ -42,28 +44,52 @@ HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
     m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("serverSave"));
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("serverCancel"));
     auto* column = new QVBoxLayout(this);
-    for (QLabel* words : {m_what, m_hint}) {
+    m_refusal->setObjectName(QStringLiteral("serverRefusal"));
+    for (QLabel* words : {m_what, m_hint, m_refusal}) {
         words->setWordWrap(true);
         words->setTextFormat(Qt::PlainText);
     }
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_what, m_addressName, m_address,
-                                                           m_benchName, m_bench, m_hint, m_buttons})
+    m_refusal->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    for (QWidget* widget : std::initializer_list<QWidget*>{
+             m_what, m_addressName, m_address, m_refusal, m_benchName, m_bench, m_hint, m_buttons})
         column->addWidget(widget);
+    connect(m_address, &QLineEdit::textEdited, this, [this] { refuse(std::nullopt); });
     connect(m_buttons, &QDialogButtonBox::accepted, this, &HistoryServerDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    resize(startWidth, height());
     retranslate();
     resize(startWidth, layout()->totalHeightForWidth(startWidth));
 }
 
 void HistoryServerDialog::accept()
 {
-    const session::HistoryServerChoice wanted{m_address->text().trimmed(),
-                                              m_bench->text().trimmed()};
-    session::setHistoryServerChoice(m_settings, wanted);
+    session::HistoryServerChoice wanted{m_address->text().trimmed(), m_bench->text().trimmed()};
+    wanted.fixed = !m_address->isEnabled();
+    if (const auto kept = session::setHistoryServerChoice(m_settings, wanted); !kept) {
+        refuse(kept.error());
+        m_address->setFocus();
+        return;
+    }
     const session::HistoryServerChoice now = session::historyServerChoice(m_settings);
     m_sender.setServer(now.address, now.bench);
     m_sender.tryNow();
     QDialog::accept();
+}
+
+/// Beside the field, until it is edited.
+void HistoryServerDialog::refuse(std::optional<base::Error> error)
+{
+    m_error = std::move(error);
+    m_refusal->setVisible(m_error.has_value());
+    m_refusal->clear();
+    if (m_error) {
+        const text::Description words = text::describe(*m_error);
+        m_refusal->setText(QStringLiteral("✗ ") +
+                           QStringList{words.what, words.cause, words.remedy}.join(u'\n'));
+    }
+    m_refusal->setAccessibleName(m_refusal->text());
+    layout()->activate();
+    resize(width(), layout()->totalHeightForWidth(width()));
 }
 
 void HistoryServerDialog::retranslate()
@@ -81,9 +107,11 @@ void HistoryServerDialog::retranslate()
     m_benchName->setText(tr("&Name of this bench"));
     m_bench->setAccessibleName(tr("Name of this bench"));
     m_bench->setToolTip(tr("How others find its history on the server"));
+    refuse(m_error);
     m_hint->setText(m_address->isEnabled()
-                        ? tr("A password in the string is kept in the settings as it is; better "
-                             "leave it to PostgreSQL's own password file.")
+                        ? tr("Store the password in ~/.pgpass, not in the string. A server on "
+                             "another computer must use TLS with a valid certificate; to change "
+                             "that, add ?sslmode=… to the string.")
                         : tr("The server is set by SERVODESK_HISTORY_SERVER."));
     QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
     save->setText(tr("Save"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which PostgreSQL server gets copies of the history, under which name for this bench. Kept in the
-// settings; the sender begins at once. Opened, never waited for; main thread.
+// settings; the sender begins at once. A connection string that cannot be used, or that contains a
+// password, is refused here with the reason. Opened, never waited for; main thread.
 #pragma once
 
 #include "session/history_sender.h"
@@ -27,6 +28,7 @@ protected:
 
 private:
     void retranslate();
+    void refuse(std::optional<base::Error> error);
 
     session::Settings& m_settings;
     session::HistorySender& m_sender;
@@ -36,6 +38,8 @@ private:
     QLabel* m_benchName;
     QLineEdit* m_bench;
     QLabel* m_hint;
+    QLabel* m_refusal;
+    std::optional<base::Error> m_error; ///< why the string was refused
     QDialogButtonBox* m_buttons;
 };
 } // namespace ui

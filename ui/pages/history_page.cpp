@@ -5,6 +5,7 @@
 
 #include "session/history_server_choice.h"
 #include "session/server_source.h"
+#include "text/error_words.h"
 #include "ui/widgets/banner.h"
 
 #include <QCheckBox>
@@ -213,6 +214,19 @@ void HistoryPage::showState()
                                                    : tr("%1 rows and more").arg(rows));
 }
 
+/// What is wrong with the server, why, and what to do.
+QString HistoryPage::troubleWords(const session::SendState& state)
+{
+    const QString first = tr("⚠ %1: what is written now is sent later.")
+                              .arg(state.server.isEmpty() ? tr("History server") : state.server);
+    if (!state.error)
+        return first;
+    const text::Description words = text::describe(*state.error);
+    QStringList lines{first, words.what, words.cause, words.remedy};
+    lines.removeAll(QString());
+    return lines.join(u'\n');
+}
+
 /// How far the copies are; nothing without a server.
 void HistoryPage::showServer()
 {
@@ -231,12 +245,11 @@ void HistoryPage::showServer()
         words = tr("✔ %1 is up to date").arg(state.server);
         break;
     case Phase::Trouble:
-        words = tr("⚠ %1 is away; what it misses is sent later").arg(state.server);
+        words = troubleWords(state);
         break;
     }
     m_serverState->setText(words);
     m_serverState->setVisible(!words.isEmpty());
-    m_serverState->setToolTip(state.error ? state.error->detail : QString());
 }
 
 void HistoryPage::changeEvent(QEvent* event)

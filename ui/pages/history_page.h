@@ -57,6 +57,7 @@ private:
     std::optional<int> current() const; ///< the row; none
     void showState();
     void showServer();
+    static QString troubleWords(const session::SendState& state);
 
     // history_page_deeds.cpp
     void openTable();

@@ -53,6 +53,12 @@ void HistoryPage::build()
     column->addWidget(m_view, 1);
     column->addWidget(m_honest);
     column->addWidget(buildDeeds());
+    m_serverState = new QLabel(this);
+    m_serverState->setObjectName(QStringLiteral("historyServerState"));
+    m_serverState->setTextFormat(Qt::PlainText);
+    m_serverState->setWordWrap(true);
+    m_serverState->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column->addWidget(m_serverState);
     m_ask.setSingleShot(true);
     m_ask.setInterval(askAfter);
 }
@@ -114,9 +120,6 @@ QWidget* HistoryPage::buildDeeds()
     m_count = new QLabel(box);
     m_count->setObjectName(QStringLiteral("historyCount"));
     row->addWidget(m_count);
-    m_serverState = new QLabel(box);
-    m_serverState->setObjectName(QStringLiteral("historyServerState"));
-    row->addWidget(m_serverState);
     return box;
 }
 

@@ -33,6 +33,7 @@ private Q_SLOTS:
     void choicesOfAnotherTypeArePassedOver_data();
     void choicesOfAnotherTypeArePassedOver();
     void anUnwritablePlaceIsNoTrouble();
+    void onlyTheOwnerMayRead();
 
 private:
     QString path() const { return m_folder->filePath(QStringLiteral("servodesk.ini")); }
@@ -310,6 +311,32 @@ void TestSettings::anUnwritablePlaceIsNoTrouble()
     QVERIFY(settings.language().isEmpty());
     settings.setLanguage(QStringLiteral("en"));
     QCOMPARE(settings.language(), QStringLiteral("en")); // as long as the program runs
+}
+
+/// A new file, one that an earlier version made for all to read, and one that is put aside.
+void TestSettings::onlyTheOwnerMayRead()
+{
+    constexpr QFileDevice::Permissions others = QFileDevice::ReadGroup | QFileDevice::WriteGroup |
+                                                QFileDevice::ReadOther | QFileDevice::WriteOther;
+    const auto readable = [&](const QString& file) { return QFile::permissions(file) & others; };
+    Settings(path()).setLanguage(QStringLiteral("en"));
+    QVERIFY(QFile::exists(path()));
+    QCOMPARE(readable(path()), QFileDevice::Permissions());
+    QVERIFY(QFile::setPermissions(path(), QFileDevice::ReadOwner | QFileDevice::WriteOwner |
+                                              QFileDevice::ReadGroup | QFileDevice::ReadOther));
+    {
+        Settings settings(path());
+        QCOMPARE(readable(path()), QFileDevice::Permissions());
+        QCOMPARE(settings.language(), QStringLiteral("en"));
+        settings.setLanguage(QStringLiteral("zh_CN"));
+    }
+    QCOMPARE(readable(path()), QFileDevice::Permissions());
+    write("no settings at all");
+    QVERIFY(QFile::setPermissions(path(), QFileDevice::ReadOwner | QFileDevice::WriteOwner |
+                                              QFileDevice::ReadOther));
+    const Settings settings(path());
+    QVERIFY(!settings.brokenCopy().isEmpty());
+    QCOMPARE(readable(settings.brokenCopy()), QFileDevice::Permissions());
 }
 
 QTEST_GUILESS_MAIN(TestSettings)
