@@ -2,6 +2,7 @@
 // The command line of servodesk: what it takes, and what it says to what makes no sense.
 #include "ui/app/options.h"
 
+#include <QProcess>
 #include <QtTest>
 
 using ui::parseOptions;
@@ -83,6 +84,32 @@ private Q_SLOTS:
         for (const char* option : {"port", "baud", "protocol", "lang", "theme", "page", "select",
                                    "screenshot", "after", "size"})
             QVERIFY2(help.contains(QStringLiteral("--") + QLatin1String(option)), option);
+    }
+
+    void helpAndVersionNeedNoDisplay_data()
+    {
+        QTest::addColumn<QString>("option");
+        QTest::addColumn<QString>("printed");
+        for (const char* option : {"--help", "-h", "--help-all"})
+            QTest::newRow(option) << QString::fromLatin1(option) << "--screenshot";
+        for (const char* option : {"--version", "-v"})
+            QTest::newRow(option) << QString::fromLatin1(option) << "servodesk 0.";
+    }
+    void helpAndVersionNeedNoDisplay()
+    {
+        QFETCH(QString, option);
+        QFETCH(QString, printed);
+        QProcess program;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY"})
+            environment.remove(QLatin1String(display));
+        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("xcb"));
+        program.setProcessEnvironment(environment);
+        program.start(QStringLiteral(BIN_DIR "/servodesk"), {option});
+        QVERIFY(program.waitForFinished());
+        QCOMPARE(program.readAllStandardError(), QByteArray());
+        QCOMPARE(program.exitCode(), 0);
+        QVERIFY(QString::fromUtf8(program.readAllStandardOutput()).contains(printed));
     }
 };
 

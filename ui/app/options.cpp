@@ -101,7 +101,7 @@ ParsedOptions parseOptions(const QStringList& arguments)
         parsed.error = parser.errorText();
         return parsed;
     }
-    if (parser.isSet(help))
+    if (parser.isSet(help) || parser.isSet(QStringLiteral("help-all")))
         parsed.print = parser.helpText();
     else if (parser.isSet(version))
         parsed.print = QStringLiteral("servodesk %1\n").arg(QCoreApplication::applicationVersion());

@@ -11,6 +11,7 @@
 #include <QPixmap>
 #include <QTimer>
 
+#include <algorithm>
 #include <cstdio>
 
 static void initResources()
@@ -40,6 +41,25 @@ void screenshotLater(MainWindow& window, const Options& options)
     });
 }
 
+/// Help and version are asked for where there is no display, too, so not of a QApplication.
+bool printedHelp(int argc, char* argv[])
+{
+    const bool asked = std::any_of(argv + 1, argv + argc, [](const char* word) {
+        const QLatin1String option(word);
+        return option == QLatin1String("--help") || option == QLatin1String("-h") ||
+               option == QLatin1String("--help-all") || option == QLatin1String("--version") ||
+               option == QLatin1String("-v");
+    });
+    if (!asked)
+        return false;
+    const QCoreApplication app(argc, argv);
+    LanguageSwitch language;
+    language.apply({});
+    const ParsedOptions parsed = parseOptions(QCoreApplication::arguments());
+    print(stdout, parsed.print);
+    return !parsed.print.isEmpty();
+}
+
 /// The program's own letters in the size that the desktop asks for.
 void useOwnFont()
 {
@@ -61,8 +81,10 @@ void initProgram()
 
 int runProgram(int argc, char* argv[])
 {
-    QApplication::setApplicationName(QStringLiteral("servodesk"));
-    QApplication::setApplicationVersion(QStringLiteral(SERVODESK_VERSION));
+    QCoreApplication::setApplicationName(QStringLiteral("servodesk"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(SERVODESK_VERSION));
+    if (printedHelp(argc, argv))
+        return 0;
     QApplication app(argc, argv);
     initProgram();
 
@@ -73,7 +95,7 @@ int runProgram(int argc, char* argv[])
         print(stderr, QStringLiteral("servodesk: %1\n").arg(parsed.error));
         return badOptions;
     }
-    if (!parsed.print.isEmpty()) {
+    if (!parsed.print.isEmpty()) { // beside options of Qt's own, which only QApplication takes out
         print(stdout, parsed.print);
         return 0;
     }
