@@ -88,26 +88,50 @@ base::Result<device::Context> Run::context()
     return (*connection)->context(m_stop, m_notices);
 }
 
-/// --baud auto: the first rate at which the servo answers becomes the rate of the run.
+namespace {
+/// Anything but silence in one of the languages.
+bool heard(const device::Context& context, int id, const std::vector<base::Protocol>& languages,
+           base::Duration patience)
+{
+    return std::any_of(languages.begin(), languages.end(), [&](base::Protocol language) {
+        bus::Transaction ping;
+        ping.request = protocol::Request::ping(id).in(language);
+        ping.retries = 1;
+        ping.patience = patience;
+        ping.stop = &context.stop;
+        const auto outcome = context.bus.transact(ping);
+        return outcome || (outcome.error().code != ErrorCode::NoAnswer &&
+                           outcome.error().code != ErrorCode::BadArgument);
+    });
+}
+} // namespace
+
+/// --baud auto: the first rate at which the servo answers becomes the rate of the run. At first
+/// nobody waits for a slow adapter.
 base::Result<device::Servo> Run::findRate(const device::Context& context, int id)
 {
-    for (const int rate : transport::knownRates()) {
-        if (m_stop.requested())
-            return base::fail(ErrorCode::Stopped, QStringLiteral("identify"), {}, id);
-        const auto set = context.bus.setBaud(rate);
-        if (!set && set.error().code == ErrorCode::RateUnsupported)
-            continue;
-        if (!set)
-            return tl::unexpected(set.error());
-        auto servo = device::identifyAmong(context, id, m_connection->protocols());
-        if (servo) {
-            m_rateFound = true;
-            m_console.remark(translate("cli", "Servo %1 answers at %2 baud.").arg(id).arg(rate));
-            return servo;
+    for (const auto patience : {context.bus.statistics().patience, context.bus.replyTimeout()}) {
+        for (const int rate : transport::knownRates()) {
+            if (m_stop.requested())
+                return base::fail(ErrorCode::Stopped, QStringLiteral("identify"), {}, id);
+            const auto set = context.bus.setBaud(rate);
+            if (!set && set.error().code == ErrorCode::RateUnsupported)
+                continue;
+            if (!set)
+                return tl::unexpected(set.error());
+            if (!heard(context, id, m_connection->protocols(), patience))
+                continue;
+            auto servo = device::identifyAmong(context, id, m_connection->protocols());
+            if (servo) {
+                m_rateFound = true;
+                m_console.remark(
+                    translate("cli", "Servo %1 answers at %2 baud.").arg(id).arg(rate));
+                return servo;
+            }
+            if (servo.error().code == ErrorCode::LinkLost ||
+                servo.error().code == ErrorCode::SeveralProtocols)
+                return servo;
         }
-        if (servo.error().code == ErrorCode::LinkLost ||
-            servo.error().code == ErrorCode::SeveralProtocols)
-            return servo;
     }
     return base::fail(ErrorCode::NoAnswer, QStringLiteral("identify"),
                       translate("cli", "at none of the known baud rates"), id);

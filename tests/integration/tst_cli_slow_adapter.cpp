@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// servodesk-cli against servos that know only bytes and an adapter that hands their answers over
+// late: no twins, no restart that did not happen, and exit codes that say so.
+#include "support/cli_program.h"
+
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <QTest>
+
+#include "byte_bus.h"
+
+using support::CliProgram;
+using support::Ran;
+using namespace std::chrono_literals;
+
+namespace {
+QString errorCode(const Ran& ran)
+{
+    return ran.json()[QLatin1String("error")][QLatin1String("code")].toString();
+}
+
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+} // namespace
+
+class TestCliSlowAdapter : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void takenIdStaysTaken_data() { links(); }
+    void takenIdStaysTaken();
+    void freeIdIsGiven_data() { links(); }
+    void freeIdIsGiven();
+    void restartIsProvenOrNotClaimed_data();
+    void restartIsProvenOrNotClaimed();
+
+private:
+    static void links()
+    {
+        QTest::addColumn<int>("latency");
+        QTest::addColumn<QString>("options");
+        for (const int latency : {0, 20, 60, 150})
+            QTest::addRow("%d ms", latency) << latency << QString();
+        QTest::newRow("60 ms, --timeout 200") << 60 << text("--timeout 200");
+    }
+    static void use(CliProgram& cli, const bytes::Bus& bus, const QString& options = {})
+    {
+        cli.setPort(bus.port());
+        if (!options.isEmpty())
+            cli.setGlobals(support::words(qPrintable(options)));
+    }
+};
+
+void TestCliSlowAdapter::takenIdStaysTaken()
+{
+    QFETCH(int, latency);
+    QFETCH(QString, options);
+    bytes::Bus bus({1, 9}, std::chrono::milliseconds(latency));
+    CliProgram cli;
+    use(cli, bus, options);
+    const Ran ran = cli.json("set-id 1 9");
+    QCOMPARE(ran.exit, 1);
+    QCOMPARE(errorCode(ran), text("id-in-use"));
+    QCOMPARE(bus.writes(), 0);
+    QVERIFY(bus.has(1) && bus.has(9));
+}
+
+void TestCliSlowAdapter::freeIdIsGiven()
+{
+    QFETCH(int, latency);
+    QFETCH(QString, options);
+    bytes::Bus bus({1, 2}, std::chrono::milliseconds(latency));
+    CliProgram cli;
+    use(cli, bus, options);
+    const Ran ran = cli.json("set-id 1 9");
+    QVERIFY2(ran.exit == 0, qPrintable(ran.out));
+    QVERIFY(!bus.has(1));
+    QVERIFY(bus.has(2));
+    QVERIFY(bus.has(9));
+    QCOMPARE(bus.byteAt(9, 55), 1); // locked
+    QVERIFY(cli.json("recover").json()[QLatin1String("intents")].toArray().isEmpty());
+}
+
+void TestCliSlowAdapter::restartIsProvenOrNotClaimed_data()
+{
+    QTest::addColumn<bytes::Restart>("restart");
+    QTest::addColumn<int>("latency");
+    QTest::addColumn<int>("exit");
+    QTest::addColumn<QString>("says");
+    for (const int latency : {0, 60}) {
+        QTest::addRow("ignored, %d ms", latency)
+            << bytes::Restart::Ignored << latency << 1 << text("it did not restart");
+        QTest::addRow("acknowledged only, %d ms", latency)
+            << bytes::Restart::AcknowledgedOnly << latency << 1
+            << text("it acknowledged the restart but did not restart");
+        QTest::addRow("too quick to see, %d ms", latency)
+            << bytes::Restart::TooQuickToSee << latency << 0 << text("Servo 1 has restarted.");
+    }
+}
+
+void TestCliSlowAdapter::restartIsProvenOrNotClaimed()
+{
+    QFETCH(bytes::Restart, restart);
+    QFETCH(int, latency);
+    QFETCH(int, exit);
+    QFETCH(QString, says);
+    bytes::Bus bus({1}, std::chrono::milliseconds(latency), restart);
+    CliProgram cli;
+    use(cli, bus);
+    const Ran ran = cli.run("reboot 1");
+    QVERIFY(bus.restarts() > 0);
+    QCOMPARE(ran.exit, exit);
+    const QString all = ran.out + ran.err;
+    QVERIFY2(all.contains(says), qPrintable(all));
+    QCOMPARE(all.contains(text("has restarted")), exit == 0);
+    QCOMPARE(bus.byteAt(1, 48) + 256 * bus.byteAt(1, 49), 1000); // the mark is gone
+}
+
+QTEST_GUILESS_MAIN(TestCliSlowAdapter)
+#include "tst_cli_slow_adapter.moc"
