@@ -102,6 +102,7 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
     if (const auto silent = keepSilence(codec, interrupt); !silent)
         return tl::unexpected(silent.error());
     m_codec = &codec;
+    m_language = request.protocol;
     m_trace.speak(request.protocol);
     wait.expected = m_codec->expect(request);
     const std::size_t replies = wait.expected.ids.size();
@@ -233,7 +234,7 @@ void Exchange::giveUp(Wait& wait, bool interrupted)
         wait.attempt.missing.push_back(id);
         if (has(wait.broken, id))
             continue;
-        m_guard.timedOut(id, wait.onTime, now);
+        m_guard.timedOut(id, wait.onTime, now, m_language);
         if (interrupted)
             continue;
         wait.trouble(FaultKind::TimeOut);
@@ -287,7 +288,7 @@ void Exchange::takeReply(Wait& wait, Part part)
         asked = ids.begin();
     const int id = *asked == protocol::broadcastId ? part.id : *asked;
     ids.erase(asked);
-    m_guard.answered(id, wait.onTime, at);
+    m_guard.answered(id, wait.onTime, at, m_language);
     m_guard.learn(at - wait.onTime);
     m_statistics.answered(id, at - wait.attempt.sentAt);
     wait.attempt.arrivals.push_back({std::move(part), at});
@@ -297,7 +298,7 @@ void Exchange::takeForeign(Wait& wait, Part part, base::ByteView frame)
 {
     const Duration at = m_line.lastByteAt();
     const int id = countedId(part.id);
-    if (const auto lateness = m_guard.settle(id, at)) {
+    if (const auto lateness = m_guard.settle(id, at, m_language)) {
         m_guard.learn(*lateness);
         m_statistics.count(Event::Late, id);
         m_trace.add(at, TraceKind::Late, frame);

@@ -78,6 +78,7 @@ private:
 
     Line& m_line;
     const protocol::Codec* m_codec; ///< of the latest request, which names what strays in
+    base::Protocol m_language = base::Protocol::Feetech; ///< the same
     base::Clock& m_clock;
     LateGuard& m_guard;
     StatisticsCollector& m_statistics;

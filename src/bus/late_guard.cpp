@@ -53,7 +53,7 @@ Duration LateGuard::window() const
     return std::max(shortestWindow, patience());
 }
 
-void LateGuard::timedOut(int id, Duration onTime, Duration now)
+void LateGuard::timedOut(int id, Duration onTime, Duration now, base::Protocol language)
 {
     if (!known(id)) {
         m_anybodyOwes = onTime;
@@ -61,21 +61,32 @@ void LateGuard::timedOut(int id, Duration onTime, Duration now)
         return;
     }
     Servo& servo = m_servos[std::size_t(id)];
-    if (servo.debt != Debt::Owed || onTime - servo.onTime > believable)
-        servo.onTime = onTime;
-    servo.debt = Debt::Owed;
+    std::erase_if(servo.owed, [&](const Owed& owed) { return onTime - owed.onTime > believable; });
+    servo.owed.push_back({onTime, language});
+    servo.trailing = false;
     beQuiet(servo, now + window());
 }
 
-void LateGuard::answered(int id, Duration onTime, Duration now)
+void LateGuard::answered(int id, Duration onTime, Duration now, base::Protocol language)
 {
-    if (!known(id) || m_servos[std::size_t(id)].debt != Debt::Owed)
+    if (!known(id))
+        return;
+    Servo& servo = m_servos[std::size_t(id)];
+    const auto oldest = owedIn(servo, language);
+    if (oldest == servo.owed.end())
         return;
     // If this was the reply to the first request, that to the last one comes just as late.
-    Servo& servo = m_servos[std::size_t(id)];
-    beQuiet(servo, now + std::min(onTime - servo.onTime, believable) + window());
-    servo.debt = Debt::Trailing;
-    servo.onTime = onTime;
+    beQuiet(servo, now + std::min(onTime - oldest->onTime, believable) + window());
+    servo.trailing = true;
+    servo.owed.erase(oldest);
+    servo.owed.push_back({onTime, language});
+}
+
+/// The oldest request in a language: replies keep their order, and no language reads another's.
+std::vector<LateGuard::Owed>::iterator LateGuard::owedIn(Servo& servo, base::Protocol language)
+{
+    return std::find_if(servo.owed.begin(), servo.owed.end(),
+                        [language](const Owed& owed) { return owed.language == language; });
 }
 
 void LateGuard::beQuiet(Servo& servo, Duration until)
@@ -98,22 +109,27 @@ void LateGuard::visit(const protocol::Request& request, Visit&& visitor)
 void LateGuard::sending(const protocol::Request& request)
 {
     visit(request, [](Servo& servo) {
-        if (servo.debt == Debt::Trailing)
-            servo.debt = Debt::None;
+        if (std::exchange(servo.trailing, false))
+            servo.owed.clear();
     });
 }
 
-std::optional<Duration> LateGuard::settle(int id, Duration now)
+std::optional<Duration> LateGuard::settle(int id, Duration now, base::Protocol language)
 {
     if (!known(id))
         return std::nullopt;
-    if (m_servos[std::size_t(id)].debt == Debt::None) {
+    Servo& servo = m_servos[std::size_t(id)];
+    const auto settled = owedIn(servo, language);
+    if (settled == servo.owed.end()) {
         const auto owed = std::exchange(m_anybodyOwes, std::nullopt);
         return owed && now - *owed <= believable ? std::optional(now - *owed) : std::nullopt;
     }
-    Servo& servo = m_servos[std::size_t(id)];
-    servo.debt = Debt::None;
-    return now - servo.onTime;
+    const Duration lateness = now - settled->onTime;
+    servo.owed.erase(settled);
+    // The replies to the others come as late as this one.
+    if (!servo.owed.empty() && lateness <= believable)
+        beQuiet(servo, std::max(servo.quietUntil, servo.owed.back().onTime + lateness * 3 / 2));
+    return lateness;
 }
 
 Duration LateGuard::quietUntil(int id) const

@@ -11,6 +11,7 @@
 #include <array>
 #include <atomic>
 #include <optional>
+#include <vector>
 
 namespace bus {
 class LateGuard {
@@ -28,12 +29,12 @@ public:
     /// A reply came `lateness` after the instant at which a prompt adapter would have shown it.
     void learn(base::Duration lateness);
 
-    void timedOut(int id, base::Duration onTime, base::Duration now);
+    void timedOut(int id, base::Duration onTime, base::Duration now, base::Protocol language);
     /// `onTime` is that of the request which was answered.
-    void answered(int id, base::Duration onTime, base::Duration now);
+    void answered(int id, base::Duration onTime, base::Duration now, base::Protocol language);
     void sending(const protocol::Request& request);
     /// A frame from `id` that nobody waits for: its lateness if that servo owes a reply.
-    std::optional<base::Duration> settle(int id, base::Duration now);
+    std::optional<base::Duration> settle(int id, base::Duration now, base::Protocol language);
 
     /// From when on this servo, or all that the request speaks to, may be spoken to.
     base::Duration quietUntil(int id) const;
@@ -42,16 +43,17 @@ public:
     void quietAll(base::Duration now);
 
 private:
-    enum class Debt : std::uint8_t {
-        None,
-        Owed,     ///< timed out, the reply may still come
-        Trailing, ///< answered, maybe by the reply to an earlier request: its own may follow
+    /// A request that timed out; its reply may still come.
+    struct Owed {
+        base::Duration onTime{}; ///< when a prompt reply would have come
+        base::Protocol language{};
     };
     struct Servo {
         base::Duration quietUntil{};
-        base::Duration onTime{}; ///< of the oldest request whose reply may still come
-        Debt debt = Debt::None;
+        std::vector<Owed> owed{}; ///< oldest first
+        bool trailing = false;    ///< answered, maybe by the reply to an earlier request
     };
+    static std::vector<Owed>::iterator owedIn(Servo& servo, base::Protocol language);
     base::Duration window() const;
     void beQuiet(Servo& servo, base::Duration until);
     template <typename Visit>

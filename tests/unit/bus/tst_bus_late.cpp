@@ -32,6 +32,8 @@ private Q_SLOTS:
         QTest::newRow("20 ms") << Duration(20ms) << Duration(1ms) << 0;
         QTest::newRow("40 ms, default patience") << Duration(40ms) << Duration(25ms) << 7;
         QTest::newRow("60 ms: later than the pause") << Duration(60ms) << Duration(25ms) << 0;
+        QTest::newRow("150 ms: later than all tries") << Duration(150ms) << Duration(25ms) << 0;
+        QTest::newRow("150 ms, losses") << Duration(150ms) << Duration(25ms) << 7;
     }
 
     void slowAdapterNeverGivesTheWrongRegister()
@@ -144,6 +146,50 @@ private Q_SLOTS:
         QVERIFY(bench.core->listen(1s));
         QCOMPARE(bench.counters(9).late, std::uint64_t(1));
         QCOMPARE(bench.core->statistics().patience, Duration(25ms));
+    }
+
+    void firstReplyMeasuresTheLink_data()
+    {
+        QTest::addColumn<Duration>("latency");
+        for (const int ms : {0, 20, 40, 60, 100, 150})
+            QTest::addRow("%d ms", ms) << Duration(ms * 1ms);
+    }
+
+    /// Whatever was asked in vain before, in other languages too.
+    void firstReplyMeasuresTheLink()
+    {
+        QFETCH(const Duration, latency);
+        Bench bench;
+        bench.open();
+        bench.core->setReplyDelay(0us);
+        bench.script.latency = latency;
+        QCOMPARE(bench.core->replyTimeout(), LateGuard::longestLateness);
+        static_cast<void>(bench.transact(Request::read(1, 56, 2), 0));
+        static_cast<void>(bench.transact(Request::ping(1).in(base::Protocol::Modbus), 0));
+        for (int i = 0; i < 20; ++i) {
+            const int address = i % 2 == 0 ? 56 : 62;
+            const auto outcome = bench.transact(Request::read(1, address, 2));
+            QVERIFY(outcome);
+            QCOMPARE(outcome->data(), tableBytes(1, address, 2));
+        }
+        // A reply that was lost in the other language may make it look later than it is.
+        const Duration learnt = bench.core->replyTimeout();
+        QVERIFY(learnt >= std::max<Duration>(25ms, latency * 3 / 2));
+        QVERIFY(learnt <= (latency > 25ms ? LateGuard::longestLateness * 3 / 2 : 30ms));
+    }
+
+    void silenceOfOthersTeachesNothing()
+    {
+        Bench bench;
+        bench.open();
+        QVERIFY(!bench.transact(Request::ping(9)));
+        QCOMPARE(bench.core->replyTimeout(), LateGuard::longestLateness);
+        QVERIFY(bench.transact(Request::ping(1)));
+        QCOMPARE(bench.core->replyTimeout(), Duration(25ms));
+        bench.core->setPatience(200ms);
+        QCOMPARE(bench.core->replyTimeout(), Duration(200ms));
+        bench.core->setPatience(5ms);
+        QCOMPARE(bench.core->replyTimeout(), Duration(25ms));
     }
 
     void lateRepliesOfAScanNameTheirServo()
