@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A cable between a program and the simulator's terminal that can be cut: a terminal of its own,
+// which hangs up, or a TCP bridge, whose link drops. The servos keep their power. A thread of its
+// own; everything else from the test's. POSIX only.
+#pragma once
+
+#include "transport/tty_speed.h"
+
+#include <QString>
+
+#include <arpa/inet.h>
+#include <atomic>
+#include <fcntl.h>
+#include <mutex>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <sys/socket.h>
+#include <termios.h>
+#include <thread>
+#include <unistd.h>
+
+namespace support {
+class CutCable {
+public:
+    CutCable(const QString& terminal, bool tcp)
+        : m_terminal(open(qPrintable(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC))
+    {
+        makeRaw(m_terminal);
+        transport::setTtySpeed(m_terminal, 1'000'000);
+        if (tcp)
+            listenForClient();
+        else
+            makeTerminal();
+        m_thread = std::thread([this] { serve(); });
+    }
+    ~CutCable()
+    {
+        cut();
+        m_over = true;
+        m_thread.join();
+        close(m_terminal);
+    }
+    CutCable(const CutCable&) = delete;
+    CutCable& operator=(const CutCable&) = delete;
+
+    QString port() const { return m_port; }
+
+    void cut()
+    {
+        const std::lock_guard lock(m_mutex);
+        for (int* side : {&m_slave, &m_host, &m_listener}) {
+            if (*side >= 0)
+                close(*side);
+            *side = -1;
+        }
+    }
+
+private:
+    static void makeRaw(int side)
+    {
+        termios settings{};
+        tcgetattr(side, &settings);
+        cfmakeraw(&settings);
+        tcsetattr(side, TCSANOW, &settings);
+    }
+
+    void makeTerminal()
+    {
+        m_host = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+        grantpt(m_host);
+        unlockpt(m_host);
+        m_port = QString::fromLocal8Bit(ptsname(m_host));
+        // Held open, so that the rate can be asked for.
+        m_slave = open(qPrintable(m_port), O_RDWR | O_NOCTTY | O_CLOEXEC);
+        makeRaw(m_slave);
+    }
+
+    void listenForClient()
+    {
+        m_listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t size = sizeof address;
+        if (bind(m_listener, reinterpret_cast<sockaddr*>(&address), size) != 0 ||
+            listen(m_listener, 1) != 0 ||
+            getsockname(m_listener, reinterpret_cast<sockaddr*>(&address), &size) != 0)
+            qFatal("no bridge");
+        m_port = QStringLiteral("tcp://127.0.0.1:%1").arg(ntohs(address.sin_port));
+    }
+
+    void serve()
+    {
+        while (!m_over) {
+            pollfd states[2] = {{-1, POLLIN, 0}, {m_terminal, POLLIN, 0}};
+            {
+                const std::lock_guard lock(m_mutex);
+                states[0].fd = m_host >= 0 ? m_host : m_listener;
+            }
+            if (poll(states, 2, 2) <= 0)
+                continue;
+            const std::lock_guard lock(m_mutex);
+            if ((states[0].revents & POLLIN) != 0 && m_host < 0 && m_listener >= 0)
+                accept();
+            else if ((states[0].revents & POLLIN) != 0 && m_host >= 0)
+                fromHost();
+            if ((states[1].revents & POLLIN) != 0)
+                fromServos();
+        }
+    }
+
+    void accept()
+    {
+        m_host = accept4(m_listener, nullptr, nullptr, SOCK_CLOEXEC);
+        const int on = 1;
+        setsockopt(m_host, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    }
+
+    void fromHost()
+    {
+        char chunk[512];
+        const ssize_t got = read(m_host, chunk, sizeof chunk);
+        if (got <= 0 && m_slave < 0) {
+            close(m_host); // the program has closed the link
+            m_host = -1;
+        }
+        if (got <= 0)
+            return;
+        const auto rate = m_slave >= 0 ? transport::ttySpeed(m_slave) : std::nullopt;
+        if (rate && transport::ttySpeed(m_terminal) != rate)
+            transport::setTtySpeed(m_terminal, *rate);
+        (void)!write(m_terminal, chunk, std::size_t(got));
+    }
+
+    void fromServos()
+    {
+        char chunk[512];
+        const ssize_t got = read(m_terminal, chunk, sizeof chunk);
+        if (got <= 0 || m_host < 0)
+            return;
+        if (m_slave >= 0)
+            (void)!write(m_host, chunk, std::size_t(got));
+        else
+            (void)send(m_host, chunk, std::size_t(got), MSG_NOSIGNAL);
+    }
+
+    int m_terminal;
+    std::mutex m_mutex; ///< guards what follows
+    int m_host = -1;
+    int m_slave = -1;
+    int m_listener = -1;
+    QString m_port;
+    std::atomic<bool> m_over{false};
+    std::thread m_thread;
+};
+} // namespace support
