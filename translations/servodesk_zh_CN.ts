@@ -4068,6 +4068,18 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>its connection string, such as postgresql://USER@HOST/DATABASE, without a password (store it in ~/.pgpass); default: the one remembered. Another computer must have a valid TLS certificate, unless ?sslmode=... says otherwise</source>
         <translation>连接字符串，例如 postgresql://USER@HOST/DATABASE，不含密码（密码存放在 ~/.pgpass）；默认：已记住的那个。其他计算机上的服务器必须有有效的 TLS 证书，除非用 ?sslmode=... 另行指定</translation>
     </message>
+    <message>
+        <source>Limits of voltage, temperature, current and torque are left out; to write one of them, name it: --only KEY --dangerous.</source>
+        <translation>电压、温度、电流和扭矩的限制不写入；如需写入其中一项，请指明名称：--only 名称 --dangerous。</translation>
+    </message>
+    <message>
+        <source>! %1: %2</source>
+        <translation>! %1：%2</translation>
+    </message>
+    <message>
+        <source>! %1, not selected: %2</source>
+        <translation>! %1（未选中）：%2</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -5985,6 +5997,38 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Store it in ~/.pgpass: a line HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600. Change it if others could read the settings.</source>
         <translation>请将其存放在 ~/.pgpass 中：一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600。如果他人可能读到过设置文件，请更换密码。</translation>
     </message>
+    <message>
+        <source>limit of another model</source>
+        <translation>其他型号的限制</translation>
+    </message>
+    <message>
+        <source>Limits of voltage, temperature, current and torque belong to a model. Off unless you select the row yourself.</source>
+        <translation>电压、温度、电流和扭矩的限制与型号有关。除非您自己勾选该行，否则不写入。</translation>
+    </message>
+    <message>
+        <source>would cause an alarm now</source>
+        <translation>会立即引起报警</translation>
+    </message>
+    <message>
+        <source>The present reading is outside this limit: the servo would be in an alarm as soon as it is written.</source>
+        <translation>当前测量值超出此限制：一旦写入，舵机就会报警。</translation>
+    </message>
+    <message>
+        <source>voltage alarm at once: limit %1, supply %2 now</source>
+        <translation>立即过压欠压报警：限制 %1，当前电源 %2</translation>
+    </message>
+    <message>
+        <source>temperature alarm at once: limit %1, servo %2 now</source>
+        <translation>立即过热报警：限制 %1，舵机当前 %2</translation>
+    </message>
+    <message>
+        <source>overcurrent alarm: limit %1, current %2 now</source>
+        <translation>过流报警：限制 %1，当前电流 %2</translation>
+    </message>
+    <message>
+        <source>overload alarm: limit %1, load %2 now</source>
+        <translation>过载报警：限制 %1，当前负载 %2</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -6173,6 +6217,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Written, but rows were left out at %1 of %2 servos; the tooltip of each says which and why.</source>
         <translation>已写入，但 %2 个舵机中有 %1 个跳过了一些行；各行提示说明哪些及原因。</translation>
+    </message>
+    <message>
+        <source>would cause an alarm now</source>
+        <translation>会立即引起报警</translation>
     </message>
 </context>
 <context>
@@ -7318,6 +7366,18 @@ Asked more than once: %9</source>
     <message>
         <source>Close; nothing is written</source>
         <translation>关闭，不写入任何内容</translation>
+    </message>
+    <message>
+        <source>The snapshot is of another model: %1.</source>
+        <translation>此快照来自其他型号：%1。</translation>
+    </message>
+    <message>
+        <source>✗ %1: %2</source>
+        <translation>✗ %1：%2</translation>
+    </message>
+    <message>
+        <source>%1, not selected: %2</source>
+        <translation>%1（未选中）：%2</translation>
     </message>
 </context>
 <context>
@@ -9665,6 +9725,14 @@ Asked more than once: %9</source>
     <message>
         <source>Saved: %1</source>
         <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>another model</source>
+        <translation>其他型号</translation>
+    </message>
+    <message>
+        <source>%1 is a limit of another model (%2).</source>
+        <translation>“%1”是其他型号（%2）的限制。</translation>
     </message>
 </context>
 <context>

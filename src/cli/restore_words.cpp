@@ -100,11 +100,33 @@ QString notWrittenTable(const jobs::RestorePlan& plan)
     return table.text();
 }
 
+Json::Array jsonAlarms(const jobs::RestorePlan& plan)
+{
+    Json::Array rows;
+    for (const jobs::RestoreRow* row : jobs::alarmsToCome(plan)) {
+        rows.push_back(Json::object()
+                           .add("key", row->key)
+                           .add("alarm", row->alarm)
+                           .add("reading", row->reading)
+                           .add("unit", row->readingUnit)
+                           .add("selected", row->ticked));
+    }
+    return rows;
+}
+
 QString originText(const jobs::RestorePlan& plan)
 {
-    if (plan.otherModel)
-        return translate("cli", "The file is of another model: rows are matched by their key.") +
-               QLatin1Char('\n');
+    if (plan.otherModel) {
+        QString text =
+            translate("cli", "The file is of another model: rows are matched by their key.") +
+            QLatin1Char('\n');
+        if (plan.count(jobs::RestoreReason::OtherModelLimit) > 0)
+            text += translate("cli", "Limits of voltage, temperature, current and torque are left "
+                                     "out; to write one of them, name it: --only KEY "
+                                     "--dangerous.") +
+                    QLatin1Char('\n');
+        return text;
+    }
     if (plan.otherFirmware)
         return translate("cli", "The file is of another firmware: rows are matched by their "
                                 "key.") +
@@ -184,6 +206,8 @@ jobs::RestoreChoice choiceOf(const Values& values)
     choice.identity = values.has("--identity");
     choice.dangerous = values.has("--dangerous");
     choice.live = values.has("--live");
+    if (choice.dangerous)
+        choice.otherModelLimits = choice.only;
     return choice;
 }
 
@@ -222,7 +246,25 @@ void addPlan(Json& json, const jobs::RestorePlan& plan)
         .add("other_firmware", plan.otherFirmware)
         .add("writes", jsonWritesOf(plan))
         .add("steps", jsonSteps(plan))
-        .add("left_out", jsonLeftOut(plan));
+        .add("left_out", jsonLeftOut(plan))
+        .add("alarms", jsonAlarms(plan));
+}
+
+QString alarmsText(const jobs::RestorePlan& plan)
+{
+    QString text;
+    for (const jobs::RestoreRow* row : jobs::alarmsToCome(plan)) {
+        const catalog::Register& reg = *plan.servo.profile->find(row->key);
+        const QString limit =
+            catalog::formatValue(*row->wanted, reg, plan.servo.meaning(reg), text::inChinese());
+        const QString reading =
+            QString::number(row->reading, 'g', 4) + catalog::unitSuffix(row->readingUnit);
+        const QString line = text::restoreAlarmWords(row->alarm, limit, reading);
+        text += (row->ticked ? translate("cli", "! %1: %2").arg(row->key, line)
+                             : translate("cli", "! %1, not selected: %2").arg(row->key, line)) +
+                QLatin1Char('\n');
+    }
+    return text;
 }
 
 QString planText(const jobs::RestorePlan& plan)
@@ -231,7 +273,7 @@ QString planText(const jobs::RestorePlan& plan)
     const auto writes = jobs::writesOf(plan);
     if (writes.empty())
         return text + translate("cli", "Nothing to write.") + QLatin1Char('\n') +
-               notWrittenTable(plan);
+               notWrittenTable(plan) + alarmsText(plan);
     Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Now"),
                  translate("cli", "Will be")});
     table.right({0, 2, 3});
@@ -239,7 +281,7 @@ QString planText(const jobs::RestorePlan& plan)
         table.add({QString::number(write.address), write.key,
                    shown(plan.servo, write.key, write.from),
                    shown(plan.servo, write.key, write.to)});
-    return text + table.text() + notWrittenTable(plan);
+    return text + table.text() + notWrittenTable(plan) + alarmsText(plan);
 }
 
 QString leftOutText(const jobs::RestorePlan& plan)

@@ -21,10 +21,12 @@ jobs::RestoreOptions restoreOptionsOf(const Values& values);
 /// Keys of --only that neither the file nor this servo has. UnknownRegister, with what is near.
 base::Result<void> checkOnly(const Values& values, const record::Snapshot& snapshot);
 
-/// Adds "writes", "steps", "left_out" and what is known of model and firmware.
+/// Adds "writes", "steps", "left_out", "alarms" and what is known of model and firmware.
 void addPlan(Json& json, const jobs::RestorePlan& plan);
-/// The writes as a table, what is left out and why.
+/// The writes as a table, what is left out and why, and which limits would cause an alarm now.
 QString planText(const jobs::RestorePlan& plan);
+/// One line for each limit that the servo's readings are outside of; empty where there is none.
+QString alarmsText(const jobs::RestorePlan& plan);
 /// "2 rows were left out: …", each with its reason; empty where there is none.
 QString leftOutText(const jobs::RestorePlan& plan);
 /// What happens around the writes, line by line.

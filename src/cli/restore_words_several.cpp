@@ -55,7 +55,7 @@ QString appliedText(const std::vector<jobs::Applied>& all)
         if (one.outcome && !wentWell(*one.outcome))
             more += outcomeText(*one.outcome, *one.servo);
         if (one.plan.servo.profile)
-            more += leftOutText(one.plan);
+            more += leftOutText(one.plan) + alarmsText(one.plan);
         if (!more.isEmpty())
             text += translate("cli", "Servo %1").arg(one.id) + QLatin1Char('\n') + more;
     }

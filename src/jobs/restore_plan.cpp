@@ -32,6 +32,8 @@ constexpr std::array reasonNames{
     ReasonName{RestoreReason::Converted, "converted"},
     ReasonName{RestoreReason::PlainNumber, "plain-number"},
     ReasonName{RestoreReason::NotChosen, "not-chosen"},
+    ReasonName{RestoreReason::OtherModelLimit, "other-model-limit"},
+    ReasonName{RestoreReason::WouldAlarm, "would-alarm"},
 };
 
 bool has(const RestoreRow& row, RestoreReason reason)
@@ -63,6 +65,8 @@ bool tickedBy(const RestoreRow& row, const RestoreChoice& choice)
     return row.mayTick && !has(row, RestoreReason::NotChosen) &&
            (!has(row, RestoreReason::Identity) || choice.identity) &&
            (!has(row, RestoreReason::NeedsConsent) || choice.dangerous) &&
+           (!has(row, RestoreReason::OtherModelLimit) ||
+            choice.otherModelLimits.contains(row.key)) &&
            (!has(row, RestoreReason::OffUnlessAsked) || choice.live || named) &&
            (!has(row, RestoreReason::PlainNumber) || named);
 }
@@ -95,6 +99,12 @@ RestoreRow rowOf(const device::Servo& servo, const catalog::Register& reg,
             mapValue(row, servo, reg, *file, kinship);
     }
     row.reasons.setFlag(RestoreReason::Same, row.now && row.now == row.wanted);
+    if (row.wanted && !has(row, RestoreReason::Same) && reg.writable()) {
+        if (kinship.otherModel && isProtectionLimit(reg))
+            row.reasons |=
+                RestoreReasons(RestoreReason::OtherModelLimit) | RestoreReason::NeedsConsent;
+        predictAlarm(row, servo, reg);
+    }
     row.reasons.setFlag(RestoreReason::NotChosen,
                         !choice.only.isEmpty() && !choice.only.contains(reg.key));
     row.mayTick = tickable(row, *servo.profile);
@@ -204,6 +214,16 @@ std::vector<const RestoreRow*> leftOut(const RestorePlan& plan)
     return left;
 }
 
+std::vector<const RestoreRow*> alarmsToCome(const RestorePlan& plan)
+{
+    std::vector<const RestoreRow*> rows;
+    for (const RestoreRow& row : plan.rows) {
+        if (!row.alarm.isEmpty() && row.mayTick)
+            rows.push_back(&row);
+    }
+    return rows;
+}
+
 int RestorePlan::count(RestoreReason reason) const
 {
     return static_cast<int>(
@@ -219,7 +239,8 @@ RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snap
     plan.id = servo.id;
     plan.servo = servo;
     plan.otherMap = !kinship.sameMap;
-    plan.otherModel = plan.otherMap || snapshot.servo.modelId != profile.identity.modelId();
+    plan.otherModel = kinship.otherModel;
+    plan.sourceModel = snapshot.servo.model;
     plan.otherFirmware = snapshot.servo.firmware != profile.identity.firmware();
     plan.isTemplate = snapshot.isTemplate;
     for (const catalog::Register& reg : profile.registers) {

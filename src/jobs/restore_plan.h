@@ -32,6 +32,10 @@ enum class RestoreReason : std::uint32_t {
     Converted = 1U << 14U,     ///< same physical value, other raw number here
     PlainNumber = 1U << 15U, ///< without a unit, from another family: may be ticked, off by itself
     NotChosen = 1U << 16U,   ///< left out by RestoreChoice::only
+    /// A limit of voltage, temperature, current or torque of another model: may be ticked by name
+    /// and with consent, is off by itself
+    OtherModelLimit = 1U << 17U,
+    WouldAlarm = 1U << 18U, ///< by its readings the servo would be in an alarm at once
 };
 Q_DECLARE_FLAGS(RestoreReasons, RestoreReason)
 QString restoreReasonName(RestoreReason reason);        ///< "off-unless-asked", for JSON and text
@@ -62,15 +66,21 @@ struct RestoreRow {
     bool mayTick = false;
     bool ticked = false;
     bool asked = false; ///< by name: a row of a template, or of RestoreChoice::only
+    /// The fault that this value would cause now ("voltage", "temperature", "current",
+    /// "overload"); empty: none. And the reading that says so.
+    QString alarm{};
+    double reading = 0;
+    QString readingUnit{};
     bool operator==(const RestoreRow&) const = default;
 };
 
 /// What the user asks for beyond the usual.
 struct RestoreChoice {
-    QStringList only{};     ///< keys; empty: all
-    bool identity = false;  ///< ID and rate too
-    bool dangerous = false; ///< consent: dangerous rows are ticked as well
-    bool live = false;      ///< rows that are lost at power-off (41, 48)
+    QStringList only{};             ///< keys; empty: all
+    bool identity = false;          ///< ID and rate too
+    bool dangerous = false;         ///< consent: dangerous rows are ticked as well
+    bool live = false;              ///< rows that are lost at power-off (41, 48)
+    QStringList otherModelLimits{}; ///< consent: these limits are given to another model, too
 };
 
 struct RestorePlan {
@@ -78,6 +88,7 @@ struct RestorePlan {
     device::Servo servo{};          ///< as it was read
     std::vector<RestoreRow> rows{}; ///< those that differ and may be ticked first, then by address
     bool otherModel = false;
+    QString sourceModel{}; ///< that the file is of
     bool otherFirmware = false;
     bool otherMap = false;
     bool isTemplate = false;
@@ -105,6 +116,9 @@ RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snap
 /// With the speed that is remembered for position modes; without it where the journal cannot tell.
 RestorePlan planRestore(const device::Context& context, const device::Servo& servo,
                         const record::Snapshot& snapshot, const RestoreChoice& choice = {});
+
+/// Rows that would put the servo into an alarm it is not in now, ticked or not. Owned by the plan.
+std::vector<const RestoreRow*> alarmsToCome(const RestorePlan& plan);
 
 /// One register write to come.
 struct RestoreWrite {

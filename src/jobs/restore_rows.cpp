@@ -4,6 +4,7 @@
 #include "catalog/raw_range.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace jobs {
@@ -93,6 +94,64 @@ RestoreReasons natureOf(const catalog::Register& reg)
     return reasons;
 }
 
+bool isProtectionLimit(const catalog::Register& reg)
+{
+    switch (reg.role) {
+    case Role::MinVoltage:
+    case Role::MaxVoltage:
+    case Role::MaxTemperature:
+    case Role::MaxTorque:
+    case Role::TorqueLimit:
+    case Role::ProtectionCurrent:
+    case Role::ProtectionTorque:
+    case Role::OverloadTorque:
+        return true;
+    default:
+        return false;
+    }
+}
+
+namespace {
+struct Watched {
+    Role limit;
+    Role reading;
+    bool lower; ///< the limit is the least that is allowed
+    const char* fault;
+};
+
+constexpr std::array watchedLimits{
+    Watched{Role::MinVoltage, Role::PresentVoltage, true, "voltage"},
+    Watched{Role::MaxVoltage, Role::PresentVoltage, false, "voltage"},
+    Watched{Role::MaxTemperature, Role::PresentTemperature, false, "temperature"},
+    Watched{Role::ProtectionCurrent, Role::PresentCurrent, false, "current"},
+    Watched{Role::OverloadTorque, Role::PresentLoad, false, "overload"},
+};
+} // namespace
+
+void predictAlarm(RestoreRow& row, const device::Servo& servo, const catalog::Register& reg)
+{
+    const auto watched = std::find_if(watchedLimits.begin(), watchedLimits.end(),
+                                      [&](const Watched& one) { return one.limit == reg.role; });
+    const catalog::Register* measured =
+        watched != watchedLimits.end() ? servo.profile->byRole(watched->reading) : nullptr;
+    const auto raw = measured != nullptr ? servo.raw(*measured) : std::nullopt;
+    if (!raw || !row.wanted)
+        return;
+    const catalog::Meaning meaning = servo.meaning(*measured);
+    const catalog::Meaning limit = servo.meaning(reg);
+    const double reading = std::abs(catalog::toPhysical(*raw, meaning));
+    const auto outside = [&](std::int64_t value) {
+        const double bound = catalog::toPhysical(value, limit);
+        return watched->lower ? reading < bound : reading > bound;
+    };
+    if (meaning.unit != limit.unit || !outside(*row.wanted) || (row.now && outside(*row.now)))
+        return;
+    row.reasons |= RestoreReason::WouldAlarm;
+    row.alarm = QLatin1String(watched->fault);
+    row.reading = reading;
+    row.readingUnit = meaning.unit;
+}
+
 RestoreStage stageOf(const catalog::Register& reg)
 {
     switch (reg.role) {
@@ -135,6 +194,7 @@ Kinship kinshipOf(const device::Servo& servo, const record::Snapshot& snapshot)
     kinship.sameMap = snapshot.servo.map == profile.mapKey;
     kinship.sameKind = kinship.sameMap && snapshot.servo.modelId == profile.identity.modelId() &&
                        snapshot.servo.firmware == profile.identity.firmware();
+    kinship.otherModel = !kinship.sameMap || snapshot.servo.modelId != profile.identity.modelId();
     kinship.fileBaud = snapshot.baud;
     return kinship;
 }

@@ -9,6 +9,13 @@ namespace jobs {
 /// The reasons that lie in the register itself, whatever its values are.
 RestoreReasons natureOf(const catalog::Register& reg);
 
+/// A limit of voltage, temperature, current or torque, which belongs to a model.
+bool isProtectionLimit(const catalog::Register& reg);
+
+/// Fills in `alarm` where the servo's readings lie outside the limit that the row would set, and
+/// not outside the one it has.
+void predictAlarm(RestoreRow& row, const device::Servo& servo, const catalog::Register& reg);
+
 /// When it is written.
 RestoreStage stageOf(const catalog::Register& reg);
 
@@ -16,6 +23,7 @@ RestoreStage stageOf(const catalog::Register& reg);
 struct Kinship {
     bool sameMap = false;
     bool sameKind = false; ///< map, model and firmware: raw numbers mean the same for certain
+    bool otherModel = false;
     int fileBaud = 0;
 };
 Kinship kinshipOf(const device::Servo& servo, const record::Snapshot& snapshot);

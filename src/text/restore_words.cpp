@@ -56,6 +56,12 @@ constexpr std::array reasons{
                                     "Off unless you ask.")},
     Words{"not-chosen", QT_TRANSLATE_NOOP("text", "not chosen"),
           QT_TRANSLATE_NOOP("text", "Only some rows were asked for.")},
+    Words{"other-model-limit", QT_TRANSLATE_NOOP("text", "limit of another model"),
+          QT_TRANSLATE_NOOP("text", "Limits of voltage, temperature, current and torque belong to "
+                                    "a model. Off unless you select the row yourself.")},
+    Words{"would-alarm", QT_TRANSLATE_NOOP("text", "would cause an alarm now"),
+          QT_TRANSLATE_NOOP("text", "The present reading is outside this limit: the servo would "
+                                    "be in an alarm as soon as it is written.")},
 };
 
 constexpr std::array steps{
@@ -123,6 +129,19 @@ QString restoreReasonHelp(const QString& reason)
 {
     const Words* entry = find(reasons, reason);
     return entry != nullptr ? translate("text", entry->help) : QString();
+}
+
+QString restoreAlarmWords(const QString& fault, const QString& limit, const QString& reading)
+{
+    if (fault == QLatin1String("voltage"))
+        return translate("text", "voltage alarm at once: limit %1, supply %2 now")
+            .arg(limit, reading);
+    if (fault == QLatin1String("temperature"))
+        return translate("text", "temperature alarm at once: limit %1, servo %2 now")
+            .arg(limit, reading);
+    if (fault == QLatin1String("current"))
+        return translate("text", "overcurrent alarm: limit %1, current %2 now").arg(limit, reading);
+    return translate("text", "overload alarm: limit %1, load %2 now").arg(limit, reading);
 }
 
 QString restoreStepWords(const QString& step)

@@ -14,6 +14,9 @@ QString restoreReasonWords(const QStringList& reasons);
 /// A sentence that explains it, for a tooltip.
 QString restoreReasonHelp(const QString& reason);
 
+/// "voltage", "8.0 V", "12.0 V" → "voltage alarm at once: limit 8.0 V, supply 12.0 V now".
+QString restoreAlarmWords(const QString& fault, const QString& limit, const QString& reading);
+
 QString restoreStepWords(const QString& step); ///< "torque-off" → "torque off; it stays off"
 QString restoreVerdictWords(const QString& verdict); ///< "rolled-back", "no-answer" …
 QString compareVerdictWord(const QString& verdict);  ///< "read-only" → "read-only"

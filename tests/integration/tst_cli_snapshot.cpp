@@ -46,6 +46,7 @@ private Q_SLOTS:
     void savedChangedComparedRestored();
     void aDryRunWritesNothing();
     void consentIsAsked();
+    void limitsOfAnotherModelAreNamed();
     void identityIsAsked();
     void aFileHasLabelNoteAndCsv();
     void factoryDefaultsAreAColumn();
@@ -151,6 +152,38 @@ void TestCliSnapshot::consentIsAsked()
     QCOMPARE(raw(1, "position_offset"), 40);
     QCOMPARE(run("snapshot restore 1 @a.servo.json --dangerous").exit, 0);
     QCOMPARE(raw(1, "position_offset"), 0);
+}
+
+/// A snapshot of a servo for 8 V is no reason to put one at 12 V into an alarm.
+void TestCliSnapshot::limitsOfAnotherModelAreNamed()
+{
+    m_simulator = std::make_unique<SimProgram>(words("--servos sts3215@1,sts3250@4"));
+    m_cli->setPort(m_simulator->port());
+    QCOMPARE(run("write 1 max_voltage=80 position_p=50").exit, 0);
+    QCOMPARE(run("snapshot save 1 @a.servo.json").exit, 0);
+    const int before = raw(4, "max_voltage");
+    const Ran dry = json("snapshot restore 4 @a.servo.json --dry-run --dangerous");
+    QCOMPARE(dry.exit, 0);
+    QVERIFY(dry.json()[text("other_model")].toBool());
+    QVERIFY(!keysOf(dry.json()[text("writes")].toArray()).contains(text("max_voltage")));
+    const QJsonArray alarms = dry.json()[text("alarms")].toArray();
+    QCOMPARE(keysOf(alarms), QStringList{text("max_voltage")});
+    QCOMPARE(alarms[0][text("alarm")].toString(), text("voltage"));
+    QCOMPARE(alarms[0][text("selected")].toBool(true), false);
+    const Ran people = run("snapshot restore 4 @a.servo.json --dry-run");
+    QVERIFY2(people.out.contains(text("voltage alarm at once: limit 8.0 V, supply 1")),
+             qPrintable(people.out));
+    QVERIFY2(people.out.contains(text("--only KEY --dangerous")), qPrintable(people.out));
+
+    (void)run("snapshot restore 4 @a.servo.json --dangerous");
+    QCOMPARE(raw(4, "position_p"), 50);
+    QCOMPARE(raw(4, "max_voltage"), before);
+    (void)run("snapshot restore 4 @a.servo.json --only max_voltage");
+    QCOMPARE(raw(4, "max_voltage"), before);
+    const Ran named = run("snapshot restore 4 @a.servo.json --only max_voltage --dangerous");
+    QVERIFY2(named.out.contains(text("! max_voltage: voltage alarm at once")),
+             qPrintable(named.out));
+    QCOMPARE(raw(4, "max_voltage"), 80);
 }
 
 void TestCliSnapshot::identityIsAsked()

@@ -11,6 +11,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <array>
 #include <cmath>
 
 using jobs::RestoreReason;
@@ -51,6 +52,18 @@ record::Snapshot shuffled(const device::Servo& servo, unsigned seed)
     return snapshot;
 }
 
+/// With the physical value, as a file has it.
+void setValue(record::Snapshot& snapshot, const device::Servo& servo, const char* key,
+              std::int64_t raw)
+{
+    for (record::SnapshotRegister& reg : snapshot.registers) {
+        if (reg.key != word(key))
+            continue;
+        reg.raw = raw;
+        reg.value = catalog::toPhysical(raw, servo.meaning(*servo.profile->find(reg.key)));
+    }
+}
+
 void setRaw(record::Snapshot& snapshot, const char* key, std::optional<std::int64_t> raw)
 {
     for (record::SnapshotRegister& reg : snapshot.registers) {
@@ -86,6 +99,9 @@ private Q_SLOTS:
     void valuesThatDoNotFitAreNotWritten();
     void betweenFamiliesOnlyWhatMeansTheSame_data();
     void betweenFamiliesOnlyWhatMeansTheSame();
+    void limitsOfAnotherModelAreNotTicked_data();
+    void limitsOfAnotherModelAreNotTicked();
+    void aLimitThatWouldAlarmIsNamed();
     void whatCannotBeMappedIsListed();
     void theRateIsTranslatedBetweenFamilies();
     void namingARowAsksForIt();
@@ -209,6 +225,87 @@ void TestRestorePlan::betweenFamiliesOnlyWhatMeansTheSame()
     }
 }
 
+void TestRestorePlan::limitsOfAnotherModelAreNotTicked_data()
+{
+    QTest::addColumn<bool>("template_");
+    QTest::newRow("snapshot") << false;
+    QTest::newRow("template") << true;
+}
+
+/// An STS3215 for 8 V, an STS3250 at 12 V.
+void TestRestorePlan::limitsOfAnotherModelAreNotTicked()
+{
+    QFETCH(bool, template_);
+    const device::Servo strong = servoOf("sts3250@1", 1'000'000);
+    record::Snapshot snapshot = jobs::snapshotOf(sts(), word("test 1"));
+    const std::array limits{"max_temperature", "max_voltage",        "min_voltage",
+                            "max_torque",      "protection_current", "protection_torque",
+                            "overload_torque", "torque_limit"};
+    for (const char* key : limits)
+        setValue(snapshot, strong, key, *strong.raw(word(key)) - 1);
+    setValue(snapshot, strong, "position_p", 50);
+    snapshot.isTemplate = template_;
+    const auto plan = jobs::planRestore(strong, snapshot);
+    QVERIFY(plan.otherModel);
+    QCOMPARE(plan.sourceModel, word("STS3215"));
+    QVERIFY(plan.find(word("position_p"))->ticked);
+    jobs::RestoreChoice willing;
+    willing.dangerous = true;
+    willing.live = true;
+    const auto dangerous = jobs::planRestore(strong, snapshot, willing);
+    for (const char* key : limits) {
+        QVERIFY2(has(plan, key, RestoreReason::OtherModelLimit), key);
+        QVERIFY2(has(plan, key, RestoreReason::NeedsConsent), key);
+        QVERIFY2(plan.find(word(key))->mayTick && !plan.find(word(key))->ticked, key);
+        QVERIFY2(!dangerous.find(word(key))->ticked, key); // consent is given to a name
+        jobs::RestorePlan byHand = plan;
+        QVERIFY(byHand.tick(word(key), true) && byHand.needsConsent());
+    }
+    willing.otherModelLimits = {word("max_temperature")};
+    const auto named = jobs::planRestore(strong, snapshot, willing);
+    QVERIFY(named.find(word("max_temperature"))->ticked);
+    QVERIFY(!named.find(word("max_voltage"))->ticked);
+
+    // To the same model they are rows like others.
+    const auto same = jobs::planRestore(sts(), shuffled(sts(), 5));
+    for (const char* key : limits)
+        QVERIFY2(!has(same, key, RestoreReason::OtherModelLimit), key);
+}
+
+void TestRestorePlan::aLimitThatWouldAlarmIsNamed()
+{
+    device::Servo strong = servoOf("sts3250@1", 1'000'000); // at 12.0 V
+    record::Snapshot snapshot = jobs::snapshotOf(sts(), word("test 1"));
+    const auto set = [&](const char* key, std::int64_t raw) {
+        setValue(snapshot, strong, key, raw);
+    };
+    const auto alarms = [&] {
+        QStringList found;
+        const auto plan = jobs::planRestore(strong, snapshot);
+        for (const RestoreRow* row : jobs::alarmsToCome(plan))
+            found << row->key + QLatin1Char(' ') + row->alarm;
+        return found;
+    };
+    set("max_temperature", *strong.raw(word("max_temperature")));
+    set("min_voltage", *strong.raw(word("min_voltage")));
+    const std::int64_t volts = *strong.raw(word("present_voltage"));
+    set("max_voltage", 80);
+    QCOMPARE(alarms(), QStringList{word("max_voltage voltage")});
+    const auto plan = jobs::planRestore(strong, snapshot);
+    QCOMPARE(plan.find(word("max_voltage"))->reading, double(volts) / 10);
+    QCOMPARE(plan.find(word("max_voltage"))->readingUnit, word("V"));
+    set("max_voltage", volts); // on its limit is not outside
+    QCOMPARE(alarms(), QStringList());
+    set("max_voltage", volts - 1);
+    QCOMPARE(alarms(), QStringList{word("max_voltage voltage")});
+    set("max_voltage", *strong.raw(word("max_voltage")));
+    set("min_voltage", volts + 1);
+    set("max_temperature", *strong.raw(word("present_temperature")) - 1);
+    QStringList both = alarms();
+    both.sort();
+    QCOMPARE(both, (QStringList{word("max_temperature temperature"), word("min_voltage voltage")}));
+}
+
 void TestRestorePlan::whatCannotBeMappedIsListed()
 {
     const device::Servo scs = servoOf("scs15@1", 1'000'000);
@@ -226,7 +323,8 @@ void TestRestorePlan::whatCannotBeMappedIsListed()
     QVERIFY(has(plan, "max_torque", RestoreReason::OtherMeaning));
     QVERIFY(has(plan, "position_p", RestoreReason::PlainNumber));
     QVERIFY(plan.find(word("position_p"))->mayTick && !plan.find(word("position_p"))->ticked);
-    QVERIFY(plan.find(word("max_temperature"))->ticked);
+    QVERIFY(has(plan, "max_temperature", RestoreReason::OtherModelLimit));
+    QVERIFY(!plan.find(word("max_temperature"))->ticked);
     // The same angle, in this servo's steps.
     QVERIFY(has(plan, "max_angle_limit", RestoreReason::Converted));
     // The other way round: what only this servo has stays as it is.
