@@ -10,6 +10,7 @@
 #include "ui/widgets/banner.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialog>
 #include <QFileDialog>
 #include <QLabel>
@@ -135,6 +136,68 @@ private Q_SLOTS:
         QVERIFY(!bench.button("restoreWrite")->isEnabled());
         const auto intents = bench.session.journal().entries();
         QVERIFY(intents && intents->empty());
+    }
+
+    /// A snapshot of a servo for 8 V is no reason to put one at 12 V into an alarm.
+    void limitsOfAnotherModelNeedAConsciousClick()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3250@2")));
+        QVERIFY(bench.write("max_voltage", 80));
+        QVERIFY(bench.write("position_p", 50));
+        QVERIFY(bench.taken());
+        auto* title = bench.find<QLabel>("compareTitle");
+        QTRY_VERIFY2(title->text().contains(QStringLiteral("STS3215 · ID 1 · ")),
+                     qPrintable(title->text()));
+        QVERIFY(!title->text().contains(QLatin1String("another model")));
+
+        QVERIFY(bench.choose(2));
+        const std::int64_t before = bench.now("max_voltage");
+        QVERIFY(before > 120);
+        bench.find<QComboBox>("shelfWhose")->setCurrentIndex(1);
+        const auto ofTheFirst = [&] {
+            for (int row = 0; row < bench.shelf()->topLevelItemCount(); ++row) {
+                QTreeWidgetItem* item = bench.shelf()->topLevelItem(row);
+                if (item->text(0).contains(QStringLiteral("STS3215 · ID 1\ntaken")))
+                    return item;
+            }
+            return static_cast<QTreeWidgetItem*>(nullptr);
+        };
+        QTRY_VERIFY(ofTheFirst() != nullptr);
+        bench.select(ofTheFirst());
+        QTRY_VERIFY2(title->text().contains(QStringLiteral("STS3215 · ID 1")) &&
+                         title->text().contains(QLatin1String("another model")),
+                     qPrintable(title->text()));
+        QTRY_VERIFY(bench.rowOf("max_voltage") >= 0);
+        QTRY_COMPARE(bench.tick("position_p"), Qt::Checked);
+        QCOMPARE(bench.tick("max_voltage"), Qt::Unchecked);
+
+        bench.click("restoreDryRun");
+        QLabel* warning = nullptr;
+        QTRY_VERIFY((warning = bench.find<QLabel>("dryRunWarning")) != nullptr);
+        QVERIFY2(warning->isVisible() && warning->text().contains(QLatin1String("STS3215")) &&
+                     warning->text().contains(QLatin1String("not selected: voltage alarm at once")),
+                 qPrintable(warning->text()));
+        bench.click("dryRunClose");
+
+        bench.click("restoreWrite");
+        QTRY_VERIFY(!bench.bannerText().isEmpty());
+        QCOMPARE(bench.now("position_p"), 50);
+        QCOMPARE(bench.now("max_voltage"), before);
+
+        // By hand: asked for, with what will happen.
+        QTRY_VERIFY(bench.rowOf("max_voltage") >= 0);
+        bench.table()->setCurrentIndex(bench.cell("max_voltage", 1));
+        QTest::keyClick(bench.table(), Qt::Key_Space);
+        QTRY_COMPARE(bench.tick("max_voltage"), Qt::Checked);
+        bench.click("restoreWrite");
+        QLabel* risk = nullptr;
+        QTRY_VERIFY((risk = bench.find<QLabel>("questionRisk")) != nullptr);
+        QVERIFY2(risk->text().contains(QLatin1String("limit of another model (STS3215)")) &&
+                     risk->text().contains(QLatin1String("voltage alarm at once")),
+                 qPrintable(risk->text()));
+        QTest::mouseClick(bench.find<QPushButton>("questionNo"), Qt::LeftButton);
+        QCOMPARE(bench.now("max_voltage"), before);
     }
 
     void whatDiffersIsShownAndWrittenBack()

@@ -19,6 +19,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace ui {
 using jobs::ApplyVerdict;
 
@@ -226,6 +228,11 @@ void ApplyDialog::fillRow(int row)
     if (left > 0)
         words += QStringLiteral(" · ") +
                  (left == 1 ? tr("1 row left out") : tr("%1 rows left out").arg(left));
+    const std::vector<const jobs::RestoreRow*> alarms = jobs::alarmsToCome(one.plan);
+    const bool alarm = std::any_of(alarms.begin(), alarms.end(),
+                                   [](const jobs::RestoreRow* limit) { return limit->ticked; });
+    if (alarm && !one.outcome)
+        words += QStringLiteral(" · ✗ ") + tr("would cause an alarm now");
     verdict->setText(words);
     verdict->setData(toneRole, int(how));
     for (int cell = 0; cell < Count; ++cell)
@@ -328,6 +335,7 @@ void ApplyDialog::run(bool dryRun)
     }
     order.options.choice.only = m_source.only;
     order.options.choice.dangerous = dangerous();
+    order.options.choice.otherModelLimits = m_source.otherModelLimits;
     order.options.restore.dangerous = dangerous();
     order.options.restore.onFailure =
         m_rollBack->isChecked() ? jobs::OnFailure::RollBack : jobs::OnFailure::Stop;

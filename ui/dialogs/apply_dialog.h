@@ -24,8 +24,9 @@ struct ApplySource {
     QString name{};                     ///< as the user calls it
     session::SharedSnapshot snapshot{}; ///< or
     session::SharedBundle bundle{};
-    QStringList only{};     ///< keys; empty: all that is usual
-    bool dangerous = false; ///< dangerous rows are among them
+    QStringList only{};             ///< keys; empty: all that is usual
+    bool dangerous = false;         ///< dangerous rows are among them
+    QStringList otherModelLimits{}; ///< limits that were ticked for another model
 };
 
 class ApplyDialog final : public QDialog {

@@ -3,6 +3,7 @@
 
 #include "text/language.h"
 #include "text/restore_words.h"
+#include "ui/app/theme.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -34,6 +35,13 @@ DryRunDialog::DryRunDialog(const CompareModel& model, const jobs::RestorePlan& p
         m_lines.push_back({step, reg != nullptr ? reg->name : catalog::Text{step.key, step.key},
                            value(step, step.from), value(step, step.to)});
     }
+    for (const jobs::RestoreRow* row : jobs::alarmsToCome(plan)) {
+        const catalog::Register& reg = *plan.servo.profile->find(row->key);
+        m_alarms.push_back({reg.name, row->alarm, model.formatted(row->key, *row->wanted),
+                            readingText(*row), row->ticked});
+    }
+    if (plan.otherModel)
+        m_otherModel = plan.sourceModel;
     build();
     retranslate();
 }
@@ -43,6 +51,13 @@ void DryRunDialog::build()
     auto* column = new QVBoxLayout(this);
     m_title = new QLabel(this);
     m_title->setWordWrap(true);
+    m_warning = new QLabel(this);
+    m_warning->setObjectName(QStringLiteral("dryRunWarning"));
+    m_warning->setWordWrap(true);
+    m_warning->setTextFormat(Qt::PlainText);
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
+    m_warning->setPalette(colours);
     m_table = new QTableWidget(0, 4, this);
     m_table->setObjectName(QStringLiteral("dryRunTable"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -62,6 +77,7 @@ void DryRunDialog::build()
     row->addStretch();
     row->addWidget(m_close);
     column->addWidget(m_title);
+    column->addWidget(m_warning);
     column->addWidget(m_table, 1);
     column->addLayout(row);
     connect(m_copy, &QPushButton::clicked, this,
@@ -80,6 +96,9 @@ void DryRunDialog::retranslate()
                          : tr("ID %1, in this order. Every row is read back; nothing has been "
                               "written yet.")
                                .arg(m_id));
+    const QString warning = alarmsText();
+    m_warning->setText(warning);
+    m_warning->setVisible(!warning.isEmpty());
     m_table->setAccessibleName(tr("Steps"));
     m_table->setHorizontalHeaderLabels({tr("Step"), tr("Register"), tr("From"), tr("To")});
     m_table->setRowCount(int(m_lines.size()));
@@ -104,9 +123,26 @@ void DryRunDialog::retranslate()
     m_close->setToolTip(tr("Close; nothing is written"));
 }
 
+/// Which limits the servo's readings are outside of, selected or not.
+QString DryRunDialog::alarmsText() const
+{
+    QStringList lines;
+    if (!m_otherModel.isEmpty())
+        lines << tr("The snapshot is of another model: %1.").arg(m_otherModel);
+    for (const AlarmLine& alarm : m_alarms) {
+        const QString words = text::restoreAlarmWords(alarm.fault, alarm.limit, alarm.reading);
+        const QString name = alarm.name.in(text::inChinese());
+        lines << (alarm.ticked ? tr("✗ %1: %2").arg(name, words)
+                               : tr("%1, not selected: %2").arg(name, words));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
 QString DryRunDialog::text() const
 {
     QStringList lines;
+    if (const QString warning = alarmsText(); !warning.isEmpty())
+        lines << warning;
     for (int row = 0; row < m_table->rowCount(); ++row) {
         QStringList cells{QString::number(row + 1)};
         for (int column = 0; column < m_table->columnCount(); ++column)

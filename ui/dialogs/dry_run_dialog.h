@@ -33,9 +33,21 @@ private:
     void retranslate();
     QString text() const; ///< all of it, for the clipboard
 
+    QString alarmsText() const;
+
+    struct AlarmLine {
+        catalog::Text name{};
+        QString fault{};
+        QString limit{};
+        QString reading{};
+        bool ticked = false;
+    };
     std::vector<Line> m_lines;
+    std::vector<AlarmLine> m_alarms;
+    QString m_otherModel; ///< that the snapshot is of; empty: of this one
     int m_id = -1;
     QLabel* m_title = nullptr;
+    QLabel* m_warning = nullptr;
     QTableWidget* m_table = nullptr;
     QPushButton* m_copy = nullptr;
     QPushButton* m_close = nullptr;

@@ -281,6 +281,18 @@ QVariant CompareModel::headerData(int section, Qt::Orientation orientation, int 
     return {};
 }
 
+QString readingText(const jobs::RestoreRow& row)
+{
+    return QString::number(row.reading, 'g', 4) + catalog::unitSuffix(row.readingUnit);
+}
+
+QString alarmLine(const CompareModel& model, const jobs::RestoreRow& row)
+{
+    const QString limit = model.formatted(row.key, *row.wanted);
+    return model.nameOf(row.key) + QStringLiteral(": ") +
+           text::restoreAlarmWords(row.alarm, limit, readingText(row));
+}
+
 void CompareFilter::setAll(bool all)
 {
     m_all = all;

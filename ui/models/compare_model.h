@@ -66,6 +66,11 @@ private:
     std::optional<jobs::RestorePlan> m_plan;
 };
 
+/// "12.0 V": what a row's limit was held against.
+QString readingText(const jobs::RestoreRow& row);
+/// "Maximum input voltage: voltage alarm at once …"; the row has an alarm.
+QString alarmLine(const CompareModel& model, const jobs::RestoreRow& row);
+
 /// Only the rows that differ or might, or all.
 class CompareFilter final : public QSortFilterProxyModel {
     Q_OBJECT

@@ -130,6 +130,14 @@ QString SnapshotsPage::nothingWords() const
     return tr("Choose a snapshot at the left to compare the servo with, or open a file.");
 }
 
+bool SnapshotsPage::isOfAnotherModel(const record::Snapshot& table) const
+{
+    if (entry() == nullptr)
+        return false;
+    const catalog::Profile& profile = *entry()->servo.profile;
+    return table.servo.map != profile.mapKey || table.servo.modelId != profile.identity.modelId();
+}
+
 QString SnapshotsPage::titleWords(const std::vector<ShelfChoice>& chosen) const
 {
     if (const session::SharedBundle bundle = m_shelf->bundle())
@@ -138,7 +146,15 @@ QString SnapshotsPage::titleWords(const std::vector<ShelfChoice>& chosen) const
     const QString servo = entry() != nullptr ? servoTitle(*entry()) : QString();
     if (chosen.empty())
         return servo;
-    const QString against = QStringLiteral("“%1”").arg(chosen.front().title);
+    const record::Snapshot& table = *chosen.front().snapshot;
+    const QDateTime at = table.at.toLocalTime();
+    QStringList about{chosen.front().title,
+                      QStringLiteral("%1 · ID %2").arg(table.servo.model).arg(table.servo.id)};
+    if (at.isValid())
+        about << at.toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+    if (isOfAnotherModel(table))
+        about << tr("another model");
+    const QString against = about.join(QStringLiteral(" · "));
     return servo.isEmpty() ? against : tr("%1 against %2").arg(servo, against);
 }
 

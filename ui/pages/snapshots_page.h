@@ -73,6 +73,7 @@ private:
     void fillColumns();
     void showState();
     QString nothingWords() const;
+    bool isOfAnotherModel(const record::Snapshot& table) const;
     QString titleWords(const std::vector<ShelfChoice>& chosen) const;
 
     // snapshots_page_deeds.cpp

@@ -237,10 +237,13 @@ void SnapshotsPage::write()
     for (const jobs::RestoreWrite& one : jobs::writesOf(*now)) {
         const jobs::RestoreRow* row = now->find(one.key);
         const QString name = m_pane->model().nameOf(one.key);
-        if (row->reasons.testFlag(RestoreReason::NeedsConsent)) {
-            consent = true;
+        consent = consent || row->reasons.testFlag(RestoreReason::NeedsConsent);
+        if (row->reasons.testFlag(RestoreReason::OtherModelLimit))
+            risks << tr("%1 is a limit of another model (%2).").arg(name, now->sourceModel);
+        else if (row->reasons.testFlag(RestoreReason::NeedsConsent))
             risks << tr("%1: a wrong value can make the servo unreachable or dangerous.").arg(name);
-        }
+        if (row->reasons.testFlag(RestoreReason::WouldAlarm))
+            risks << alarmLine(m_pane->model(), *row);
         if (row->reasons.testFlag(RestoreReason::MovesShaft))
             risks << tr("%1 shifts where the servo believes it is.").arg(name);
         if (row->reasons.testFlag(RestoreReason::Identity))
@@ -356,6 +359,8 @@ void SnapshotsPage::applyToSeveral()
             source.only << row.key;
             source.dangerous =
                 source.dangerous || row.reasons.testFlag(jobs::RestoreReason::NeedsConsent);
+            if (row.reasons.testFlag(jobs::RestoreReason::OtherModelLimit))
+                source.otherModelLimits << row.key;
         }
     } else {
         return;
