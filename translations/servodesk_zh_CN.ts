@@ -8194,6 +8194,10 @@ Asked more than once: %9</source>
         <source>Set up servos plugged in one after the other</source>
         <translation>逐个接上并设置舵机</translation>
     </message>
+    <message>
+        <source>Switch between English and Chinese. No font for Chinese is installed (Debian: fonts-noto-cjk).</source>
+        <translation>切换中英文。系统没有安装中文字体（Debian：fonts-noto-cjk）。</translation>
+    </message>
 </context>
 <context>
     <name>ui::MemoryOutput</name>

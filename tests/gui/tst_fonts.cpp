@@ -6,6 +6,7 @@
 #include "support/font_machine.h"
 #include "ui/dialogs/help_window.h"
 
+#include <QAbstractButton>
 #include <QDirIterator>
 #include <QFontDatabase>
 #include <QRawFont>
@@ -61,6 +62,16 @@ private Q_SLOTS:
         QCOMPARE(QFontInfo(bold).family(), QStringLiteral("Noto Sans"));
         QCOMPARE(QFontInfo(bold).weight(), int(QFont::Bold));
         QCOMPARE(QApplication::font().pointSizeF(), size); // as the desktop has it
+    }
+
+    /// No empty boxes in an English window; where Chinese is chosen the tooltip tells what is
+    /// missing.
+    void noChineseIsShownWithoutAFontForIt()
+    {
+        gui::WindowBench bench;
+        const auto* button = bench.find<QAbstractButton>("languageButton");
+        QCOMPARE(button->text(), QStringLiteral("EN / ZH"));
+        QVERIFY(button->toolTip().contains(QStringLiteral("fonts-noto-cjk")));
     }
 
     void digitsAreOfOneWidth()

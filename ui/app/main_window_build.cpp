@@ -20,6 +20,7 @@
 #include "ui/widgets/welcome.h"
 
 #include <QDockWidget>
+#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QPushButton>
@@ -159,8 +160,14 @@ void MainWindow::retranslate()
     m_stop->setAccessibleName(tr("Torque off for all servos"));
     m_undo->setAccessibleName(m_commands.action(Command::Undo)->iconText());
     const bool chinese = m_language.chinese();
-    m_languageButton->setText(chinese ? QStringLiteral("中 / EN") : QStringLiteral("EN / 中"));
-    m_languageButton->setToolTip(tr("Switch between English and Chinese"));
+    const bool letters = !QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty();
+    const QString name = letters ? QStringLiteral("中") : QStringLiteral("ZH");
+    m_languageButton->setText(chinese ? name + QStringLiteral(" / EN")
+                                      : QStringLiteral("EN / ") + name);
+    m_languageButton->setToolTip(
+        letters ? tr("Switch between English and Chinese")
+                : tr("Switch between English and Chinese. No font for Chinese is installed "
+                     "(Debian: fonts-noto-cjk)."));
     m_languageButton->setAccessibleName(tr("Language"));
     m_themeButton->setToolTip(tr("Switch between light and dark"));
     m_themeButton->setAccessibleName(tr("Theme"));
