@@ -36,6 +36,21 @@ Spread spreadOf(const std::vector<StepResponse>& responses, const StepFigure& fi
     return spread;
 }
 
+/// Finer than this nothing is measured: a step of the encoder, the time from one reading to the
+/// next.
+double finest(const StepFigure& figure, const StepRun& run)
+{
+    const QLatin1StringView unit(figure.unit);
+    const double way = std::abs(run.axis.to - run.axis.from);
+    if (unit == QLatin1StringView("step"))
+        return 1;
+    if (unit == QLatin1StringView("%") && figure.member == &StepFigures::overshoot)
+        return way > 0 ? 100 / way : 0;
+    if (unit == QLatin1StringView("ms"))
+        return run.sampleRate > 0 ? 1000 / run.sampleRate : 0;
+    return 0;
+}
+
 StepChange changeOf(const StepDifference& row, const StepRun& before, const StepRun& after)
 {
     if (!row.difference)
@@ -45,7 +60,9 @@ StepChange changeOf(const StepDifference& row, const StepRun& before, const Step
     const double scatter = (spreadOf(before.responses, row.figure).range() +
                             spreadOf(after.responses, row.figure).range()) /
                            2;
-    if (std::abs(*row.difference) <= scatter)
+    const double least = std::max(finest(row.figure, before), finest(row.figure, after));
+    const double size = std::abs(*row.difference);
+    if (size <= scatter || size < least)
         return StepChange::Same;
     return *row.difference < 0 ? StepChange::Better : StepChange::Worse;
 }

@@ -117,7 +117,8 @@ StepFigures meanOf(const std::vector<StepResponse>& responses);
 
 enum class StepChange : std::uint8_t { Same, Better, Worse, Neither, NotMeasured };
 
-/// Same: not more than the scatter of the responses. Neither: no way is the better one.
+/// Same: not more than the scatter of the responses, or less than a step or a reading tells.
+/// Neither: no way is the better one.
 struct StepDifference {
     StepFigure figure;
     std::optional<double> before{};
