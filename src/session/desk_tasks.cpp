@@ -198,9 +198,13 @@ void Desk::workEnded(const std::shared_ptr<Work>& work)
     maybeReleased(*work);
     if (work->merged)
         work->merged(*work);
+    const bool onlyMoves =
+        work->task.effect == Effect::Moves && !work->task.savesTable && !work->task.lasting;
     for (const ServoRef ref : work->refs()) {
         if (const ServoEntry* known = servo(ref))
             changed(*known);
+        if (!work->readOnly && !onlyMoves)
+            loadHistory(ref);
     }
     if (!work->task.quiet) {
         tell({.kind = Event::Kind::Task,

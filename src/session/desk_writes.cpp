@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/desk_work.h"
 #include "session/ordered_write.h"
+#include "session/servo_history.h"
 
 #include <algorithm>
 #include <utility>
@@ -245,6 +246,17 @@ void Desk::redo()
     Q_EMIT undoChanged();
 }
 
+namespace {
+/// An entry changes in one way only: it gets an end.
+bool sameEntries(const std::vector<base::JournalEntry>& a, const std::vector<base::JournalEntry>& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& two) {
+        return one.intent.uuid == two.intent.uuid && one.end.has_value() == two.end.has_value() &&
+               (!one.end || one.end->outcome == two.end->outcome);
+    });
+}
+} // namespace
+
 void Desk::loadHistory(ServoRef ref)
 {
     const ServoEntry* known = servo(ref);
@@ -253,12 +265,12 @@ void Desk::loadHistory(ServoRef ref)
     const base::ServoIdentity who = known->servo.identity();
     m_openThread->start([this, ref, who] {
         constexpr int most = 1000;
-        auto own = m_session.journal().entriesOf(who, most);
+        auto own = servoHistory(m_session.journal(), who, most);
         if (!own)
             return;
         m_inbox.post([this, ref, own = std::move(*own)]() mutable {
             ServoEntry* entry = this->entry(ref);
-            if (entry == nullptr)
+            if (entry == nullptr || sameEntries(entry->history, own))
                 return;
             entry->lockOpenedByUs =
                 std::any_of(own.begin(), own.end(), [](const base::JournalEntry& one) {

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the list keeps of the journal for each servo: every write of every task, also of those that
+// change the mode or the ID, and nothing of another bus.
+#include "device/motion.h"
+#include "jobs/change.h"
+#include "session/servo_history.h"
+
+#include <QRegularExpression>
+
+#include "session_bench.h"
+
+namespace {
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+QStringList keysOf(const std::vector<base::JournalEntry>& entries)
+{
+    QStringList keys;
+    for (const base::JournalEntry& entry : entries) {
+        for (const base::JournalItem& item : entry.intent.items)
+            keys << item.key;
+    }
+    return keys;
+}
+} // namespace
+
+class TestServoHistory : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void modeSwitchesAreInIt();
+    void itFollowsTheServoToItsNewId();
+    void anotherSimulatedBusIsNotInIt();
+};
+
+void TestServoHistory::modeSwitchesAreInIt()
+{
+    Bench bench(text("sim:sts3215@1"));
+    QVERIFY(bench.opened && bench.search());
+    const ServoRef ref = bench.at(1);
+    session::Task task;
+    task.name = text("mode");
+    task.savesTable = true;
+    task.work = [](session::TaskContext& context) -> base::Result<void> {
+        const auto done = device::switchMode(context.device, context.servo, text("speed"));
+        return done ? base::Result<void>() : tl::unexpected(done.error());
+    };
+    bench.desk.perform(ref, std::move(task));
+    QVERIFY(bench.settle());
+    QTRY_VERIFY(keysOf(bench.entry(ref).history).contains(text("operating_mode")));
+}
+
+void TestServoHistory::itFollowsTheServoToItsNewId()
+{
+    Bench bench(text("sim:sts3215@1,sts3215@2"));
+    QVERIFY(bench.opened && bench.search());
+    const ServoRef first = bench.at(1);
+    const ServoRef second = bench.at(2);
+    QVERIFY(bench.write(first, positionP, 40));
+    QVERIFY(bench.write(second, text("position_d"), 20));
+    const auto change = [&](ServoRef ref, int id) {
+        session::Task task;
+        task.name = text("set-id");
+        task.savesTable = true;
+        task.work = [id](session::TaskContext& context) -> base::Result<void> {
+            const auto done = jobs::changeId(context.device, context.servo, id);
+            return done ? base::Result<void>() : tl::unexpected(done.error());
+        };
+        bench.desk.perform(ref, std::move(task));
+        return bench.settle();
+    };
+    QVERIFY(change(first, 7));
+    QCOMPARE(bench.entry(first).servo.id, 7);
+    QTRY_COMPARE(keysOf(bench.entry(first).history), QStringList({positionP, text("id")}));
+    // The other one takes the ID that has become free, not what was written to it before.
+    QVERIFY(change(second, 1));
+    QTRY_COMPARE(keysOf(bench.entry(second).history),
+                 QStringList({text("position_d"), text("id")}));
+    QVERIFY(bench.write(first, positionP, 41));
+    QTRY_COMPARE(keysOf(bench.entry(first).history),
+                 QStringList({positionP, text("id"), positionP}));
+    QVERIFY(change(first, 8));
+    QTRY_COMPARE(keysOf(bench.entry(first).history),
+                 QStringList({positionP, text("id"), positionP, text("id")}));
+}
+
+void TestServoHistory::anotherSimulatedBusIsNotInIt()
+{
+    Bench bench(text("sim:sts3215@1"));
+    QVERIFY(bench.opened && bench.search());
+    QVERIFY(bench.write(bench.at(1), positionP, 40));
+    QTRY_COMPARE(bench.entry(bench.at(1)).history.size(), std::size_t(1));
+    bench.desk.disconnectFrom();
+    QVERIFY(QTest::qWaitFor([&] { return bench.desk.state() == LinkState::Off; }));
+    QVERIFY(bench.open(text("sim:sts3215@1,sts3215@9")) && bench.search());
+    const ServoRef other = bench.at(1);
+    bench.desk.loadHistory(other);
+    QVERIFY(bench.write(other, text("position_d"), 20)); // behind it
+    QTRY_COMPARE(keysOf(bench.entry(other).history), QStringList(text("position_d")));
+}
+
+QTEST_GUILESS_MAIN(TestServoHistory)
+#include "tst_servo_history.moc"
