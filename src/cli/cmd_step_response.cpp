@@ -5,6 +5,7 @@
 #include "cli/register_input.h"
 #include "cli/run.h"
 #include "cli/sweep_history.h"
+#include "cli/sweep_input.h"
 #include "cli/table.h"
 #include "cli/translate.h"
 #include "jobs/step_advice.h"
@@ -118,20 +119,22 @@ base::Result<void> StepCommand::takeNumbers()
         return badArgument(translate("cli", "--size is needed"));
     m_order.spec.size = *size;
     m_order.spec.from = m_values.option("--from").value_or(QString());
-    m_order.spec.speed = m_values.option("--speed").value_or(QString());
-    m_order.spec.acceleration = m_values.option("--acceleration").value_or(QString());
-    if (const auto word = m_values.option("--repeats")) {
-        const auto repeats = parseWhole(*word, 1, mostRepeats);
-        if (!repeats)
-            return tl::unexpected(repeats.error());
-        m_order.spec.repeats = *repeats;
-    }
-    if (const auto word = m_values.option("--hold")) {
-        const auto hold = parseWhole(*word, leastHold, longestHold);
-        if (!hold)
-            return tl::unexpected(hold.error());
-        m_order.spec.hold = std::chrono::milliseconds(*hold);
-    }
+    const auto speed = unsignedOption(m_values, "--speed");
+    if (!speed)
+        return tl::unexpected(speed.error());
+    const auto acceleration = unsignedOption(m_values, "--acceleration");
+    if (!acceleration)
+        return tl::unexpected(acceleration.error());
+    m_order.spec.speed = *speed;
+    m_order.spec.acceleration = *acceleration;
+    const auto repeats = wholeOption(m_values, "--repeats", 1, mostRepeats);
+    if (!repeats)
+        return tl::unexpected(repeats.error());
+    m_order.spec.repeats = repeats->value_or(m_order.spec.repeats);
+    const auto hold = wholeOption(m_values, "--hold", leastHold, longestHold);
+    if (!hold)
+        return tl::unexpected(hold.error());
+    m_order.spec.hold = std::chrono::milliseconds(hold->value_or(0));
     return {};
 }
 

@@ -15,21 +15,38 @@ using record::SweepSpec;
 namespace {
 constexpr int mostCycles = 1'000'000;
 constexpr int longestPause = 3'600'000; ///< ms
+constexpr int longestTime = 65'535;     ///< ms, as registers have it
+constexpr double usPerSecond = 1e6;
+constexpr double shortestPeriod = 0.1; ///< s
+constexpr double longestPeriod = 3600;
+constexpr double shortestSpan = 0.1;
+constexpr double longestSpan = 1e6; ///< eleven days
 
-base::Result<void> takeSpan(const Values& values, const char* flag, double unit,
+base::Result<void> takeSpan(const Values& values, const char* flag, double min, double max,
                             base::Duration& into)
 {
-    const auto word = values.option(flag);
-    if (!word)
-        return {};
-    const auto number = parsePositive(*word);
-    if (!number)
-        return tl::unexpected(number.error());
-    into = base::Duration(std::llround(*number * unit));
+    const auto span = secondsOption(values, flag, min, max);
+    if (!span)
+        return tl::unexpected(span.error());
+    into = span->value_or(into);
     return {};
 }
 
-constexpr double seconds = 1e6;
+bool belowZero(const QString& text)
+{
+    return text.trimmed().startsWith(u'-') || text.trimmed().startsWith(QChar(0x2212));
+}
+
+base::Result<void> takeStep(const Values& values, SweepSpec& spec)
+{
+    spec.step = values.option("--step").value_or(QString());
+    if (belowZero(spec.step))
+        return badArgument(translate("cli", "--step \"%1\": give a step above 0, raw (100) or with "
+                                            "its unit (10deg); for the other direction swap "
+                                            "--from and --to")
+                               .arg(spec.step));
+    return {};
+}
 
 /// What makes the path; at most one of them.
 base::Result<void> takeShape(const Values& values, SweepSpec& spec)
@@ -48,20 +65,19 @@ base::Result<void> takeShape(const Values& values, SweepSpec& spec)
     if (asked > 1)
         return badArgument(translate(
             "cli", "--step, --both-sides, --random, --sine and --points exclude each other"));
-    spec.step = values.option("--step").value_or(QString());
-    if (const auto seed = values.option("--random")) {
-        const auto number = parseWhole(*seed, 0, std::numeric_limits<int>::max());
-        if (!number)
-            return tl::unexpected(number.error());
-        spec.seed = static_cast<std::uint32_t>(*number);
-    }
+    if (const auto step = takeStep(values, spec); !step)
+        return step;
+    const auto seed = wholeOption(values, "--random", 0, std::numeric_limits<int>::max());
+    if (!seed)
+        return tl::unexpected(seed.error());
+    spec.seed = static_cast<std::uint32_t>(seed->value_or(int(spec.seed)));
     if (const auto file = values.option("--points")) {
         auto points = record::loadSweepPoints(*file);
         if (!points)
             return tl::unexpected(points.error());
         spec.points = std::move(*points);
     }
-    return takeSpan(values, "--sine", seconds, spec.period);
+    return takeSpan(values, "--sine", shortestPeriod, longestPeriod, spec.period);
 }
 
 base::Result<void> takeRange(const Values& values, SweepSpec& spec)
@@ -89,32 +105,86 @@ base::Result<void> takePace(const Values& values, SweepSpec& spec)
     if (needed && !delay && !dwell)
         return badArgument(translate("cli", "--delay or --dwell is needed"));
     spec.pace = dwell ? SweepPace::Dwell : SweepPace::Delay;
-    const auto word = values.option(dwell ? "--dwell" : "--delay");
-    if (!word)
-        return {};
-    const auto pause = parseWhole(*word, 1, longestPause);
+    const auto pause = wholeOption(values, dwell ? "--dwell" : "--delay", 1, longestPause);
     if (!pause)
         return tl::unexpected(pause.error());
-    spec.pause = std::chrono::milliseconds(*pause);
+    spec.pause = std::chrono::milliseconds(pause->value_or(0));
     return {};
 }
 
 base::Result<void> takeEnd(const Values& values, SweepSpec& spec)
 {
-    if (const auto taken = takeSpan(values, "--for", seconds, spec.length); !taken)
+    if (const auto taken = takeSpan(values, "--for", shortestSpan, longestSpan, spec.length);
+        !taken)
         return taken;
-    const auto word = values.option("--cycles");
     // A length alone is the length.
     spec.cycles = spec.length > base::Duration::zero() ? 0 : 10;
-    if (!word)
-        return {};
-    const auto cycles = parseWhole(*word, 1, mostCycles);
+    const auto cycles = wholeOption(values, "--cycles", 1, mostCycles);
     if (!cycles)
         return tl::unexpected(cycles.error());
-    spec.cycles = *cycles;
+    spec.cycles = cycles->value_or(spec.cycles);
+    return {};
+}
+
+base::Result<void> takeMotion(const Values& values, SweepSpec& spec)
+{
+    if (const auto warm = takeSpan(values, "--warm-up", shortestSpan, longestSpan, spec.warmUp);
+        !warm)
+        return warm;
+    const auto speed = unsignedOption(values, "--speed");
+    if (!speed)
+        return tl::unexpected(speed.error());
+    const auto acceleration = unsignedOption(values, "--acceleration");
+    if (!acceleration)
+        return tl::unexpected(acceleration.error());
+    const auto time = wholeOption(values, "--time", 1, longestTime);
+    if (!time)
+        return tl::unexpected(time.error());
+    spec.speed = *speed;
+    spec.acceleration = *acceleration;
+    spec.time = *time ? QString::number(**time) : QString();
     return {};
 }
 } // namespace
+
+base::Result<std::optional<int>> wholeOption(const Values& values, const char* flag, int min,
+                                             int max)
+{
+    const auto word = values.option(flag);
+    if (!word)
+        return std::optional<int>();
+    const auto number = parseWhole(*word, min, max);
+    if (!number)
+        return badArgument(
+            translate("cli", "%1 \"%2\": give a whole number from %3 to %4")
+                .arg(QString::fromLatin1(flag), *word, QString::number(min), QString::number(max)));
+    return std::optional(*number);
+}
+
+base::Result<std::optional<base::Duration>> secondsOption(const Values& values, const char* flag,
+                                                          double min, double max)
+{
+    const auto word = values.option(flag);
+    if (!word)
+        return std::optional<base::Duration>();
+    bool isNumber = false;
+    const double number = word->toDouble(&isNumber);
+    if (!isNumber || !(number >= min && number <= max))
+        return badArgument(translate("cli", "%1 \"%2\": give a number of seconds from %3 to %4")
+                               .arg(QString::fromLatin1(flag), *word, QString::number(min),
+                                    QString::number(max, 'f', 0)));
+    return std::optional(base::Duration(std::llround(number * usPerSecond)));
+}
+
+base::Result<QString> unsignedOption(const Values& values, const char* flag)
+{
+    QString word = values.option(flag).value_or(QString());
+    if (belowZero(word))
+        return badArgument(translate("cli", "%1 \"%2\": give 0 or more, raw or with its unit; "
+                                            "the direction follows from the goals")
+                               .arg(QString::fromLatin1(flag), word));
+    return word;
+}
 
 std::vector<Option> sweepOptions()
 {
@@ -153,15 +223,10 @@ std::vector<Option> sweepOptions()
 base::Result<SweepSpec> sweepSpec(const Values& values)
 {
     SweepSpec spec;
-    for (const auto take : {takeShape, takeRange, takePace, takeEnd}) {
+    for (const auto take : {takeShape, takeRange, takePace, takeEnd, takeMotion}) {
         if (const auto taken = take(values, spec); !taken)
             return tl::unexpected(taken.error());
     }
-    if (const auto warm = takeSpan(values, "--warm-up", seconds, spec.warmUp); !warm)
-        return tl::unexpected(warm.error());
-    spec.speed = values.option("--speed").value_or(QString());
-    spec.acceleration = values.option("--acceleration").value_or(QString());
-    spec.time = values.option("--time").value_or(QString());
     spec.releaseAtEnd = values.has("--release");
     spec.stopOnFailure = values.has("--stop-on-failure");
     spec.operatorName = values.option("--operator").value_or(QString());

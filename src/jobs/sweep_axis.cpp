@@ -138,6 +138,8 @@ base::Result<void> AxisMaker::takeRange()
 
 base::Result<void> AxisMaker::takeStep()
 {
+    if (m_spec.step.trimmed().startsWith(u'-'))
+        return refuse(ErrorCode::BadArgument, m_servo, QStringLiteral("negative-step"));
     const auto step = steps(m_spec.step, true);
     if (!step)
         return tl::unexpected(step.error());

@@ -2,9 +2,9 @@
 // A sweep test in the terms of one servo, and whether it can be run at all: everything that forbids
 // it is told before anything moves. Reads settings, writes nothing. Internal to the sweep job and
 // to whoever proposes one; the job's thread.
-// Errors, operation "sweep", by detail: BadArgument same-ends, no-step, step-too-long, no-points,
-// no-pause, no-end, no-period, no-number KEY; NotSupported not-position (the mode); OutOfRange (the
-// servo's own limits; registerKey is the goal's); those of reading.
+// Errors, operation "sweep", by detail: BadArgument same-ends, no-step, negative-step,
+// step-too-long, no-points, no-pause, no-end, no-period, no-number KEY; NotSupported not-position
+// (the mode); OutOfRange (the servo's own limits; registerKey is the goal's); those of reading.
 #pragma once
 
 #include "device/motion.h"

@@ -95,6 +95,11 @@ constexpr std::array badArgument{
     RefusalWords{"no-step", QT_TRANSLATE_NOOP("text", "the step is 0"),
                  QT_TRANSLATE_NOOP("text", "With it the end would never be reached."),
                  QT_TRANSLATE_NOOP("text", "Give a step of 1 or more.")},
+    RefusalWords{"negative-step", QT_TRANSLATE_NOOP("text", "the step is negative"),
+                 QT_TRANSLATE_NOOP("text", "The path runs from the start to the end and back, so "
+                                           "its step has no direction."),
+                 QT_TRANSLATE_NOOP("text", "Give a step of 1 or more, and swap start and end for "
+                                           "the other direction.")},
     RefusalWords{"step-too-long",
                  QT_TRANSLATE_NOOP("text", "the step is longer than the whole way"),
                  QT_TRANSLATE_NOOP("text", "Start and end are nearer to each other than that."),

@@ -115,6 +115,9 @@ void TestCliStepResponse::mistakesAreNamed_data()
     QTest::newRow("size") << text("--size far") << 2 << QString();
     QTest::newRow("no room") << text("--size 9000") << 2 << text("4095");
     QTest::newRow("repeats") << text("--size 300 --repeats 51") << 2 << text("50");
+    QTest::newRow("names the option")
+        << text("--size 300 --repeats 0") << 2 << text("--repeats \"0\": give a whole number");
+    QTest::newRow("speed") << text("--size 300 --speed -5") << 2 << text("--speed \"-5\"");
     QTest::newRow("hold") << text("--size 300 --hold 10001") << 2 << text("10000");
     QTest::newRow("no such gain") << text("--size 300 --try speed=3") << 2 << QString();
     QTest::newRow("no gain") << text("--size 300 --try max_torque=3") << 2 << text("position_p");
