@@ -4080,6 +4080,26 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>! %1, not selected: %2</source>
         <translation>! %1（未选中）：%2</translation>
     </message>
+    <message>
+        <source>ignored: did not finish</source>
+        <translation>已忽略：未完成</translation>
+    </message>
+    <message>
+        <source>--step &quot;%1&quot;: give a step above 0, raw (100) or with its unit (10deg); for the other direction swap --from and --to</source>
+        <translation>--step “%1”：请给出大于 0 的步长，可为原始值（100）或带单位（10deg）；若要反方向，请对调 --from 和 --to</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot;: give a whole number from %3 to %4</source>
+        <translation>%1 “%2”：请给出 %3 到 %4 的整数</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot;: give a number of seconds from %3 to %4</source>
+        <translation>%1 “%2”：请给出 %3 到 %4 的秒数</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot;: give 0 or more, raw or with its unit; the direction follows from the goals</source>
+        <translation>%1 “%2”：请给出 0 或更大的值，可为原始值或带单位；方向由目标决定</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -6029,6 +6049,30 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>overload alarm: limit %1, load %2 now</source>
         <translation>过载报警：限制 %1，当前负载 %2</translation>
     </message>
+    <message>
+        <source>this test did not finish, so it cannot be a reference</source>
+        <translation>此测试未完成，不能作为参考</translation>
+    </message>
+    <message>
+        <source>A test that was stopped or broken off has no verdict on a good servo.</source>
+        <translation>停止或中断的测试对好的舵机没有结论。</translation>
+    </message>
+    <message>
+        <source>Choose a test that ran to its end.</source>
+        <translation>请选择已完成的测试。</translation>
+    </message>
+    <message>
+        <source>the step is negative</source>
+        <translation>步长为负</translation>
+    </message>
+    <message>
+        <source>The path runs from the start to the end and back, so its step has no direction.</source>
+        <translation>路径从起始到结束再返回，步长没有方向。</translation>
+    </message>
+    <message>
+        <source>Give a step of 1 or more, and swap start and end for the other direction.</source>
+        <translation>请给出 1 或更大的步长；若要反方向，请对调起始和结束。</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -7946,6 +7990,14 @@ Asked more than once: %9</source>
         <source>Must be</source>
         <translation>要求</translation>
     </message>
+    <message>
+        <source>Only for a sine; other tests leave this line out</source>
+        <translation>仅用于正弦；其他测试忽略此项</translation>
+    </message>
+    <message>
+        <source>Only for a sine (% of its amplitude) and random targets (% of the range); other tests leave this line out</source>
+        <translation>仅用于正弦（占幅值的百分比）和随机目标（占行程范围的百分比）；其他测试忽略此项</translation>
+    </message>
 </context>
 <context>
     <name>ui::LinkOptions</name>
@@ -9061,6 +9113,18 @@ Asked more than once: %9</source>
     <message>
         <source>Note</source>
         <translation>备注</translation>
+    </message>
+    <message>
+        <source>This test did not finish, so it cannot be a reference</source>
+        <translation>此测试未完成，不能作为参考</translation>
+    </message>
+    <message>
+        <source>The reference %1 (test %2 of %3) is ignored: that test did not finish. Mark one that did under Earlier tests.</source>
+        <translation>参考 %1（测试 %2，%3）已忽略：该测试未完成。请在“以往测试”中将已完成的测试设为参考。</translation>
+    </message>
+    <message>
+        <source>ignored: did not finish</source>
+        <translation>已忽略：未完成</translation>
     </message>
 </context>
 <context>
@@ -10555,14 +10619,6 @@ Asked more than once: %9</source>
         <translation>报告</translation>
     </message>
     <message>
-        <source>All legs as a table, and all readings beside it</source>
-        <translation>全部行程的表格，旁边附全部读数</translation>
-    </message>
-    <message>
-        <source>Save the report as %1</source>
-        <translation>将报告保存为 %1</translation>
-    </message>
-    <message>
         <source>Earlier tests…</source>
         <translation>以往测试…</translation>
     </message>
@@ -10581,6 +10637,14 @@ Asked more than once: %9</source>
     <message>
         <source>Each row tells more when the mouse rests on it</source>
         <translation>鼠标停在某一行上可看到更多内容</translation>
+    </message>
+    <message>
+        <source>All legs as a table, and all readings in a file beside it</source>
+        <translation>全部行程数据的表格，旁边另有全部采样数据的文件</translation>
+    </message>
+    <message>
+        <source>Save the report as %1, and all readings in a file beside it</source>
+        <translation>将报告保存为 %1，旁边另有全部采样数据的文件</translation>
     </message>
 </context>
 <context>
@@ -10632,6 +10696,14 @@ Asked more than once: %9</source>
     <message>
         <source>Tick who takes part; start and end of their own, where they need them</source>
         <translation>勾选参加测试的舵机；需要时填写单独的起启与结束</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>结论</translation>
     </message>
 </context>
 <context>

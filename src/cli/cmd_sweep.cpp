@@ -37,7 +37,7 @@ QString bound(const record::SweepLimit& limit, std::optional<double> value)
     return (limit.atLeast ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) + number(value);
 }
 
-QString verdictText(const record::SweepServo& servo)
+QString verdictText(const record::SweepRun& run, const record::SweepServo& servo)
 {
     const record::SnapshotServo& who = servo.parameters.servo;
     QString text = QStringLiteral("%1 %2 · %3: %4\n")
@@ -59,7 +59,12 @@ QString verdictText(const record::SweepServo& servo)
                    judged ? bound(line->limit, line->limit.fail) : QString(),
                    judged ? in(report::gradeWords(line->grade)) : QString()});
     }
-    return text + table.text();
+    text += table.text();
+    // How the run ended is said once, for all of them.
+    const record::NoVerdict reason = record::sweepVerdict(run, servo).reason;
+    if (reason != record::NoVerdict::None && reason != record::NoVerdict::Ended)
+        text += in(report::noVerdictWords(reason)) + QLatin1Char('\n');
+    return text;
 }
 
 bool allPutBack(const device::Notices& notices)
@@ -207,7 +212,7 @@ void SweepCommand::show(const record::SweepRun& run, const QString& kept)
     }
     QString text;
     for (const record::SweepServo& servo : run.servos)
-        text += verdictText(servo) + QLatin1Char('\n');
+        text += verdictText(run, servo) + QLatin1Char('\n');
     if (run.end != record::SweepEnd::Finished) {
         text += in(report::endWords(run.end)) +
                 (run.endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run.endedBy) : QString()) +

@@ -11,7 +11,7 @@
 
 namespace cli {
 namespace {
-Json servoJson(const record::TestServo& servo)
+Json servoJson(const record::TestRun& run, const record::TestServo& servo)
 {
     return Json::object()
         .add("id", servo.id)
@@ -20,14 +20,14 @@ Json servoJson(const record::TestServo& servo)
         .add("firmware", servo.firmware)
         .add("verdict", record::gradeName(servo.verdict))
         .add("label", servo.label)
-        .add("reference", servo.reference);
+        .add("reference", servo.reference && record::canBeReference(run));
 }
 
 Json runJson(const record::TestRun& run)
 {
     Json::Array servos;
     for (const record::TestServo& servo : run.servos)
-        servos.push_back(servoJson(servo));
+        servos.push_back(servoJson(run, servo));
     return Json::object()
         .add("number", run.number)
         .add("uuid", run.uuid)
@@ -43,6 +43,14 @@ Json runJson(const record::TestRun& run)
         .add("length_ms", double(run.length.count()) / 1000)
         .add("servos", std::move(servos))
         .add("files", run.files);
+}
+
+/// Earlier versions marked tests that had not finished, too.
+QString referenceText(const record::TestRun& run, const record::TestServo& servo)
+{
+    if (servo.reference && !record::canBeReference(run))
+        return translate("cli", "ignored: did not finish");
+    return servo.reference ? QStringLiteral("★") : QString();
 }
 
 QString runsText(const std::vector<record::TestRun>& runs)
@@ -61,8 +69,8 @@ QString runsText(const std::vector<record::TestRun>& runs)
                        servo.model, servo.firmware,
                        report::gradeSign(servo.verdict) + QLatin1Char(' ') +
                            report::gradeWords(servo.verdict).in(text::inChinese()),
-                       servo.reference ? QStringLiteral("★") : QString(),
-                       QString(servo.label).simplified(), QString(run.note).simplified()});
+                       referenceText(run, servo), QString(servo.label).simplified(),
+                       QString(run.note).simplified()});
         }
     }
     return table.text();

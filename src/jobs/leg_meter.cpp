@@ -75,9 +75,10 @@ LegMeter::LegMeter(const record::SweepAxis& axis, int number, int cycle, Duratio
     }
 }
 
-void LegMeter::follow(std::function<double(Duration since)> path)
+void LegMeter::follow(std::function<double(Duration since)> path, Duration period)
 {
     m_path = std::move(path);
+    m_period = period;
     m_flag.allowUp();
 }
 
@@ -150,13 +151,16 @@ void LegMeter::lookForArrival(Duration at, double position)
 
 void LegMeter::holdAgainstPath(Duration at, double position)
 {
-    if (std::abs(m_leg.target - m_leg.start) < noWay)
+    // The goals of a sine move, wherever the servo stands.
+    if (!m_path && std::abs(m_leg.target - m_leg.start) < noWay)
         return;
     const Duration since = at - m_at - std::min(at - m_before, onTheWire);
     const auto planned = m_path ? std::optional(m_path(since))
                                 : plannedPosition(m_leg.start, m_leg.target, since, m_axis);
     if (!planned)
         return;
+    if (m_path && m_period > Duration::zero())
+        m_phase.add(double(since.count()) / double(m_period.count()), *planned, position);
     // A sine turns round while the servo is still behind: there behind may be either way.
     const double lag = m_path ? std::abs(*planned - position) : side(*planned) - side(position);
     const double smooth = m_smoothLag.add(at, lag);
@@ -202,10 +206,12 @@ record::SweepLeg LegMeter::finish(Duration end, Duration runStart) const
     leg.loadMean = m_load.mean();
     leg.flagWrong = m_flag.wrong();
     leg.missed = !leg.timeToTarget && !m_path;
-    if (m_path)
+    if (m_path) {
         leg.timeToTarget.reset();
-    else
+        leg.phaseLag = m_phase.lag();
+    } else {
         finishRest(leg, end);
+    }
     return leg;
 }
 

@@ -21,6 +21,7 @@
 //   following error: how far behind the planned path, at most, by the mean of 10 ms. A reading is
 //                   held against the path as it was one reading earlier (at most 5 ms): so long
 //                   may the goal and the reading have been on the wire
+//   phase lag:      of a sine, by PhaseMeter, against the path as above
 //   current, load:  magnitudes
 // A leg with a silence of 300 ms or more tells none of this but rest, current and load: the run
 // takes the rest back, since nobody saw it. The goals of a sine move on: time to target, settling,
@@ -55,8 +56,8 @@ public:
     LegMeter(const record::SweepAxis& axis, int number, int cycle, base::Duration at, double start,
              double target);
 
-    /// The goal of a sine so long after `at`. Before the first reading.
-    void follow(std::function<double(base::Duration since)> path);
+    /// The goal of a sine so long after `at`, and its period. Before the first reading.
+    void follow(std::function<double(base::Duration since)> path, base::Duration period);
 
     /// In order of time; what was read before the goal was sent is left out.
     void add(const SweepSample& sample);
@@ -92,7 +93,8 @@ private:
     record::SweepLeg m_leg; ///< as far as it is known already
     base::Duration m_at;
     std::function<double(base::Duration)> m_path;
-    base::Duration m_startUp; ///< until it can have been seen to move
+    base::Duration m_period{}; ///< of m_path
+    base::Duration m_startUp;  ///< until it can have been seen to move
 
     Reading m_last;                           ///< at first where it stood
     bool m_read = false;                      ///< m_last was read in this leg
@@ -106,6 +108,7 @@ private:
     LegTrace m_trace;
     Smoother m_smoothSide;
     Smoother m_smoothLag;
+    PhaseMeter m_phase;
     std::optional<double> m_peak{}; ///< furthest side()
     Magnitude m_current;
     Magnitude m_load;

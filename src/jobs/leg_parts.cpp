@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace jobs {
 using base::Duration;
@@ -24,6 +25,9 @@ constexpr double stretchShare = 1.0 / 6; ///< of a short way
 constexpr double longShare = 1.0 / 16;   ///< of a long way: what noise adds counts for less
 constexpr double doubts = 1;             ///< standard errors of a slope
 constexpr double mostNoise = 8;          ///< steps; that a fitted line may be steeper than its ends
+constexpr int leastForPhase = 10;        ///< readings
+constexpr double leastAmplitude = 2;     ///< steps, and
+constexpr double amplitudeShare = 0.02;  ///< of the goal's
 constexpr Duration flagRises = milliseconds(100);
 
 double seconds(Duration span)
@@ -49,6 +53,57 @@ double Smoother::add(Duration at, double value)
     for (const Value& one : m_values)
         sum += one.value;
     return sum / double(m_values.size());
+}
+
+void PhaseMeter::add(double turns, double goal, double position)
+{
+    const double angle = 2 * std::numbers::pi * turns;
+    const Sums basis{1, std::cos(angle), std::sin(angle)};
+    ++m_count;
+    for (std::size_t row = 0; row < basis.size(); ++row) {
+        for (std::size_t column = 0; column < basis.size(); ++column)
+            m_left[row][column] += basis[row] * basis[column];
+        m_goal[row] += basis[row] * goal;
+        m_position[row] += basis[row] * position;
+    }
+}
+
+/// Least squares, by Cramer's rule: of three unknowns nothing is gained by more.
+std::optional<PhaseMeter::Wave> PhaseMeter::fit(const Sums& right) const
+{
+    const auto determinant = [](const std::array<Sums, 3>& a) {
+        return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
+               a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
+               a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
+    };
+    const double whole = determinant(m_left);
+    const double count = m_count;
+    if (!(whole > count * count * count * 1e-6)) // readings of one moment only
+        return std::nullopt;
+    const auto solved = [&](std::size_t column) {
+        auto changed = m_left;
+        for (std::size_t row = 0; row < changed.size(); ++row)
+            changed[row][column] = right[row];
+        return determinant(changed) / whole;
+    };
+    return Wave{solved(1), solved(2)};
+}
+
+std::optional<double> PhaseMeter::lag() const
+{
+    if (m_count < leastForPhase)
+        return std::nullopt;
+    const auto goal = fit(m_goal);
+    const auto position = fit(m_position);
+    if (!goal || !position)
+        return std::nullopt;
+    const double least =
+        std::max(leastAmplitude, amplitudeShare * std::hypot(goal->cosine, goal->sine));
+    if (!(std::hypot(position->cosine, position->sine) > least))
+        return std::nullopt;
+    const double behind =
+        std::atan2(position->sine, position->cosine) - std::atan2(goal->sine, goal->cosine);
+    return std::remainder(behind * 180 / std::numbers::pi, 360);
 }
 
 void Magnitude::add(double value)

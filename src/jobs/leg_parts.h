@@ -5,6 +5,7 @@
 
 #include "base/clock.h"
 
+#include <array>
 #include <deque>
 #include <optional>
 
@@ -37,6 +38,29 @@ private:
         double value;
     };
     std::deque<Value> m_values;
+};
+
+/// How far a position is behind a goal that moves along a sine: both are fitted by the same period,
+/// with an offset of their own, and their phases compared.
+class PhaseMeter {
+public:
+    void add(double turns, double goal, double position); ///< `turns`: periods since any moment
+    /// Degrees, −180 to 180, positive: behind. Not measured: from fewer than ten readings, or where
+    /// the position hardly moves (2 % of the goal's amplitude, or 2 steps).
+    std::optional<double> lag() const;
+
+private:
+    struct Wave {
+        double cosine = 0;
+        double sine = 0;
+    };
+    using Sums = std::array<double, 3>;
+    std::optional<Wave> fit(const Sums& right) const;
+
+    int m_count = 0;
+    std::array<Sums, 3> m_left{}; ///< products of 1, cos and sin
+    Sums m_goal{};
+    Sums m_position{};
 };
 
 /// Mean and peak magnitude.

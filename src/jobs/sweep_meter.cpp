@@ -8,7 +8,6 @@
 #include <numeric>
 
 namespace jobs {
-using record::Grade;
 using record::SweepLeg;
 using record::SweepMetric;
 
@@ -168,7 +167,59 @@ struct Run {
     const Legs& legs;
     const record::SweepErrors& errors;
     std::optional<double> startCelsius;
+    FollowedPath path;
 };
+
+bool seenOften(const SweepLeg& leg)
+{
+    return 2 * leg.samples >= record::minReadingsPerPeriod;
+}
+
+/// Of a sine in legs with enough readings only.
+Values relativeErrors(const Run& run)
+{
+    Values values;
+    if (!run.path.scale)
+        return values;
+    for (const SweepLeg& leg : run.legs) {
+        if (leg.followingError && (!run.path.isSine || seenOften(leg)))
+            values.push_back(*leg.followingError / *run.path.scale * 100);
+    }
+    return values;
+}
+
+Values phaseLags(const Run& run)
+{
+    Values values;
+    for (const SweepLeg& leg : run.legs) {
+        if (leg.phaseLag && seenOften(leg))
+            values.push_back(*leg.phaseLag);
+    }
+    return values;
+}
+
+/// A leg is half a period.
+Values readingsPerPeriod(const Run& run)
+{
+    Values values;
+    for (const SweepLeg& leg : run.legs) {
+        if (run.path.isSine)
+            values.push_back(2.0 * leg.samples);
+    }
+    return values;
+}
+
+void addFollowing(std::map<QString, Fill>& fills, const Run& run)
+{
+    const auto of = [&](const char* key, Values (*values)(const Run&), Judged judged) {
+        fills[QString::fromLatin1(key)] = [run, values, judged](SweepMetric& metric) {
+            fill(metric, values(run), judged);
+        };
+    };
+    of("following_error_relative", relativeErrors, Judged::Highest);
+    of("phase_lag", phaseLags, Judged::Largest);
+    of("readings_per_period", readingsPerPeriod, Judged::Lowest);
+}
 
 void addFigures(std::map<QString, Fill>& fills, const Run& run)
 {
@@ -230,29 +281,15 @@ void addNumbers(std::map<QString, Fill>& fills, const Run& run)
                 double(errors.timeOuts + errors.badChecks + errors.foreign + errors.late);
     };
 }
-
-/// Not within the limit; also where one of both is no number.
-bool breaks(double value, const std::optional<double>& limit, bool atLeast)
-{
-    return limit && !(atLeast ? value >= *limit : value <= *limit);
-}
-
-Grade gradeOf(std::optional<double> value, const record::SweepLimit& limit)
-{
-    if (!value)
-        return Grade::NotMeasured;
-    if (std::isnan(*value) || breaks(*value, limit.fail, limit.atLeast))
-        return Grade::Fail;
-    return breaks(*value, limit.warn, limit.atLeast) ? Grade::Warn : Grade::Pass;
-}
 } // namespace
 
 std::vector<SweepMetric> sweepMetrics(const Legs& legs, const record::SweepErrors& errors,
-                                      std::optional<double> startCelsius)
+                                      std::optional<double> startCelsius, const FollowedPath& path)
 {
     std::map<QString, Fill> fills;
-    const Run run{legs, errors, startCelsius};
+    const Run run{legs, errors, startCelsius, path};
     addFigures(fills, run);
+    addFollowing(fills, run);
     addTargets(fills, run);
     addNumbers(fills, run);
     std::vector<SweepMetric> metrics;
@@ -265,29 +302,8 @@ std::vector<SweepMetric> sweepMetrics(const Legs& legs, const record::SweepError
     return metrics;
 }
 
-std::vector<record::VerdictLine> judge(const std::vector<SweepMetric>& metrics,
-                                       const record::SweepLimits& limits)
+FollowedPath followedPath(const record::SweepSpec& spec, const record::SweepAxis& axis)
 {
-    std::vector<record::VerdictLine> lines;
-    for (const record::SweepLimit& limit : limits.lines) {
-        const auto found =
-            std::find_if(metrics.begin(), metrics.end(),
-                         [&](const SweepMetric& metric) { return metric.key == limit.metric; });
-        const auto value = found != metrics.end() ? found->value : std::nullopt;
-        lines.push_back({limit, value, gradeOf(value, limit)});
-    }
-    return lines;
-}
-
-Grade worst(const std::vector<record::VerdictLine>& lines)
-{
-    Grade grade = Grade::NotMeasured;
-    for (const Grade one : {Grade::Pass, Grade::Warn, Grade::Fail}) {
-        const bool any =
-            std::any_of(lines.begin(), lines.end(),
-                        [&](const record::VerdictLine& line) { return line.grade == one; });
-        grade = any ? one : grade;
-    }
-    return grade;
+    return {record::followingScale(spec.shape, axis), spec.shape == record::SweepShape::Sine};
 }
 } // namespace jobs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From legs to the figures of a run and their grades. Pure; any thread.
+// From legs to the figures of a run; record/sweep_verdict.h grades them. Pure; any thread.
 // SweepMetric::value, the one that is judged, is
 //   the mean of the legs   time to target, speeds
 //   the worst leg          settling, overshoot, following error, current, load, voltage (lowest),
@@ -15,21 +15,26 @@
 // in it). Repeatability: σ (n − 1) and range of the places of rest after at least two approaches
 // from the same side, so that hysteresis is not in it; of the two sides the worse one.
 // Of a sine no leg has a target, and none is missed. A value that is not a number stays one.
+// Relative following error: of a sine % of its amplitude, of random targets % of the range. Phase
+// lag: the worst leg, by its magnitude. Both of a sine only in legs with half the readings of
+// record::minReadingsPerPeriod. Readings per period: the leg with the fewest.
 #pragma once
 
-#include "record/sweep_run.h"
+#include "record/sweep_verdict.h"
 
 namespace jobs {
+/// What following is held against; nothing: it is not.
+struct FollowedPath {
+    std::optional<double> scale{}; ///< record::followingScale()
+    bool isSine = false;
+};
+
 /// In the order of record::sweepMetricKinds(), all of them. `startCelsius`: the temperature before
 /// the first leg.
 std::vector<record::SweepMetric> sweepMetrics(const std::vector<record::SweepLeg>& legs,
                                               const record::SweepErrors& errors,
-                                              std::optional<double> startCelsius);
+                                              std::optional<double> startCelsius,
+                                              const FollowedPath& path = {});
 
-/// A line a limit: Fail before Warn; exactly on the limit is still good; a limit without `fail`
-/// only warns. What was not measured is NotMeasured; a value that is not a number fails.
-std::vector<record::VerdictLine> judge(const std::vector<record::SweepMetric>& metrics,
-                                       const record::SweepLimits& limits);
-/// Fail before Warn before Pass; NotMeasured when no line was measured.
-record::Grade worst(const std::vector<record::VerdictLine>& lines);
+FollowedPath followedPath(const record::SweepSpec& spec, const record::SweepAxis& axis);
 } // namespace jobs

@@ -3,6 +3,7 @@
 
 #include "device/move_limits.h"
 #include "jobs/sweep_path.h"
+#include "record/sweep_verdict.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +49,7 @@ void lookAtSine(const record::SweepSpec& spec, SweepOutlook& outlook)
     if (!axis.speed)
         return;
     const double way = std::numbers::pi * std::abs(axis.to - axis.from);
-    const double period = double(spec.period.count());
-    outlook.tooShort = way / (period / 1e6) > *axis.speed;
+    outlook.tooShort = record::sineTooFast(spec, axis);
     outlook.enough = roundedUp(way / *axis.speed * 1e6 * arrivingShare);
 }
 

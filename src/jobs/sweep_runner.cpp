@@ -41,6 +41,7 @@ void forgetMotion(record::SweepLeg& leg)
     leg.meanSpeed.reset();
     leg.topSpeed.reset();
     leg.followingError.reset();
+    leg.phaseLag.reset();
 }
 } // namespace
 
@@ -66,6 +67,7 @@ base::Result<record::SweepRun> SweepRunner::run()
     const auto moved = goThrough();
     if (!moved)
         endRun(SweepEnd::Refused); // nobody goes on towards a goal that was not to be
+    record::giveVerdicts(m_run);
     m_context.bus.stopPoll(m_poll);
     leaveSafe(m_context, m_servos, m_run, m_fault);
     if (!moved)
@@ -214,7 +216,8 @@ void SweepRunner::wave(int number)
     for (Track& track : m_tracks) {
         const Duration before = now() - m_waveStart;
         track.meter->follow(
-            [&track, before](Duration since) { return track.path.wave(before + since); });
+            [&track, before](Duration since) { return track.path.wave(before + since); },
+            m_run.spec.period);
     }
     while (!ended() && now() < end) {
         std::vector<double> targets;
@@ -404,7 +407,7 @@ void SweepRunner::judgeCycle(int number)
     const bus::Statistics statistics = m_context.bus.statistics();
     for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
         work(i, statistics);
-        if (m_run.servos[i].verdict == record::Grade::Fail)
+        if (record::worst(m_run.servos[i].lines) == record::Grade::Fail)
             endRun(SweepEnd::Failure, int(i));
     }
 }
@@ -422,9 +425,9 @@ void SweepRunner::work(std::size_t i, const bus::Statistics& statistics)
     servo.errors = {after.sent - before.sent, after.timeOuts - before.timeOuts,
                     after.badChecks - before.badChecks, after.foreign - before.foreign,
                     after.late - before.late};
-    servo.metrics = sweepMetrics(servo.legs, servo.errors, m_tracks[i].startCelsius);
-    servo.lines = judge(servo.metrics, servo.limits);
-    servo.verdict = worst(servo.lines);
+    servo.metrics = sweepMetrics(servo.legs, servo.errors, m_tracks[i].startCelsius,
+                                 followedPath(m_run.spec, servo.axis));
+    servo.lines = record::judge(servo.metrics, servo.limits, m_run.spec.shape);
 }
 
 void SweepRunner::finish()

@@ -4,8 +4,10 @@
 
 #include "record/history_file.h"
 #include "record/journal_takeover.h"
+#include "record/rejudge.h"
 #include "record/step_json.h"
 #include "record/sweep_json.h"
+#include "record/sweep_verdict.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -110,6 +112,8 @@ base::Result<std::unique_ptr<History>> History::open(const QString& path,
         return tl::unexpected(file.error());
     // Where the old journal cannot be read the journal says so; runs are kept all the same.
     (void)takeOverJournal(**file);
+    // Where it cannot be done now, the next to open the file does it; ends are looked at anyway.
+    (void)rejudgeStoredSweeps(**file);
     return std::unique_ptr<History>(new History(std::move(*file)));
 }
 
@@ -211,6 +215,12 @@ base::Result<void> History::setReference(std::int64_t number, int servo, bool re
 {
     return m_file->together([&]() -> base::Result<void> {
         if (reference) {
+            const auto tested = run(number);
+            if (!tested)
+                return tl::unexpected(tested.error());
+            if (!canBeReference(*tested))
+                return base::fail(base::ErrorCode::Refused, QStringLiteral("history"),
+                                  QStringLiteral("unfinished-reference"));
             const auto cleared = m_file->run(
                 QStringLiteral("UPDATE run_servos SET reference = 0 WHERE reference = 1 AND model "
                                "= (SELECT model FROM run_servos WHERE run = ? AND id = ?)"),
@@ -222,6 +232,12 @@ base::Result<void> History::setReference(std::int64_t number, int servo, bool re
             QStringLiteral("UPDATE run_servos SET reference = ? WHERE run = ? AND id = ?"),
             {reference, qint64(number), servo}, number);
     });
+}
+
+bool canBeReference(const TestRun& run)
+{
+    const auto end = sweepEndFromName(run.end);
+    return end && canBeReference(*end);
 }
 
 TestRun headOf(const SweepRun& run)

@@ -62,9 +62,13 @@ struct RunFilter {
     int most = 10000;
 };
 
+/// A run that did not finish has no verdict on a good servo.
+bool canBeReference(const TestRun& run);
+
 struct ReferenceServo {
     TestRun run;
     TestServo servo;
+    bool isUsable() const { return canBeReference(run); } ///< earlier versions marked any
 };
 
 class History {
@@ -94,7 +98,8 @@ public:
 
     base::Result<void> setLabel(std::int64_t number, int servo, const QString& label);
     base::Result<void> setNote(std::int64_t number, const QString& note);
-    /// Takes the mark from the model's reference before.
+    /// Takes the mark from the model's reference before. Refused "unfinished-reference": the run
+    /// did not finish.
     base::Result<void> setReference(std::int64_t number, int servo, bool reference);
     base::Result<std::optional<ReferenceServo>> reference(const QString& model) const;
 

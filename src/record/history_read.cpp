@@ -3,6 +3,7 @@
 #include "record/history_file.h"
 #include "record/step_json.h"
 #include "record/sweep_json.h"
+#include "record/sweep_verdict.h"
 
 #include <map>
 
@@ -40,6 +41,18 @@ TestServo servoIn(const QVariantList& row)
     return {row.value(1).toInt(),    row.value(2).toString(), row.value(3).toString(),
             row.value(4).toString(), gradeIn(row.value(5)),   row.value(6).toString(),
             row.value(7).toBool()};
+}
+
+/// A list has no figures, but it knows how the run ended. With several servos it does not know
+/// which of them is to blame: then the run itself says so.
+void judgeByEnd(TestRun& run)
+{
+    const auto end = sweepEndFromName(run.end);
+    if (!end || run.kind != QLatin1StringView("sweep"))
+        return;
+    for (TestServo& servo : run.servos)
+        servo.verdict = gradeAfter(*end, servo.verdict, run.servos.size() == 1);
+    run.verdict = gradeAfter(*end, run.verdict, true);
 }
 
 /// What the user typed, anywhere in a text.
@@ -138,6 +151,8 @@ base::Result<std::vector<TestRun>> History::read(const QString& chosen,
                                });
         !read)
         return tl::unexpected(read.error());
+    for (TestRun& run : runs)
+        judgeByEnd(run);
     return runs;
 }
 

@@ -11,9 +11,10 @@ struct LegFigure {
     const char* key;  ///< in JSON, and in CSV before its unit
     const char* unit; ///< UTF-8
     std::optional<double> SweepLeg::*member;
+    bool isLater = false; ///< earlier files do not have it
 };
 
-inline constexpr std::array<LegFigure, 13> legFigures{{
+inline constexpr std::array<LegFigure, 14> legFigures{{
     {"reached", "step", &SweepLeg::reached},
     {"overshoot", "%", &SweepLeg::overshoot},
     {"overshoot_steps", "step", &SweepLeg::overshootSteps},
@@ -21,6 +22,7 @@ inline constexpr std::array<LegFigure, 13> legFigures{{
     {"mean_speed", "step/s", &SweepLeg::meanSpeed},
     {"top_speed", "step/s", &SweepLeg::topSpeed},
     {"following_error", "step", &SweepLeg::followingError},
+    {"phase_lag", "°", &SweepLeg::phaseLag, true},
     {"current_peak", "mA", &SweepLeg::currentPeak},
     {"current_mean", "mA", &SweepLeg::currentMean},
     {"load_peak", "%", &SweepLeg::loadPeak},

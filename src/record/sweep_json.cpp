@@ -4,6 +4,7 @@
 
 #include "record/json_text.h"
 #include "record/sweep_fields.h"
+#include "record/sweep_verdict.h"
 #include "record/text_file.h"
 
 namespace record {
@@ -107,13 +108,15 @@ QByteArray verdictText(const VerdictLine& line)
         .done();
 }
 
-QByteArray servoText(const SweepServo& servo)
+QByteArray servoText(const SweepRun& run, const SweepServo& servo)
 {
+    const QString open = noVerdictName(sweepVerdict(run, servo).reason);
     QByteArray lines;
     for (const VerdictLine& line : servo.lines)
         lines += (lines.isEmpty() ? "\n        " : ",\n        ") + verdictText(line);
     return "{\n      \"id\": " + QByteArray::number(servo.parameters.servo.id) +
            ",\n      \"verdict\": " + jsonText(gradeName(servo.verdict)) +
+           ",\n      \"no_verdict\": " + (open.isEmpty() ? "null" : jsonText(open)) +
            ",\n      \"axis\": " + axisText(servo.axis) + ",\n      \"lines\": [" + lines +
            (lines.isEmpty() ? "]" : "\n      ]") +
            ",\n      \"errors\": " + errorsText(servo.errors) +
@@ -201,7 +204,7 @@ void writeSweepRun(const SweepRun& run, const TextSink& sink)
     sink(headText(run) + ",\n  \"servos\": [");
     const char* separator = "\n    ";
     for (const SweepServo& servo : run.servos) {
-        sink(separator + servoText(servo));
+        sink(separator + servoText(run, servo));
         separator = ",\n    ";
     }
     sink("\n  ]");

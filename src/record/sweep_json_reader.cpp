@@ -2,6 +2,7 @@
 #include "record/json_parts.h"
 #include "record/sweep_fields.h"
 #include "record/sweep_json.h"
+#include "record/sweep_verdict.h"
 #include "record/text_file.h"
 
 #include <cmath>
@@ -139,7 +140,7 @@ SweepServo readServo(const JsonReader& json)
     for (const JsonReader& line : json.objects("lines"))
         servo.lines.push_back(readVerdict(line));
     servo.errors = readErrors(json.object("errors"));
-    servo.verdict = word(json, "verdict", gradeFromName);
+    (void)word(json, "verdict", gradeFromName); // earlier versions let runs pass that had not ended
     if (json.small("id") != servo.parameters.servo.id)
         json.complain("id", QStringLiteral("is not the one of its parameters"));
     return servo;
@@ -183,8 +184,10 @@ SweepLeg readLeg(const JsonReader& json)
     leg.target = number(json, "target");
     leg.timeToTarget = spanOrNull(json, "time_ms");
     leg.settling = spanOrNull(json, "settling_ms");
-    for (const LegFigure& figure : legFigures)
-        leg.*figure.member = json.numberOrNull(figure.key);
+    for (const LegFigure& figure : legFigures) {
+        if (!figure.isLater || json.has(figure.key))
+            leg.*figure.member = json.numberOrNull(figure.key);
+    }
     leg.samples = json.small("samples");
     leg.lost = json.small("lost");
     leg.missed = json.flag("missed");
@@ -233,6 +236,7 @@ SweepRun readRun(const JsonReader& json)
     run.servos = readServos(json);
     readRows(json, "metrics", run.servos, &SweepServo::metrics, readMetric);
     readRows(json, "legs", run.servos, &SweepServo::legs, readLeg);
+    giveVerdicts(run);
     return run;
 }
 } // namespace

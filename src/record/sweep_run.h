@@ -27,6 +27,7 @@ struct SweepLeg {
     std::optional<double> meanSpeed{};   ///< over the middle 80 % of the way
     std::optional<double> topSpeed{};
     std::optional<double> followingError{}; ///< most behind the path it was told
+    std::optional<double> phaseLag{};       ///< of a sine: behind the goals, degrees of its period
     std::optional<double> currentPeak{};
     std::optional<double> currentMean{};
     std::optional<double> loadPeak{};
@@ -102,7 +103,7 @@ struct SweepServo {
     std::vector<SweepMetric> metrics{};
     std::vector<VerdictLine> lines{};
     SweepErrors errors{};
-    Grade verdict = Grade::NotMeasured; ///< NotMeasured: the run ended before there was one
+    Grade verdict = Grade::NotMeasured; ///< by sweep_verdict.h, which says why there is none
     bool operator==(const SweepServo&) const = default;
 };
 

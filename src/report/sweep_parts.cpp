@@ -189,7 +189,7 @@ QString sweepBody(const Scribe& scribe, const record::SweepRun& run,
     QString text = verdictPart(scribe, run) + servosPart(scribe, run) + benchPart(scribe, run) +
                    testPart(scribe, run);
     for (const record::SweepServo& servo : run.servos)
-        text += servoPart(scribe, servo, series, place);
+        text += servoPart(scribe, run, servo, series, place);
     return text + busPart(scribe, run);
 }
 } // namespace report

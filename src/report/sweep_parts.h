@@ -27,8 +27,9 @@ std::vector<const record::SweepLeg*> legsToShow(const std::vector<record::SweepL
                                                 std::size_t all = 200);
 
 // of sweep_parts_servo.cpp
-QString servoPart(const Scribe& scribe, const record::SweepServo& servo,
-                  const std::vector<SweepSeries>& series, const PlaceChart& place);
+QString servoPart(const Scribe& scribe, const record::SweepRun& run,
+                  const record::SweepServo& servo, const std::vector<SweepSeries>& series,
+                  const PlaceChart& place);
 QString badge(const Scribe& scribe, record::Grade grade);
 QString inSeconds(base::Duration span); ///< "1.5"
 } // namespace report

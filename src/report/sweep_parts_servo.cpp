@@ -48,7 +48,8 @@ Text reasonOf(const record::VerdictLine& line)
     return {form.en.arg(number.en), form.zh.arg(number.zh)};
 }
 
-QString verdictLines(const Scribe& scribe, const record::SweepServo& servo)
+QString verdictLines(const Scribe& scribe, const record::SweepServo& servo,
+                     record::NoVerdict reason)
 {
     const SweepWords& words = sweepWords();
     Rows rows;
@@ -62,8 +63,8 @@ QString verdictLines(const Scribe& scribe, const record::SweepServo& servo)
                         scribe.say(reasonOf(line))});
     }
     QString text = scribe.heading(3, words.verdict);
-    if (servo.verdict == record::Grade::NotMeasured)
-        text += scribe.paragraph(words.noVerdict);
+    if (reason != record::NoVerdict::None)
+        text += scribe.paragraph(noVerdictWords(reason));
     text += QStringLiteral("<p>") + scribe.say(words.limits) + QStringLiteral(": ") +
             (servo.limits.name.isEmpty() ? scribe.say(words.none) : escaped(servo.limits.name)) +
             QStringLiteral("</p>\n");
@@ -250,13 +251,16 @@ QString inSeconds(base::Duration span)
     return figure(double(span.count()) / 1e6);
 }
 
-QString servoPart(const Scribe& scribe, const record::SweepServo& servo,
-                  const std::vector<SweepSeries>& series, const PlaceChart& place)
+QString servoPart(const Scribe& scribe, const record::SweepRun& run,
+                  const record::SweepServo& servo, const std::vector<SweepSeries>& series,
+                  const PlaceChart& place)
 {
+    const record::NoVerdict reason = record::sweepVerdict(run, servo).reason;
     const record::SnapshotServo& who = servo.parameters.servo;
     const QString name = QStringLiteral("ID %1 · ").arg(who.id) + who.model;
-    return scribe.heading(2, {name, name}) + axisRows(scribe, servo) + verdictLines(scribe, servo) +
-           metricsTable(scribe, servo) + charts(scribe, servo, series, place) +
-           legsTable(scribe, servo) + parametersPart(scribe, servo);
+    return scribe.heading(2, {name, name}) + axisRows(scribe, servo) +
+           verdictLines(scribe, servo, reason) + metricsTable(scribe, servo) +
+           charts(scribe, servo, series, place) + legsTable(scribe, servo) +
+           parametersPart(scribe, servo);
 }
 } // namespace report

@@ -88,16 +88,14 @@ void fillFigures(SweepWords& words)
     words.notMeasured = both("not measured", "未测量");
     words.limits = both("Limits", "限值");
     words.howJudged = both(
-        "Judged is the worst leg for errors, overshoot, settling, following, repeatability, "
-        "current and load, the mean for speeds and the time to target, and the sum for what is "
-        "counted.",
-        "判定依据：误差、超调、整定时间、跟随、重复性、电流和负载取最差的一程；速度和到位时间"
-        "取平均值；计数项取总和。");
+        "Errors, overshoot, settling, following, phase lag, repeatability, current and load are "
+        "judged by the worst leg, speeds and the time to target by their mean, and what is "
+        "counted by its sum.",
+        "判定依据：误差、超调、整定时间、跟随、相位滞后、重复性、电流和负载取最差的行程；"
+        "速度和到位时间取平均值；计数项取总和。");
     words.hysteresisNote =
         both("Positions are those the servo reports: gear play beyond its encoder is not measured.",
              "位置均为舵机自身反馈：编码器之后的齿轮间隙未测量。");
-    words.noVerdict =
-        both("The run ended before there was a verdict.", "运行在得出结论之前已结束。");
 }
 
 void fillCharts(SweepWords& words)
@@ -180,6 +178,9 @@ constexpr std::array metricEntries{
     Entry{"repeatability_sigma", "Repeatability σ", "重复性 σ"},
     Entry{"repeatability_range", "Repeatability range", "重复性极差"},
     Entry{"following_error", "Following error", "跟随误差"},
+    Entry{"following_error_relative", "Relative following error", "相对跟随误差"},
+    Entry{"phase_lag", "Phase lag", "相位滞后"},
+    Entry{"readings_per_period", "Readings per period", "每周期采样数"},
     Entry{"mean_speed", "Mean speed", "平均速度"},
     Entry{"top_speed", "Top speed", "最高速度"},
     Entry{"current_peak", "Peak current", "峰值电流"},
@@ -280,6 +281,36 @@ QString gradeColour(record::Grade grade)
         break;
     }
     return QStringLiteral("#57606a");
+}
+
+Text noVerdictWords(record::NoVerdict reason)
+{
+    switch (reason) {
+    case record::NoVerdict::None:
+        return {};
+    case record::NoVerdict::Ended:
+        return both("No verdict: the run ended before there was one.",
+                    "无结论：运行在得出结论之前已结束。");
+    case record::NoVerdict::TooShort:
+        return both("No verdict: too short to judge. Run at least one whole cycle.",
+                    "无结论：测试太短，无法判定。请至少运行一个完整循环。");
+    case record::NoVerdict::TooFewReadings:
+        return both("No verdict: fewer than 20 readings per period. Use a longer period, fewer "
+                    "servos or a higher baud rate.",
+                    "无结论：每周期采样数少于 20。请加长周期、减少舵机或提高波特率。");
+    case record::NoVerdict::TooFast:
+        return both("No verdict: the sine is faster than the servo is set to turn. Use a longer "
+                    "period, a smaller range or a higher speed.",
+                    "无结论：正弦快于舵机设定的速度。请加长周期、缩小范围或提高速度。");
+    case record::NoVerdict::NoLimit:
+        return both("No verdict: the limits do not say how well goals must be followed. Add limits "
+                    "for the relative following error and the phase lag.",
+                    "无结论：限值中没有跟随要求。请添加相对跟随误差和相位滞后的限值。");
+    case record::NoVerdict::NotMeasured:
+        break;
+    }
+    return both("No verdict: what this test is judged by was not measured.",
+                "无结论：未测得判定本测试所需的指标。");
 }
 
 Text endWords(record::SweepEnd end)

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "catalog/register.h"
-#include "record/sweep_run.h"
+#include "record/sweep_verdict.h"
 
 namespace report {
 using catalog::Text;
@@ -19,7 +19,7 @@ struct SweepWords {
         stopsOn, stopOnAlarm, stopOnStall, stopOnFailure, nothingElse, inSteps, tolerance;
     // verdict and figures
     Text result, figure, value, unit, warnLimit, failLimit, reason, within, over, under, noFeedback,
-        mean, lowest, highest, count, notMeasured, limits, howJudged, hysteresisNote, noVerdict;
+        mean, lowest, highest, count, notMeasured, limits, howJudged, hysteresisNote;
     // charts
     Text positionChart, goal, position, timeAxis, positionAxis, histogram, errorAxis, legsAxis,
         noSeries, noErrors;
@@ -37,7 +37,8 @@ Text gradeWords(record::Grade grade);   ///< "Passed"
 QString gradeSign(record::Grade grade); ///< "✔"
 /// Dark enough for white paper: "#1a7f37".
 QString gradeColour(record::Grade grade);
-Text endWords(record::SweepEnd end); ///< a sentence
+Text endWords(record::SweepEnd end);           ///< a sentence
+Text noVerdictWords(record::NoVerdict reason); ///< sentences: why, and what to do; None: empty
 Text shapeWords(record::SweepShape shape);
 Text paceWords(record::SweepPace pace);
 Text metricWords(const QString& key);     ///< an unknown key comes back as it is

@@ -15,6 +15,11 @@ base::Result<std::vector<ReferenceResult>> compared(const History& history,
             return tl::unexpected(reference.error());
         if (!*reference || (*reference)->run.at == run.at)
             continue;
+        if (!(*reference)->isUsable()) {
+            results.push_back(
+                {servo.parameters.servo.id, (*reference)->run, (*reference)->servo, {}, true});
+            continue;
+        }
         const auto other = history.sweep((*reference)->run.number);
         if (!other)
             return tl::unexpected(other.error());

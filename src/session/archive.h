@@ -29,6 +29,7 @@ struct ReferenceResult {
     record::TestRun run; ///< the reference's
     record::TestServo reference;
     record::SweepComparison found; ///< A is the reference
+    bool ignored = false;          ///< the reference did not finish: nothing is compared
 };
 
 class Archive final : public QObject {

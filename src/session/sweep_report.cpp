@@ -6,6 +6,8 @@
 #include "report/sweep_html.h"
 #include "report/sweep_pdf.h"
 
+#include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 #include <limits>
@@ -64,6 +66,22 @@ QString sweepReadingsPath(const QString& report)
 {
     const QString end = QFileInfo(report).suffix();
     return report.chopped(end.size()) + QStringLiteral("readings.csv");
+}
+
+base::Result<void> copySweepReadings(const QString& from, const QString& report)
+{
+    const QString to = sweepReadingsPath(report);
+    if (from.isEmpty() || QDir::cleanPath(from) == QDir::cleanPath(to))
+        return {};
+    const QString part = to + QStringLiteral(".part");
+    QFile::remove(part);
+    const bool written = QFile::copy(from, part) && (!QFile::exists(to) || QFile::remove(to)) &&
+                         QFile::rename(part, to);
+    if (!written) {
+        QFile::remove(part);
+        return base::fail(base::ErrorCode::FileUnwritable, QStringLiteral("sweep"), to);
+    }
+    return {};
 }
 
 base::Result<void> saveSweepReport(const record::SweepRun& run,

@@ -15,6 +15,10 @@ std::optional<SweepFormat> sweepFormatOf(const QString& path);
 /// Where the readings go: beside the report, under its name.
 QString sweepReadingsPath(const QString& report);
 
+/// A file of readings goes beside the report, under its name; nothing to do where it is there
+/// already, or `from` is empty.
+base::Result<void> copySweepReadings(const QString& from, const QString& report);
+
 /// `chinese`: the language a report opens in.
 base::Result<void> saveSweepReport(const record::SweepRun& run,
                                    const jobs::SweepRecording& readings, SweepFormat format,

@@ -7,7 +7,6 @@
 #include "session/sweep_report.h"
 
 #include <QDir>
-#include <QFile>
 
 #include <atomic>
 #include <mutex>
@@ -32,23 +31,6 @@ QString readingsFile(const record::SweepRun& run)
         .filePath(QStringLiteral("tests/%1_ID%2.readings.csv")
                       .arg(stamp, ids.mid(0, 8).join(QLatin1Char('-'))));
 }
-
-/// The readings go beside the report, under its name; a file of the user's is not theirs to lose.
-base::Result<void> copyReadings(const QString& from, const QString& report)
-{
-    const QString to = sweepReadingsPath(report);
-    if (from.isEmpty() || QDir::cleanPath(from) == QDir::cleanPath(to))
-        return {};
-    const QString part = to + QStringLiteral(".part");
-    QFile::remove(part);
-    const bool written = QFile::copy(from, part) && (!QFile::exists(to) || QFile::remove(to)) &&
-                         QFile::rename(part, to);
-    if (!written) {
-        QFile::remove(part);
-        return base::fail(ErrorCode::FileUnwritable, QStringLiteral("sweep"), to);
-    }
-    return {};
-}
 } // namespace
 
 /// Filled on the job's thread, emptied on the main thread.
@@ -66,6 +48,7 @@ struct SweepTest::Live {
     std::optional<jobs::SweepProgress> progress{};
     std::optional<record::SweepRun> begun{};
     QString path{}; ///< of the readings
+    std::vector<ServoRef> servos{};
 };
 
 /// What the job leaves behind. Filled on its thread, looked at when it has ended.
@@ -168,6 +151,7 @@ bool SweepTest::start(const SweepTestOrder& order)
     ++m_looks; // what is still being looked at does not matter any more
     m_progress = {};
     m_live = std::make_shared<Live>();
+    m_live->servos = order.servos;
     const auto live = m_live;
     const auto ending = std::make_shared<Ending>();
 
@@ -269,6 +253,7 @@ void SweepTest::drain()
     }
     if (begun) {
         m_run = std::move(begun);
+        m_servos = m_live->servos;
         m_startedAt = readings.empty() ? m_desk.now() : readings.front().at;
         openCurves();
         Q_EMIT began();
@@ -321,7 +306,8 @@ std::vector<record::SweepMetric> SweepTest::figures(std::size_t servo) const
     if (!m_running)
         return tested.metrics;
     const auto first = tested.legs.empty() ? std::nullopt : tested.legs.front().temperatureMax;
-    return jobs::sweepMetrics(tested.legs, tested.errors, first);
+    return jobs::sweepMetrics(tested.legs, tested.errors, first,
+                              jobs::followedPath(m_run->spec, tested.axis));
 }
 
 void SweepTest::save(const QString& path, bool chinese)
@@ -333,8 +319,8 @@ void SweepTest::save(const QString& path, bool chinese)
                         run = std::make_shared<record::SweepRun>(*m_run), recording = m_recording,
                         readings = m_readingsPath] {
         auto written = saveSweepReport(*run, *recording, *format, chinese, path);
-        if (written && *format == SweepFormat::Csv)
-            written = copyReadings(readings, path);
+        if (written)
+            written = copySweepReadings(readings, path);
         m_inbox.post([this, path, written] {
             if (written)
                 Q_EMIT saved(path);

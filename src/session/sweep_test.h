@@ -46,6 +46,7 @@ public:
 
     /// The running test or the latest one, with the legs there are; null: none yet.
     const record::SweepRun* run() const { return m_run ? &*m_run : nullptr; }
+    const std::vector<ServoRef>& servos() const { return m_servos; } ///< of run(), in its order
     const jobs::SweepProgress& progress() const { return m_progress; }
     /// Worked out anew from the legs while it runs; the final ones afterwards.
     std::vector<record::SweepMetric> figures(std::size_t servo) const;
@@ -59,7 +60,8 @@ public:
     base::Duration startedAt() const { return m_startedAt; } ///< of its first reading
     QString readingsPath() const { return m_readingsPath; }  ///< empty: could not be written
 
-    /// Of a test that has ended, as its name says; saved() or saveFailed() follow.
+    /// Of a test that has ended, as its name says, with the readings beside it; saved() or
+    /// saveFailed() follow.
     void save(const QString& path, bool chinese);
 
 Q_SIGNALS:
@@ -84,6 +86,7 @@ private:
     bool m_running = false;
     std::shared_ptr<Live> m_live; ///< shared with the job
     std::optional<record::SweepRun> m_run;
+    std::vector<ServoRef> m_servos;
     jobs::SweepProgress m_progress;
     record::SampleStore m_store;
     std::vector<Curves> m_curves;

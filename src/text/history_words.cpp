@@ -49,6 +49,12 @@ constexpr RefusalWords noSnapshot{
     QT_TRANSLATE_NOOP("text", "A table of the past is the last snapshot before it with the writes "
                               "since then."),
     QT_TRANSLATE_NOOP("text", "Choose a later time.")};
+constexpr RefusalWords unfinishedReference{
+    "unfinished-reference",
+    QT_TRANSLATE_NOOP("text", "this test did not finish, so it cannot be a reference"),
+    QT_TRANSLATE_NOOP("text", "A test that was stopped or broken off has no verdict on a good "
+                              "servo."),
+    QT_TRANSLATE_NOOP("text", "Choose a test that ran to its end.")};
 } // namespace
 
 const RefusalWords* historyWords(const base::Error& error)
@@ -67,6 +73,9 @@ const RefusalWords* historyWords(const base::Error& error)
         return error.detail == QLatin1String(labelInUse.detail)   ? &labelInUse
                : error.detail == QLatin1String(noSnapshot.detail) ? &noSnapshot
                                                                   : nullptr;
+    case ErrorCode::Refused:
+        return error.detail == QLatin1String(unfinishedReference.detail) ? &unfinishedReference
+                                                                         : nullptr;
     default:
         return nullptr;
     }

@@ -14,6 +14,7 @@
 #include <QLineEdit>
 #include <QSpinBox>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTextStream>
 #include <QTreeWidget>
 
@@ -46,14 +47,16 @@ struct SweepScene {
     const char* name;
     const char* port;
     int id;
-    int shape;  ///< place of its button
-    bool whole; ///< to its end; else in the middle of it
+    int shape;            ///< place of its button
+    bool whole;           ///< to its end; else in the middle of it
+    bool several = false; ///< the second servo of the list takes part
 };
 constexpr SweepScene sweepScenes[] = {
     {"sweep-running", "sim:sweep", 1, 0, false},
     {"sweep-good", "sim:sts3215@1", 1, 0, true},
     {"sweep-bad", "sim:sts3215@1+rest-hysteresis=14+overshoot=6+noise=1", 1, 2, true},
     {"sweep-sine", "sim:sts3215@1", 1, 3, true},
+    {"sweep-several", "sim:sts3215@1,sts3215@2+overshoot=12", 1, 0, true, true},
     {"sweep-scs", "sim:scs15@1,scs15@2", 1, 1, true},
     {"sweep-lx", "sim:lx", 1, 0, true},
 };
@@ -122,6 +125,8 @@ void show(const SweepScene& scene, const QString& language, session::Theme look,
             qPrintable(QStringLiteral("sweepShape_") + QLatin1String(shapes[scene.shape])))
         ->click();
     bench.find<QSpinBox>("sweepCycles")->setValue(scene.whole ? 2 : 20);
+    if (scene.several)
+        bench.find<QTableWidget>("sweepServos")->item(1, 0)->setCheckState(Qt::Checked);
     auto* run = bench.find<QAbstractButton>("sweepRun");
     letRun(1500); // range and delay are proposed
     if (!QTest::qWaitFor([&] { return run->isEnabled(); }, 10000)) {

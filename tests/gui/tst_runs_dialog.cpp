@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Earlier tests in the window: listed, found, labelled, marked, held against each other, saved as
 // pages, deleted after a question; in both languages.
+#include "record/history_file.h"
 #include "report/sweep_compare_words.h"
 #include "report/sweep_html.h"
 #include "ui/app/language_switch.h"
@@ -34,7 +35,7 @@ QString text(const char* utf8)
 
 session::SharedRun runOf(const char* model, int id, int day)
 {
-    auto run = std::make_shared<record::SweepRun>(sweep_example::run());
+    auto run = std::make_shared<record::SweepRun>(sweep_example::finishedRun());
     run->servos.resize(1);
     run->servos[0].parameters.servo.model = text(model);
     run->servos[0].parameters.servo.id = id;
@@ -95,6 +96,7 @@ private Q_SLOTS:
     void twoAreHeldAgainstEachOther();
     void whatCannotBeComparedIsSaidFirst();
     void reportsAreSaved();
+    void whatDidNotFinishIsNoReference();
     void deletingAsksFirst();
     void anUnusableHistoryIsSaid();
     void speaksBothLanguages();
@@ -110,7 +112,9 @@ void TestRunsDialog::init()
     m_archive = std::make_unique<Archive>(m_dir->filePath(text("history.sqlite")));
     m_archive->keep(runOf("STS3215", 1, 0));
     m_archive->keep(runOf("STS3215", 2, 1));
-    m_archive->keep(runOf("SCS15", 3, 2));
+    QFile readings(m_dir->filePath(text("kept.readings.csv")));
+    QVERIFY(readings.open(QIODevice::WriteOnly) && readings.write("time_us\n1\n") > 0);
+    m_archive->keep(runOf("SCS15", 3, 2), {readings.fileName()});
     m_dialog = new RunsDialog(*m_archive, *m_settings, nullptr);
     m_dialog->show();
 }
@@ -248,6 +252,41 @@ void TestRunsDialog::reportsAreSaved()
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), report::sweepHtml(*runOf("SCS15", 3, 2), {}, false));
     QTRY_VERIFY(m_dialog->findChild<ui::TaskResult*>()->told().what.contains(text("report.html")));
+    QFile readings(m_dir->filePath(text("report.readings.csv")));
+    QVERIFY(readings.open(QIODevice::ReadOnly));
+    QCOMPARE(readings.readAll(), QByteArray("time_us\n1\n"));
+}
+
+/// Neither a mark nor a comparison: it has no verdict on a good servo.
+void TestRunsDialog::whatDidNotFinishIsNoReference()
+{
+    auto stopped = std::make_shared<record::SweepRun>(*runOf("STS3215", 4, 9));
+    stopped->end = record::SweepEnd::Stopped;
+    m_archive->keep(stopped);
+    QTRY_COMPARE(rows(), 4);
+    QVERIFY(cell(0, RunColumn::Verdict).contains(text("No verdict")));
+    QVERIFY(!cell(1, RunColumn::Verdict).contains(text("No verdict")));
+    select({1});
+    QVERIFY(button("runsReference")->isEnabled());
+    select({0});
+    QVERIFY(!button("runsReference")->isEnabled());
+    QVERIFY(button("runsReference")->toolTip().contains(text("did not finish")));
+    // An earlier version marked it all the same.
+    const auto file =
+        record::HistoryFile::open(m_dir->filePath(text("history.sqlite")), std::chrono::seconds(5));
+    QVERIFY(file && (*file)->run(text("UPDATE run_servos SET reference = 1 WHERE id = 4")));
+    std::optional<std::vector<session::ReferenceResult>> results;
+    m_archive->compareWithReference(runOf("STS3215", 5, 20), this,
+                                    [&](const auto& answer) { results = answer.value(); });
+    QTRY_VERIFY(results && results->size() == 1);
+    const QString words = ui::referenceText(results->front());
+    QVERIFY2(words.contains(text("is ignored")), qPrintable(words));
+    m_archive->setNote(4, text("marked")); // the list is asked again
+    QTRY_COMPARE(cell(0, RunColumn::Note), text("marked"));
+    QVERIFY(cell(0, RunColumn::Reference).contains(text("ignored")));
+    select({0});
+    button("runsReference")->click(); // the mark can be taken away
+    QTRY_VERIFY(cell(0, RunColumn::Reference).isEmpty());
 }
 
 void TestRunsDialog::deletingAsksFirst()

@@ -69,7 +69,7 @@ record::SweepLimits limits()
 struct Shown {
     explicit Shown(const std::vector<SweepLeg>& all)
         : metrics(jobs::sweepMetrics(all, {}, 25.0))
-        , lines(jobs::judge(metrics, limits()))
+        , lines(record::judge(metrics, limits(), record::SweepShape::Sweep))
     {}
     std::vector<SweepMetric> metrics;
     std::vector<VerdictLine> lines;

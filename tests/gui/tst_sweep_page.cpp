@@ -203,9 +203,11 @@ private Q_SLOTS:
             dialog->close();
             QVERIFY(saved.wait(10000));
             QVERIFY(QFileInfo(path).size() > 100);
+            const QString readings = place.filePath(QStringLiteral("r.readings.csv"));
+            QVERIFY2(QFileInfo(readings).size() > 1000, ending);
+            QVERIFY(QFile::remove(readings));
             QTRY_VERIFY(bench.find<QFileDialog>("sweepReportDialog") == nullptr);
         }
-        QVERIFY(QFileInfo(place.filePath(QStringLiteral("r.readings.csv"))).size() > 1000);
         const auto read = record::loadSweepRun(place.filePath(QStringLiteral("r.json")));
         QVERIFY(read.has_value());
         QCOMPARE(read->servos[0].legs.size(), run.servos[0].legs.size());
@@ -238,6 +240,8 @@ private Q_SLOTS:
         QCOMPARE(bench.test().run()->end, record::SweepEnd::Stopped);
         QVERIFY(!bench.test().run()->servos[0].legs.empty());
         QVERIFY(bench.find<QLabel>("sweepEnd")->isVisible());
+        QCOMPARE(bench.test().run()->servos[0].verdict, record::Grade::NotMeasured);
+        QCOMPARE(bench.find<ui::Pill>("sweepVerdict")->words(), QStringLiteral("– No verdict"));
         QCOMPARE(int(bench.now("torque_switch")), torque);
     }
 
@@ -366,6 +370,42 @@ private Q_SLOTS:
         shown->setCurrentIndex(1);
         Q_EMIT shown->activated(1);
         QCOMPARE(int(bench.find<ui::SweepResults>("sweepResults")->shownServo()), 1);
+    }
+
+    /// Of two servos only the second one fails: the chip says so whichever is shown.
+    void theWorstOfSeveralCounts()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2+overshoot=12")));
+        bench.prepare(1, 1500);
+        auto* table = bench.find<QTableWidget>("sweepServos");
+        QTRY_COMPARE(table->rowCount(), 2);
+        QVERIFY(table->isColumnHidden(3)); // nothing has been tested
+        table->item(1, 0)->setCheckState(Qt::Checked);
+        bench.run();
+        QVERIFY(bench.begun());
+        QVERIFY(bench.over());
+        const record::SweepRun& run = *bench.test().run();
+        QCOMPARE(int(run.servos.size()), 2);
+        QVERIFY(run.servos[0].verdict != record::Grade::Fail);
+        QCOMPARE(run.servos[1].verdict, record::Grade::Fail);
+        auto* results = bench.find<ui::SweepResults>("sweepResults");
+        auto* verdict = bench.find<ui::Pill>("sweepVerdict");
+        QCOMPARE(int(results->shownServo()), 0);
+        QCOMPARE(verdict->words(), QStringLiteral("✘ Failed: ID 2"));
+        QVERIFY(!table->isColumnHidden(3));
+        QVERIFY(!table->item(0, 3)->text().contains(QLatin1String("Failed")));
+        QCOMPARE(table->item(1, 3)->text(), QStringLiteral("✘ Failed"));
+        const auto cell = [&](int row) { return table->visualItemRect(table->item(row, 3)); };
+        for (const int row : {1, 0}) {
+            QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, cell(row).center());
+            QCOMPARE(int(results->shownServo()), row);
+            QCOMPARE(verdict->words(), QStringLiteral("✘ Failed: ID 2"));
+        }
+        auto* shown = bench.find<QComboBox>("sweepShownServo");
+        QVERIFY(shown->itemText(1).contains(QLatin1String("Failed")));
+        Q_EMIT shown->activated(1);
+        QCOMPARE(table->currentRow(), 1);
     }
 
     void wheelModeIsOfferedToBeSwitched()

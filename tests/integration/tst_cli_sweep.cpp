@@ -224,6 +224,18 @@ void TestCliSweep::mistakesAreNamed_data()
     row("--from 1000 --to 2000 --delay 500 --limits /nowhere.json", 5, "/nowhere.json");
     row("--points /nowhere.csv --delay 500", 5, "/nowhere.csv");
     row("--from 1000 --to 2000 --delay 500 --sine 2 --step 3", 2, "--sine");
+    row("--from 1000 --to 2000 --delay 500 --step -5", 2, "--step \"-5\": give a step above 0");
+    row("--from 1000 --to 2000 --delay 500 --step -5deg", 2, "swap --from and --to");
+    row("--from 1000 --to 2000 --sine 0", 2, "--sine \"0\": give a number of seconds from 0.1");
+    row("--from 1000 --to 2000 --sine nan", 2, "--sine \"nan\"");
+    row("--from 1000 --to 2000 --sine 1e9", 2, "to 3600");
+    row("--from 1000 --to 2000 --delay 500 --for -1", 2, "--for \"-1\"");
+    row("--from 1000 --to 2000 --delay 500 --warm-up inf", 2, "--warm-up \"inf\"");
+    row("--from 1000 --to 2000 --delay 500 --cycles 0", 2, "whole number from 1 to 1000000");
+    row("--from 1000 --to 2000 --delay 500 --time -3", 2, "--time \"-3\"");
+    row("--from 1000 --to 2000 --delay 500 --speed -100", 2, "--speed \"-100\": give 0 or more");
+    row("--from 1000 --to 2000 --delay 500 --acceleration -1deg", 2, "--acceleration");
+    row("--from 1000 --to 2000 --delay 500 --random -1", 2, "--random \"-1\"");
 }
 
 void TestCliSweep::mistakesAreNamed()
@@ -254,6 +266,16 @@ void TestCliSweep::ctrlCEndsItSafely()
     const QJsonObject report = loaded(path);
     QCOMPARE(report[text("end")].toString(), text("stopped"));
     QVERIFY(!report[text("legs")].toArray().isEmpty());
+    QCOMPARE(report[text("verdict")].toString(), text("not-measured"));
+    QCOMPARE(report[text("servos")][0][text("verdict")].toString(), text("not-measured"));
+    QCOMPARE(report[text("servos")][0][text("no_verdict")].toString(), text("ended"));
+    QVERIFY2(ran.out.contains(text(" 1: No verdict")), qPrintable(ran.out));
+    QVERIFY2(ran.out.contains(text("Verdict: No verdict")), qPrintable(ran.out));
+    const QJsonValue kept = cli.json("sweep-runs").json()[text("runs")][0];
+    QCOMPARE(kept[text("servos")][0][text("verdict")].toString(), text("not-measured"));
+    const Ran reference = cli.run("sweep-reference 1");
+    QCOMPARE(reference.exit, 1);
+    QVERIFY2(reference.err.contains(text("did not finish")), qPrintable(reference.err));
     QVERIFY(readings(cli.dataFolder() + text("/report.readings.csv")).size() > 50);
 }
 

@@ -98,7 +98,7 @@ inline void fill(Bench& bench)
     recording.rows = 4711;
     recording.port = QStringLiteral("/dev/ttyUSB0");
     (void)log.addRecording(recording, {servo(1), servo(3)}).value();
-    (void)history->add(sweep_example::run(), {QStringLiteral("/tmp/r.html")}).value();
+    (void)history->add(sweep_example::finishedRun(), {QStringLiteral("/tmp/r.html")}).value();
 }
 
 // --- the lists as text, newest first ---

@@ -24,6 +24,18 @@ const SweepMetricKind& kindOf(const QString& metric)
     return it == kinds.end() ? none : *it;
 }
 
+/// Which tests a line is for, where that is not all of them.
+QString pathNote(const QString& metric)
+{
+    if (metric == QLatin1StringView("phase_lag") ||
+        metric == QLatin1StringView("readings_per_period"))
+        return LimitsModel::tr("Only for a sine; other tests leave this line out");
+    if (metric == QLatin1StringView("following_error_relative"))
+        return LimitsModel::tr("Only for a sine (% of its amplitude) and random targets (% of the "
+                               "range); other tests leave this line out");
+    return {};
+}
+
 /// All digits it has, unlike the two decimals of a report: nothing is lost by opening a file.
 QString typed(const std::optional<double>& bound)
 {
@@ -184,7 +196,10 @@ QVariant LimitsModel::data(const QModelIndex& index, int role) const
         const QString wrong = trouble(index.row());
         if (!wrong.isEmpty())
             return wrong;
-        return bound ? tr("A number in the unit of the figure; empty: no such limit") : QVariant();
+        if (bound)
+            return tr("A number in the unit of the figure; empty: no such limit");
+        const QString note = pathNote(line.metric);
+        return note.isEmpty() ? QVariant() : QVariant(note);
     }
     case toneRole:
         return trouble(index.row()).isEmpty() ? QVariant() : int(Tone::Bad);

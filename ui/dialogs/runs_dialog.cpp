@@ -166,15 +166,17 @@ void RunsDialog::updateButtons()
     const bool one = chosen.size() == 1;
     m_report->setEnabled(one);
     m_label->setEnabled(one);
-    m_reference->setEnabled(one);
+    const bool is = one && m_model->servo(chosen.front()).reference;
+    const bool refused = one && !is && !record::canBeReference(m_model->run(chosen.front()));
+    m_reference->setEnabled(one && !refused);
     m_compare->setEnabled(chosen.size() == 2);
     m_delete->setEnabled(!chosen.empty());
-    const bool is = one && m_model->servo(chosen.front()).reference;
     m_reference->setText(is ? tr("Clear reference") : tr("Mark as reference"));
     m_reference->setAccessibleName(m_reference->text());
-    m_reference->setToolTip(is ? tr("This servo is no longer what others are held against")
-                               : tr("Hold later tests of this model against this servo; a "
-                                    "model has one reference"));
+    const QString mark = refused ? tr("This test did not finish, so it cannot be a reference")
+                                 : tr("Hold later tests of this model against this servo; a "
+                                      "model has one reference");
+    m_reference->setToolTip(is ? tr("This servo is no longer what others are held against") : mark);
     if (m_model->rowCount() == 0)
         m_hint->setText(m_filter->text().trimmed().isEmpty()
                             ? tr("No test has been run yet. Tests of the window and of the "

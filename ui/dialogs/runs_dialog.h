@@ -34,7 +34,7 @@ private:
     void updateButtons();
     std::vector<int> rows() const; ///< the selected ones, from the top
     void openReport();
-    void saveReport(const RunRow& row, const QString& path);
+    void saveReport(const RunRow& row, const QString& path, const QStringList& files);
     void compare();
     void markReference();
     void label();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sweep_compare_words.h"
 #include "report/sweep_html.h"
+#include "session/sweep_report.h"
 #include "text/language.h"
 #include "ui/dialogs/ask.h"
 #include "ui/dialogs/compare_dialog.h"
@@ -9,6 +10,8 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QInputDialog>
+
+#include <algorithm>
 
 namespace ui {
 namespace {
@@ -21,6 +24,7 @@ void RunsDialog::openReport()
     if (chosen.size() != 1)
         return;
     const RunRow row = m_model->at(chosen.front());
+    const QStringList files = m_model->run(chosen.front()).files;
     auto* dialog = new QFileDialog(this, tr("Save the report"));
     dialog->setObjectName(QStringLiteral("runsReportDialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -30,30 +34,39 @@ void RunsDialog::openReport()
     dialog->setDirectory(m_settings.choice(folderChoice, QDir::homePath()).toString());
     dialog->selectFile(QStringLiteral("sweep-%1.html").arg(qint64(row.number)));
     connect(dialog, &QFileDialog::fileSelected, this,
-            [this, row](const QString& path) { saveReport(row, path); });
+            [this, row, files](const QString& path) { saveReport(row, path, files); });
     dialog->open();
 }
 
-/// The readings are not in the history, so the page has no curves of position.
-void RunsDialog::saveReport(const RunRow& row, const QString& path)
+/// The readings are not in the history, so the page has no curves of position; where their file is
+/// still there it goes beside the page.
+void RunsDialog::saveReport(const RunRow& row, const QString& path, const QStringList& files)
 {
-    m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
-    m_archive.load(row.number, this, [this, path](const base::Result<session::SharedRun>& run) {
-        if (!run) {
-            complain(run.error());
-            return;
-        }
-        const bool chinese = text::inChinese();
-        m_archive.work(
-            [run = *run, chinese, path] { return report::saveSweepHtml(*run, {}, chinese, path); },
-            this,
-            [this, path](const base::Result<void>& saved) {
-                if (saved)
-                    tellSaved(path);
-                else
-                    complain(saved.error());
-            });
+    const auto found = std::find_if(files.begin(), files.end(), [](const QString& file) {
+        return file.endsWith(QLatin1StringView(".readings.csv")) && QFile::exists(file);
     });
+    const QString readings = found != files.end() ? *found : QString();
+    m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
+    m_archive.load(row.number, this,
+                   [this, path, readings](const base::Result<session::SharedRun>& run) {
+                       if (!run) {
+                           complain(run.error());
+                           return;
+                       }
+                       const bool chinese = text::inChinese();
+                       m_archive.work(
+                           [run = *run, chinese, path, readings] {
+                               const auto saved = report::saveSweepHtml(*run, {}, chinese, path);
+                               return saved ? session::copySweepReadings(readings, path) : saved;
+                           },
+                           this,
+                           [this, path](const base::Result<void>& saved) {
+                               if (saved)
+                                   tellSaved(path);
+                               else
+                                   complain(saved.error());
+                           });
+                   });
 }
 
 void RunsDialog::tellSaved(const QString& path)
@@ -71,7 +84,10 @@ void RunsDialog::compare()
         return;
     int a = chosen[1]; // the newest stands at the top
     int b = chosen[0];
-    if (m_model->servo(b).reference && !m_model->servo(a).reference)
+    const auto isReference = [this](int row) {
+        return m_model->servo(row).reference && record::canBeReference(m_model->run(row));
+    };
+    if (isReference(b) && !isReference(a))
         std::swap(a, b);
     const RunRow one = m_model->at(a);
     const RunRow two = m_model->at(b);
@@ -146,6 +162,12 @@ QString referenceText(const session::ReferenceResult& result)
 {
     const QString when =
         QLocale().toString(result.run.at.toLocalTime().date(), QLocale::ShortFormat);
+    if (result.ignored)
+        return RunsDialog::tr("The reference %1 (test %2 of %3) is ignored: that test did not "
+                              "finish. Mark one that did under Earlier tests.")
+            .arg(result.reference.model)
+            .arg(qint64(result.run.number))
+            .arg(when);
     const QString head = RunsDialog::tr("Compared with the reference %1 (test %2 of %3):")
                              .arg(result.reference.model)
                              .arg(qint64(result.run.number))

@@ -70,6 +70,8 @@ QString RunsModel::cell(int row, RunColumn column) const
     case RunColumn::Verdict:
         return gradeText(one.verdict);
     case RunColumn::Reference:
+        if (one.reference && !record::canBeReference(test))
+            return translate("ui::RunsDialog", "ignored: did not finish");
         return one.reference ? translate("ui::RunsDialog", "★ reference") : QString();
     case RunColumn::Label:
         return QString(one.label).simplified();

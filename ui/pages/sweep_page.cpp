@@ -2,10 +2,14 @@
 #include "ui/pages/sweep_page.h"
 
 #include "device/move_limits.h"
+#include "record/sweep_verdict.h"
+#include "report/sweep_words.h"
 #include "text/error_words.h"
+#include "text/language.h"
 #include "ui/dialogs/ask.h"
 #include "ui/dialogs/limits_dialog.h"
 #include "ui/dialogs/runs_dialog.h"
+#include "ui/models/sweep_cells.h"
 #include "ui/pages/sweep_form.h"
 #include "ui/pages/sweep_outlook.h"
 #include "ui/pages/sweep_results.h"
@@ -151,6 +155,12 @@ void SweepPage::connectAll()
     connect(m_form, &SweepForm::changed, this, &SweepPage::lookSoon);
     connect(m_servos, &SweepServos::changed, this, &SweepPage::servoChosen);
     connect(m_servos, &SweepServos::limitsWished, this, &SweepPage::editLimits);
+    connect(m_servos, &SweepServos::clicked, this, [this](session::ServoRef ref) {
+        const auto& tested = m_test.servos();
+        const auto place = std::find(tested.begin(), tested.end(), ref);
+        if (place != tested.end())
+            m_results->showServo(int(place - tested.begin()));
+    });
     connect(m_switchMode, &QCheckBox::toggled, this, &SweepPage::showState);
     connect(m_outlook, &QLabel::linkActivated, this, [this] {
         for (const session::SweepLook& one : m_looks) {
@@ -162,7 +172,11 @@ void SweepPage::connectAll()
     connect(m_run, &QPushButton::clicked, this, &SweepPage::run);
     connect(m_stop, &QPushButton::clicked, &m_test, &session::SweepTest::stop);
     connect(m_results, &SweepResults::earlierWished, this, &SweepPage::earlierWished);
-    connect(m_results, &SweepResults::servoShown, this, &SweepPage::showReference);
+    connect(m_results, &SweepResults::servoShown, this, [this] {
+        showReference();
+        if (m_results->shownServo() < m_test.servos().size())
+            m_servos->markRow(m_test.servos()[m_results->shownServo()]);
+    });
     connect(&m_archive, &session::Archive::keepFailed, this,
             [this](const base::Error& error, const QString& file) {
                 m_banner->present([error, file] {
@@ -174,7 +188,10 @@ void SweepPage::connectAll()
                 });
             });
     connect(&m_test, &session::SweepTest::looked, this, &SweepPage::takeLooks);
-    connect(&m_test, &session::SweepTest::began, this, &SweepPage::showState);
+    connect(&m_test, &session::SweepTest::began, this, [this] {
+        showVerdicts();
+        showState();
+    });
     connect(&m_test, &session::SweepTest::progressed, this, &SweepPage::showProgress);
     connect(&m_test, &session::SweepTest::ended, this, &SweepPage::ended);
     connect(&m_test, &session::SweepTest::failed, this, &SweepPage::failed);
@@ -358,8 +375,24 @@ void SweepPage::start()
 void SweepPage::ended()
 {
     keep();
+    showVerdicts();
     showState();
     lookSoon(); // what the servo has set now may be something else
+}
+
+/// Of the latest test, in the table of servos.
+void SweepPage::showVerdicts()
+{
+    std::map<session::ServoRef, SweepServos::Verdict> verdicts;
+    const record::SweepRun* run = m_test.run();
+    for (std::size_t i = 0; run != nullptr && !m_test.running() && i < run->servos.size(); ++i) {
+        const record::SweepVerdict found = record::sweepVerdict(*run, run->servos[i]);
+        const bool bare = found.reason == record::NoVerdict::None;
+        verdicts[m_test.servos().at(i)] = {
+            found.grade, bare ? gradeText(found.grade)
+                              : report::noVerdictWords(found.reason).in(text::inChinese())};
+    }
+    m_servos->setVerdicts(verdicts);
 }
 
 /// In the history, and held against the reference of its model.
@@ -427,6 +460,7 @@ void SweepPage::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
+        showVerdicts();
         showReference();
     }
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)

@@ -53,6 +53,7 @@ private:
     void ended();
     void keep();
     void showReference();
+    void showVerdicts();
     void failed(const base::Error& error);
     void editLimits(session::ServoRef ref);
     void showState();

@@ -63,18 +63,39 @@ QString servoName(const record::SweepServo& servo)
         .arg(servo.parameters.servo.model);
 }
 
+QString gradeLine(Grade grade)
+{
+    return report::gradeSign(grade) + QLatin1Char(' ') + in(report::gradeWords(grade));
+}
+
+QString withReasons(const QString& grade, const QStringList& reasons)
+{
+    return reasons.isEmpty() ? grade
+                             : grade + QStringLiteral(": ") + reasons.join(QStringLiteral(", "));
+}
+
 /// "✘ Failed: hysteresis, overshoot"
 QString verdictWords(const record::SweepServo& servo)
 {
-    const QString grade =
-        report::gradeSign(servo.verdict) + QLatin1Char(' ') + in(report::gradeWords(servo.verdict));
     QStringList reasons;
     for (const record::VerdictLine& line : servo.lines) {
         if (line.grade == servo.verdict && (line.grade == Grade::Fail || line.grade == Grade::Warn))
             reasons.append(in(report::metricWords(line.limit.metric)));
     }
-    return reasons.isEmpty() ? grade
-                             : grade + QStringLiteral(": ") + reasons.join(QStringLiteral(", "));
+    return withReasons(gradeLine(servo.verdict), reasons);
+}
+
+/// The worst one counts, and is named: "✘ Failed: ID 2, ID 5".
+QString verdictWords(const record::SweepRun& run)
+{
+    if (run.servos.size() == 1)
+        return verdictWords(run.servos.front());
+    QStringList worst;
+    for (const record::SweepServo& servo : run.servos) {
+        if (servo.verdict == run.verdict() && servo.verdict != Grade::Pass)
+            worst.append(QStringLiteral("ID %1").arg(servo.parameters.servo.id));
+    }
+    return withReasons(gradeLine(run.verdict()), worst);
 }
 } // namespace
 
@@ -145,12 +166,25 @@ void SweepResults::begin()
     m_servos->clear();
     for (const record::SweepServo& tested : m_test.run()->servos)
         m_servos->addItem(servoName(tested));
+    nameServos();
     m_servos->setVisible(m_servos->count() > 1);
     m_chart->setOrigin(m_test.startedAt());
     m_chart->setWidth(usualWidth);
     m_chart->setFollowing(true);
     showServo(0);
     enableReports();
+}
+
+/// With its verdict, once there is one.
+void SweepResults::nameServos()
+{
+    const record::SweepRun* run = m_test.run();
+    for (int i = 0; run != nullptr && i < m_servos->count(); ++i) {
+        const record::SweepServo& tested = run->servos[std::size_t(i)];
+        m_servos->setItemText(i, m_test.running() ? servoName(tested)
+                                                  : servoName(tested) + QStringLiteral(" · ") +
+                                                        gradeLine(tested.verdict));
+    }
 }
 
 void SweepResults::end()
@@ -182,6 +216,7 @@ void SweepResults::showServo(int index)
     showCurves();
     takeLegs();
     showFigures();
+    showEnd();
     Q_EMIT servoShown();
 }
 
@@ -226,7 +261,8 @@ void SweepResults::showFigures()
 {
     if (const record::SweepServo* tested = servo()) {
         const auto metrics = m_test.figures(m_servo);
-        m_verdictModel.show(metrics, jobs::judge(metrics, tested->limits));
+        m_verdictModel.show(metrics,
+                            record::judge(metrics, tested->limits, m_test.run()->spec.shape));
     }
     showVerdict();
 }
@@ -257,8 +293,8 @@ void SweepResults::showVerdict()
     if (m_test.running())
         m_verdict->setState(Tone::Accent, tr("running"));
     else
-        m_verdict->setState(toneOf(tested->verdict), verdictWords(*tested),
-                            in(report::gradeWords(tested->verdict)));
+        m_verdict->setState(toneOf(m_test.run()->verdict()), verdictWords(*m_test.run()),
+                            in(report::gradeWords(m_test.run()->verdict())));
 }
 
 void SweepResults::setComparison(const QString& text)
@@ -323,24 +359,17 @@ void SweepResults::retranslate()
     m_reportTitle->setText(tr("Report"));
     for (QPushButton* button : m_reports) {
         button->setToolTip(button->text() == QLatin1StringView("CSV")
-                               ? tr("All legs as a table, and all readings beside it")
-                               : tr("Save the report as %1").arg(button->text()));
+                               ? tr("All legs as a table, and all readings in a file beside it")
+                               : tr("Save the report as %1, and all readings in a file beside it")
+                                     .arg(button->text()));
         button->setAccessibleName(button->toolTip());
     }
     m_earlier->setText(tr("Earlier tests…"));
     m_earlier->setAccessibleName(m_earlier->text());
     m_all->setAccessibleName(m_all->text());
     m_earlier->setToolTip(tr("Look at kept tests, compare two, choose a reference"));
-    const record::SweepRun* run = m_test.run();
-    QString end;
-    if (run != nullptr && !m_test.running() && run->end != record::SweepEnd::Finished)
-        end = in(report::endWords(run->end)) +
-              (run->endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run->endedBy) : QString());
-    if (run != nullptr && !run->gaps.empty())
-        end += (end.isEmpty() ? QString() : QStringLiteral(" ")) +
-               tr("Silences of the line that were waited out: %1.").arg(run->gaps.size());
-    m_end->setText(end);
-    m_end->setVisible(!end.isEmpty());
+    nameServos();
+    showEnd();
     if (m_saveError) {
         const text::Description trouble = text::describe(*m_saveError);
         m_saved->setText((trouble.what + QLatin1Char(' ') + trouble.remedy).toHtmlEscaped());
@@ -355,6 +384,28 @@ void SweepResults::retranslate()
     m_legsModel.retranslate();
     showVerdict();
     hideEmptyColumns();
+}
+
+/// How the run ended, and why the servo that is shown has no verdict.
+void SweepResults::showEnd()
+{
+    const record::SweepRun* run = m_test.run();
+    QStringList lines;
+    if (run != nullptr && !m_test.running()) {
+        if (run->end != record::SweepEnd::Finished)
+            lines.append(
+                in(report::endWords(run->end)) +
+                (run->endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run->endedBy) : QString()));
+        const record::NoVerdict reason = servo() != nullptr
+                                             ? record::sweepVerdict(*run, *servo()).reason
+                                             : record::NoVerdict::None;
+        if (reason != record::NoVerdict::None && reason != record::NoVerdict::Ended)
+            lines.append(in(report::noVerdictWords(reason)));
+    }
+    if (run != nullptr && !run->gaps.empty())
+        lines.append(tr("Silences of the line that were waited out: %1.").arg(run->gaps.size()));
+    m_end->setText(lines.join(QLatin1Char(' ')));
+    m_end->setVisible(!lines.isEmpty());
 }
 
 void SweepResults::showEvent(QShowEvent* event)

@@ -36,6 +36,8 @@ public:
     void setComparison(const QString& text);
     std::size_t shownServo() const { return m_servo; }
     QString words() const; ///< the verdict in a line, as it is shown
+    /// The figures of this servo of the test.
+    void showServo(int index);
 
 Q_SIGNALS:
     void earlierWished();
@@ -52,7 +54,8 @@ private:
     void connectTest();
     void begin();
     void end();
-    void showServo(int index);
+    void nameServos();
+    void showEnd();
     void showCurves();
     void takeLegs();
     void showFigures();

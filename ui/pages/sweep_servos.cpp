@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/sweep_servos.h"
 
+#include "report/sweep_words.h"
+#include "ui/models/sweep_cells.h"
+#include "ui/widgets/tone_delegate.h"
+
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -11,13 +15,21 @@
 
 namespace ui {
 namespace {
-enum Column { Servo, Start, End, ColumnCount };
+enum Column { Servo, Start, End, Verdicts, ColumnCount };
 constexpr int rowsSeen = 4;
 constexpr int rowPadding = 8;
 
 QString limitsChoice(const QString& model)
 {
     return QStringLiteral("sweep/limits/") + model;
+}
+
+/// Short enough for a narrow column.
+QString shortGrade(record::Grade grade)
+{
+    return grade == record::Grade::Warn
+               ? report::gradeSign(grade) + QLatin1Char(' ') + SweepServos::tr("Warning")
+               : gradeText(grade);
 }
 
 bool testable(const session::ServoEntry* entry)
@@ -45,6 +57,8 @@ SweepServos::SweepServos(session::Desk& desk, Selection& selection, session::Set
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setTabKeyNavigation(false);
+    m_table->setItemDelegateForColumn(Verdicts, new ToneDelegate(m_table));
+    m_table->setColumnHidden(Verdicts, true);
     m_limits->setObjectName(QStringLiteral("sweepLimits"));
     m_limitsName->setObjectName(QStringLiteral("sweepLimitsName"));
     m_limitsName->setForegroundRole(QPalette::PlaceholderText);
@@ -69,6 +83,10 @@ SweepServos::SweepServos(session::Desk& desk, Selection& selection, session::Set
     connect(&selection, &Selection::chosenChanged, this, &SweepServos::followSelection);
     connect(m_table, &QTableWidget::itemChanged, this, &SweepServos::edited);
     connect(m_table, &QTableWidget::currentCellChanged, this, &SweepServos::showLimits);
+    connect(m_table, &QTableWidget::cellClicked, this, [this](int row) {
+        if (const auto ref = refAt(row))
+            Q_EMIT clicked(ref);
+    });
     connect(m_limits, &QPushButton::clicked, this, [this] {
         if (const auto ref = refAt(std::max(0, m_table->currentRow())))
             Q_EMIT limitsWished(ref);
@@ -102,6 +120,7 @@ void SweepServos::rebuild()
         ++row;
     }
     m_filling = false;
+    showVerdicts();
     const auto gone = [this](const auto& one) { return m_desk.servo(one) == nullptr; };
     const std::size_t before = m_ticked.size();
     std::erase_if(m_ticked, gone);
@@ -129,12 +148,52 @@ void SweepServos::fillRow(int row, const session::ServoEntry& entry)
     m_table->setItem(row, Servo, servo);
     m_table->setItem(row, Start, from);
     m_table->setItem(row, End, to);
+    auto* verdict = new QTableWidgetItem;
+    verdict->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    m_table->setItem(row, Verdicts, verdict);
+}
+
+void SweepServos::setVerdicts(const std::map<session::ServoRef, Verdict>& verdicts)
+{
+    m_verdicts = verdicts;
+    showVerdicts();
+}
+
+void SweepServos::showVerdicts()
+{
+    m_filling = true;
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        QTableWidgetItem* item = m_table->item(row, Verdicts);
+        const auto found = m_verdicts.find(refAt(row));
+        if (item == nullptr)
+            continue;
+        const bool known = found != m_verdicts.end();
+        item->setText(known ? shortGrade(found->second.grade) : QString());
+        item->setToolTip(known ? found->second.words : QString());
+        item->setData(toneRole, known ? QVariant(int(gradeTone(found->second.grade))) : QVariant());
+    }
+    m_filling = false;
+    m_table->setColumnHidden(Verdicts, m_verdicts.empty());
+    const bool narrow = !m_verdicts.empty();
+    for (const int column : {Servo, Verdicts})
+        m_table->horizontalHeader()->setSectionResizeMode(
+            column, narrow ? QHeaderView::ResizeToContents : QHeaderView::Stretch);
+}
+
+void SweepServos::markRow(session::ServoRef ref)
+{
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        if (refAt(row) == ref && m_table->currentRow() != row)
+            m_table->setCurrentCell(row, Servo);
+    }
 }
 
 void SweepServos::edited(QTableWidgetItem* item)
 {
     const session::ServoRef ref = refAt(item->row());
     if (m_filling || ref == 0)
+        return;
+    if (item->column() == Verdicts)
         return;
     if (item->column() == Servo) {
         if (item->checkState() == Qt::Checked)
@@ -227,7 +286,8 @@ void SweepServos::retranslate()
 {
     m_title->setText(tr("Servos"));
     m_table->setAccessibleName(tr("Servos to be tested"));
-    m_table->setHorizontalHeaderLabels({tr("Servo"), tr("own start"), tr("own end")});
+    m_table->setHorizontalHeaderLabels(
+        {tr("Servo"), tr("own start"), tr("own end"), tr("Verdict")});
     m_table->setToolTip(
         tr("Tick who takes part; start and end of their own, where they need them"));
     m_limits->setText(tr("Limits…"));

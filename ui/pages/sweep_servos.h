@@ -5,6 +5,7 @@
 #pragma once
 
 #include "record/sweep_limits.h"
+#include "record/sweep_run.h"
 #include "record/sweep_spec.h"
 #include "session/desk.h"
 #include "session/settings.h"
@@ -36,7 +37,17 @@ public:
     record::SweepLimits limits(session::ServoRef ref) const;
     void setLimits(const QString& model, const QString& series, const record::SweepLimits& limits);
 
+    /// What the latest test found of each; empty: nothing yet, and no column for it.
+    struct Verdict {
+        record::Grade grade = record::Grade::NotMeasured;
+        QString words{}; ///< said by the tool tip
+        bool operator==(const Verdict&) const = default;
+    };
+    void setVerdicts(const std::map<session::ServoRef, Verdict>& verdicts);
+    void markRow(session::ServoRef ref);
+
 Q_SIGNALS:
+    void clicked(session::ServoRef ref);
     void changed();
     void limitsWished(session::ServoRef ref); ///< to be looked at and edited
 
@@ -49,6 +60,7 @@ private:
     void edited(QTableWidgetItem* item);
     void followSelection();
     void showLimits();
+    void showVerdicts();
     void retranslate();
     session::ServoRef refAt(int row) const;
     const std::optional<record::SweepLimits>& ownLimits(const QString& model) const;
@@ -63,6 +75,7 @@ private:
     QTimer m_rebuild; ///< several changes of the list are one
     std::set<session::ServoRef> m_ticked;
     std::map<session::ServoRef, record::SweepRange> m_ranges;
+    std::map<session::ServoRef, Verdict> m_verdicts;
     mutable std::map<QString, std::optional<record::SweepLimits>> m_modelLimits; ///< as read
     bool m_filling = false;
 };

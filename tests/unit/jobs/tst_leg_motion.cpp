@@ -322,7 +322,7 @@ void TestLegMotion::sine()
 {
     const auto goal = [](double t) { return 500 - 500 * std::cos(std::numbers::pi * t); };
     LegMeter meter = ride::meter(told(3000), 0, 1000);
-    meter.follow([&](base::Duration since) { return goal(ride::seconds(since)); });
+    meter.follow([&](base::Duration since) { return goal(ride::seconds(since)); }, seconds(2));
     ride::read([&](double t) { return goal(t - 0.03); }, 1, {200, 0.4},
                [&](SweepSample sample) {
                    sample.moving = true;
@@ -332,6 +332,7 @@ void TestLegMotion::sine()
     const SweepLeg leg = meter.finish(seconds(1), {});
     const double fastest = 500 * std::numbers::pi;
     VERIFY_NEAR(leg.followingError, 0.025 * fastest, 4); // 5 of the 30 ms may be the wire's
+    VERIFY_NEAR(leg.phaseLag, 0.025 / 2 * 360, 0.5);
     VERIFY_NEAR(leg.topSpeed, fastest, 0.02 * fastest);
     QVERIFY(!leg.missed && !leg.timeToTarget && !leg.settling && !leg.steadyError);
     QVERIFY(!leg.overshoot);

@@ -58,7 +58,7 @@ Grade grade(std::optional<double> value, const SweepLimit& by)
     one.value = value;
     SweepLimits limits;
     limits.lines = {by};
-    const auto lines = jobs::judge({one}, limits);
+    const auto lines = record::judge({one}, limits, record::SweepShape::Sweep);
     return lines.size() == 1 && (lines[0].value == value || std::isnan(value.value_or(0)))
                ? lines[0].grade
                : Grade::NotMeasured;
@@ -302,7 +302,8 @@ void TestSweepMeter::limitsGrade()
 
     SweepLimits limits;
     limits.lines = {limit("no_such", {}, 1)};
-    QCOMPARE(jobs::judge({}, limits).front().grade, Grade::NotMeasured);
+    QCOMPARE(record::judge({}, limits, record::SweepShape::Sweep).front().grade,
+             Grade::NotMeasured);
 }
 
 void TestSweepMeter::theWorstLineSays()
@@ -311,7 +312,7 @@ void TestSweepMeter::theWorstLineSays()
         std::vector<record::VerdictLine> lines;
         for (const Grade one : grades)
             lines.push_back({{}, {}, one});
-        return jobs::worst(lines);
+        return record::worst(lines);
     };
     QCOMPARE(of({}), Grade::NotMeasured);
     QCOMPARE(of({Grade::NotMeasured}), Grade::NotMeasured);

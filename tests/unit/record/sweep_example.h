@@ -4,6 +4,7 @@
 #pragma once
 
 #include "record/sweep_fields.h"
+#include "record/sweep_verdict.h"
 
 namespace sweep_example {
 using namespace std::chrono_literals;
@@ -61,12 +62,21 @@ inline record::SweepLeg missedLeg(int number)
     return leg;
 }
 
+/// How well goals are followed, which the first version did not measure.
+inline bool isLaterMetric(const QString& key)
+{
+    return key == QLatin1StringView("following_error_relative") ||
+           key == QLatin1StringView("phase_lag") || key == QLatin1StringView("readings_per_period");
+}
+
 /// Every metric; those without a mean are counts.
-inline std::vector<record::SweepMetric> metrics(bool measured)
+inline std::vector<record::SweepMetric> metrics(bool measured, bool later = true)
 {
     std::vector<record::SweepMetric> metrics;
     double value = 1.0625;
     for (const record::SweepMetricKind& kind : record::sweepMetricKinds()) {
+        if (!later && isLaterMetric(kind.key))
+            continue;
         record::SweepMetric metric{kind.key, kind.unit};
         if (measured) {
             metric.value = value;
@@ -144,7 +154,8 @@ inline record::SweepSpec spec()
     return spec;
 }
 
-/// Servo 5 measured everything and is warned about, servo 6 failed. `legs`: of servo 5.
+/// Servo 5 measured everything and is warned about, servo 6 failed and ended the run, so that
+/// servo 5 has no verdict. `legs`: of servo 5.
 inline record::SweepRun run(int legs = 6)
 {
     record::SweepServo good = servo(5, "STS3215");
@@ -153,7 +164,7 @@ inline record::SweepRun run(int legs = 6)
     good.metrics = metrics(true);
     good.lines = {{good.limits.lines[0], 2.25, record::Grade::Pass},
                   {good.limits.lines[1], 9.75, record::Grade::Warn}};
-    good.verdict = record::Grade::Warn;
+    good.verdict = record::Grade::NotMeasured; // the other one ended the run
     record::SweepServo bad = servo(6, "SCS15");
     bad.legs = {missedLeg(1), missedLeg(2)};
     bad.metrics = metrics(false);
@@ -178,6 +189,28 @@ inline record::SweepRun run(int legs = 6)
     run.gaps = {{12s, 2500ms}, {77s, 1s}};
     run.sampleRate = 398.75;
     run.servos = {good, bad};
+    return run;
+}
+
+/// The same, run to its end.
+inline record::SweepRun finishedRun(int legs = 6)
+{
+    record::SweepRun run = sweep_example::run(legs);
+    run.end = record::SweepEnd::Finished;
+    run.endedBy = -1;
+    record::giveVerdicts(run);
+    return run;
+}
+
+/// run() as the first version kept it.
+inline record::SweepRun formerRun()
+{
+    record::SweepRun run = sweep_example::run();
+    run.servos[0].metrics = metrics(true, false);
+    run.servos[1].metrics = metrics(false, false);
+    for (record::SweepServo& servo : run.servos)
+        std::erase_if(servo.limits.lines,
+                      [](const record::SweepLimit& line) { return isLaterMetric(line.metric); });
     return run;
 }
 } // namespace sweep_example

@@ -28,7 +28,7 @@ QString text(const char* latin)
 /// `daysLater`: than the example.
 SweepRun runOf(const char* model, int id, int daysLater = 0)
 {
-    SweepRun run = sweep_example::run();
+    SweepRun run = sweep_example::finishedRun();
     run.spec.note.clear();
     run.servos.resize(1);
     run.servos[0].parameters.servo.model = text(model);
@@ -130,7 +130,7 @@ void TestHistory::whatWasPutInComesBack()
                                   text("STS3215"),
                                   text("sts-sms"),
                                   text("3.10"),
-                                  Grade::Warn,
+                                  Grade::NotMeasured,
                                   sweep_example::hostileLabel,
                                   false};
     QVERIFY(head.servos[0] == first);

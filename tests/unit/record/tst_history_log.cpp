@@ -631,7 +631,7 @@ void TestHistoryLog::theFirstSchemaIsBroughtUpToDate()
     QCOMPARE(runs.size(), std::size_t(2));
     QCOMPARE(runs[1].note, sweep_example::hostileNote);
     QCOMPARE(runs[1].servos[0].label, sweep_example::hostileLabel);
-    QVERIFY(history->sweep(runs[1].number).value() == sweep_example::run());
+    QVERIFY(history->sweep(runs[1].number).value() == sweep_example::formerRun());
     QVERIFY(history->reference(runs[0].servos[0].model).value());
     const auto changes = record::HistoryChanges(history->file());
     QCOMPARE(changes.after(0).value().size(), std::size_t(2));

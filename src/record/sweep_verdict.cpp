@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/sweep_verdict.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace record {
+namespace {
+constexpr std::size_t legsOfCycle = 2; ///< of a sine and of random targets
+const QLatin1StringView relativeError("following_error_relative");
+const QLatin1StringView phaseLag("phase_lag");
+const QLatin1StringView readingsPerPeriod("readings_per_period");
+const QLatin1StringView missedTargets("missed_targets");
+const QLatin1StringView communicationErrors("communication_errors");
+
+/// Not within the limit; also where one of both is no number.
+bool breaks(double value, const std::optional<double>& limit, bool atLeast)
+{
+    return limit && !(atLeast ? value >= *limit : value <= *limit);
+}
+
+Grade gradeOf(std::optional<double> value, const SweepLimit& limit)
+{
+    if (!value)
+        return Grade::NotMeasured;
+    if (std::isnan(*value) || breaks(*value, limit.fail, limit.atLeast))
+        return Grade::Fail;
+    return breaks(*value, limit.warn, limit.atLeast) ? Grade::Warn : Grade::Pass;
+}
+
+bool applies(const QString& metric, SweepShape shape)
+{
+    if (metric == phaseLag || metric == readingsPerPeriod)
+        return shape == SweepShape::Sine;
+    if (metric == relativeError)
+        return shape == SweepShape::Sine || shape == SweepShape::Random;
+    return true;
+}
+
+const SweepMetric* metricOf(const SweepServo& servo, QLatin1StringView key)
+{
+    const auto found = std::find_if(servo.metrics.begin(), servo.metrics.end(),
+                                    [&](const SweepMetric& one) { return one.key == key; });
+    return found != servo.metrics.end() ? &*found : nullptr;
+}
+
+/// The lines about a figure say something, and all of them do.
+NoVerdict lacks(const SweepServo& servo, QLatin1StringView key)
+{
+    bool any = false;
+    for (const VerdictLine& line : servo.lines) {
+        if (line.limit.metric != key)
+            continue;
+        any = true;
+        if (line.grade == Grade::NotMeasured)
+            return NoVerdict::NotMeasured;
+    }
+    return any ? NoVerdict::None : NoVerdict::NoLimit;
+}
+
+NoVerdict lackOfSine(const SweepRun& run, const SweepServo& servo)
+{
+    if (servo.legs.size() < legsOfCycle)
+        return NoVerdict::TooShort;
+    if (sineTooFast(run.spec, servo.axis))
+        return NoVerdict::TooFast;
+    const SweepMetric* readings = metricOf(servo, readingsPerPeriod);
+    if (readings == nullptr || !readings->mean || *readings->mean < minReadingsPerPeriod)
+        return NoVerdict::TooFewReadings;
+    for (const QLatin1StringView key : {relativeError, phaseLag}) {
+        if (const NoVerdict lack = lacks(servo, key); lack != NoVerdict::None)
+            return lack;
+        // What half of the run was not seen in is not known of the run.
+        const SweepMetric* metric = metricOf(servo, key);
+        if (metric == nullptr || metric->count * 2 < servo.legs.size())
+            return NoVerdict::NotMeasured;
+    }
+    return NoVerdict::None;
+}
+
+/// How far a servo is behind is known where its speed is; that it comes to its targets, always.
+NoVerdict lackOfRandom(const SweepServo& servo)
+{
+    if (servo.legs.size() < legsOfCycle)
+        return NoVerdict::TooShort;
+    const NoVerdict reached = lacks(servo, missedTargets);
+    return lacks(servo, relativeError) == NoVerdict::None ? NoVerdict::None : reached;
+}
+
+NoVerdict lackOf(const SweepRun& run, const SweepServo& servo)
+{
+    if (run.end != SweepEnd::Finished)
+        return NoVerdict::Ended;
+    NoVerdict lack = NoVerdict::None;
+    if (run.spec.shape == SweepShape::Sine)
+        lack = lackOfSine(run, servo);
+    else if (run.spec.shape == SweepShape::Random)
+        lack = lackOfRandom(servo);
+    if (lack == NoVerdict::None && worst(servo.lines) == Grade::NotMeasured)
+        return NoVerdict::NotMeasured;
+    return lack;
+}
+} // namespace
+
+QString noVerdictName(NoVerdict reason)
+{
+    constexpr std::array names{"",         "ended",    "too-short",   "too-few-readings",
+                               "too-fast", "no-limit", "not-measured"};
+    static_assert(names.size() == std::size_t(NoVerdict::NotMeasured) + 1);
+    return QString::fromLatin1(names[std::size_t(reason)]);
+}
+
+bool blamesServo(SweepEnd end)
+{
+    return end == SweepEnd::Alarm || end == SweepEnd::Stall || end == SweepEnd::Failure;
+}
+
+bool canBeReference(SweepEnd end)
+{
+    return end == SweepEnd::Finished;
+}
+
+Grade gradeAfter(SweepEnd end, Grade grade, bool toBlame)
+{
+    if (end == SweepEnd::Finished || grade == Grade::Fail)
+        return grade;
+    return toBlame && blamesServo(end) ? Grade::Fail : Grade::NotMeasured;
+}
+
+SweepVerdict sweepVerdict(const SweepRun& run, const SweepServo& servo)
+{
+    const bool early = run.end != SweepEnd::Finished;
+    const bool failed =
+        std::any_of(servo.lines.begin(), servo.lines.end(), [early](const VerdictLine& line) {
+            return line.grade == Grade::Fail &&
+                   !(early && line.limit.metric == communicationErrors);
+        });
+    const bool toBlame = run.endedBy == servo.parameters.servo.id && blamesServo(run.end);
+    if (failed || toBlame)
+        return {Grade::Fail};
+    const NoVerdict lack = lackOf(run, servo);
+    if (lack != NoVerdict::None)
+        return {Grade::NotMeasured, lack};
+    return {worst(servo.lines)};
+}
+
+void giveVerdicts(SweepRun& run)
+{
+    for (SweepServo& servo : run.servos)
+        servo.verdict = sweepVerdict(run, servo).grade;
+}
+
+std::vector<VerdictLine> judge(const std::vector<SweepMetric>& metrics, const SweepLimits& limits,
+                               SweepShape shape)
+{
+    std::vector<VerdictLine> lines;
+    for (const SweepLimit& limit : limits.lines) {
+        if (!applies(limit.metric, shape))
+            continue;
+        const auto found =
+            std::find_if(metrics.begin(), metrics.end(),
+                         [&](const SweepMetric& metric) { return metric.key == limit.metric; });
+        const auto value = found != metrics.end() ? found->value : std::nullopt;
+        lines.push_back({limit, value, gradeOf(value, limit)});
+    }
+    return lines;
+}
+
+Grade worst(const std::vector<VerdictLine>& lines)
+{
+    Grade grade = Grade::NotMeasured;
+    for (const Grade one : {Grade::Pass, Grade::Warn, Grade::Fail}) {
+        const bool any = std::any_of(lines.begin(), lines.end(),
+                                     [&](const VerdictLine& line) { return line.grade == one; });
+        grade = any ? one : grade;
+    }
+    return grade;
+}
+
+std::optional<double> followingScale(SweepShape shape, const SweepAxis& axis)
+{
+    const double range = std::abs(axis.to - axis.from);
+    if (!(range > 0))
+        return std::nullopt;
+    if (shape == SweepShape::Sine)
+        return range / 2;
+    return shape == SweepShape::Random ? std::optional(range) : std::nullopt;
+}
+
+bool sineTooFast(const SweepSpec& spec, const SweepAxis& axis)
+{
+    if (spec.shape != SweepShape::Sine || !axis.speed || spec.period <= base::Duration::zero())
+        return false;
+    const double seconds = std::chrono::duration<double>(spec.period).count();
+    return std::numbers::pi * std::abs(axis.to - axis.from) / seconds > *axis.speed;
+}
+} // namespace record

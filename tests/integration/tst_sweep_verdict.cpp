@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Verdicts of sweep tests that were broken off, that follow a sine, or that are too short, on
+// simulated servos and on one that knows only bytes: it obeys a scripted position, whatever goals
+// it is sent.
+#include "jobs/sweep.h"
+#include "jobs/sweep_proposal.h"
+#include "record/sweep_json.h"
+#include "record/sweep_verdict.h"
+#include "support/sim_bench.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+
+using base::Duration;
+using record::Grade;
+using record::NoVerdict;
+using record::SweepEnd;
+using record::SweepShape;
+using support::SimBench;
+using namespace std::chrono_literals;
+
+namespace {
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+/// A servo of bytes: a memory, a wire with some time to the answer, and a position of the script's.
+class ScriptedServo final : public transport::Link {
+public:
+    using Script = std::function<double(Duration now, double goal)>;
+
+    /// `like`: whose table it has.
+    ScriptedServo(base::ManualClock& clock, SimBench& like, Script script, Duration latency)
+        : m_clock(clock)
+        , m_script(std::move(script))
+        , m_latency(latency)
+    {
+        const device::Servo servo = like.servo(1);
+        for (const catalog::Register& reg : servo.profile->registers) {
+            const std::int64_t raw = like.raw(1, reg.key);
+            for (int i = 0; i < reg.size; ++i)
+                m_memory[std::size_t(reg.offset + i)] = std::uint8_t(raw >> (8 * i));
+        }
+        put(42, 1000);
+        m_memory[66] = 1; // it moves
+    }
+
+    base::Result<void> write(base::ByteView bytes) override
+    {
+        m_request.insert(m_request.end(), bytes.begin(), bytes.end());
+        while (m_request.size() >= 6 && m_request.size() >= m_request[3] + 4U) {
+            answer({m_request.begin(), m_request.begin() + m_request[3] + 4});
+            m_request.erase(m_request.begin(), m_request.begin() + m_request[3] + 4);
+        }
+        return {};
+    }
+    base::Result<std::size_t> read(base::Bytes& buffer) override
+    {
+        if (m_clock.now() < m_readyAt)
+            return std::size_t(0);
+        const std::size_t count = m_reply.size();
+        buffer.insert(buffer.end(), m_reply.begin(), m_reply.end());
+        m_reply.clear();
+        return count;
+    }
+    base::Result<bool> waitReadable(Duration span) override
+    {
+        const bool comes = !m_reply.empty() && m_readyAt - m_clock.now() <= span;
+        m_clock.advance(comes ? std::max(m_readyAt - m_clock.now(), Duration(1)) : span);
+        return comes;
+    }
+    base::Result<void> setBaud(int baud) override
+    {
+        m_baud = baud;
+        return {};
+    }
+    int baud() const override { return m_baud; }
+    QString name() const override { return text("sim:scripted"); }
+
+private:
+    void put(int address, int value)
+    {
+        m_memory[std::size_t(address)] = std::uint8_t(value);
+        m_memory[std::size_t(address) + 1] = std::uint8_t(value >> 8);
+    }
+
+    void answer(const base::Bytes& frame)
+    {
+        if (frame[2] != m_memory[5])
+            return; // not this one's, or everybody's
+        base::Bytes data;
+        const int address = frame.size() > 6 ? frame[5] : 0;
+        if (frame[4] == support::Read) {
+            const double goal = m_memory[42] + 256 * m_memory[43];
+            put(56, int(std::lround(m_script(m_clock.now(), goal))));
+            data.assign(m_memory.begin() + address, m_memory.begin() + address + frame[6]);
+        } else if (frame[4] == support::Write) {
+            std::copy(frame.begin() + 6, frame.end() - 1, m_memory.begin() + address);
+        }
+        base::Bytes reply{0xFF, 0xFF, frame[2], std::uint8_t(data.size() + 2), 0};
+        reply.insert(reply.end(), data.begin(), data.end());
+        int sum = 0;
+        for (std::size_t i = 2; i < reply.size(); ++i)
+            sum += reply[i];
+        reply.push_back(std::uint8_t(~sum));
+        m_reply.insert(m_reply.end(), reply.begin(), reply.end());
+        m_readyAt = m_clock.now() + m_latency;
+    }
+
+    base::ManualClock& m_clock;
+    Script m_script;
+    Duration m_latency; ///< until an answer is there
+    std::array<std::uint8_t, 512> m_memory{};
+    base::Bytes m_request;
+    base::Bytes m_reply;
+    Duration m_readyAt{};
+    int m_baud = 1'000'000;
+};
+
+record::SweepSpec sine(Duration period)
+{
+    record::SweepSpec spec;
+    spec.shape = SweepShape::Sine;
+    spec.range = {text("1000"), text("3000")};
+    spec.period = period;
+    spec.cycles = 2;
+    spec.speed = text("3000");
+    spec.acceleration = text("200");
+    spec.stopOnStall = false; // what is asked is the figures' verdict
+    return spec;
+}
+
+record::SweepSpec thereAndBack()
+{
+    record::SweepSpec spec;
+    spec.range = {text("1000"), text("2000")};
+    spec.pause = 1500ms;
+    spec.cycles = 3;
+    spec.speed = text("2000");
+    spec.acceleration = text("50");
+    return spec;
+}
+
+base::Result<record::SweepRun> run(const device::Context& context,
+                                   std::vector<device::Servo>& servos,
+                                   const record::SweepSpec& spec,
+                                   const jobs::SweepWatch& watch = {})
+{
+    jobs::SweepOrder order;
+    order.spec = spec;
+    for (const device::Servo& servo : servos)
+        order.limits.push_back(
+            record::builtInSweepLimits(servo.profile->modelName, servo.profile->series));
+    return jobs::sweep(context, servos, order, watch);
+}
+
+std::optional<double> metric(const record::SweepServo& servo, const char* key)
+{
+    for (const record::SweepMetric& one : servo.metrics) {
+        if (one.key == text(key))
+            return one.value;
+    }
+    return std::nullopt;
+}
+
+NoVerdict reason(const record::SweepRun& run, std::size_t servo = 0)
+{
+    return record::sweepVerdict(run, run.servos.at(servo)).reason;
+}
+} // namespace
+
+class TestSweepVerdict : public QObject {
+    Q_OBJECT
+
+private:
+    base::Result<record::SweepRun> scripted(const record::SweepSpec& spec,
+                                            const ScriptedServo::Script& script,
+                                            Duration latency = 200us);
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void aStopAfterAGoodLegIsNoVerdict();
+    void onlyTheServoWithTheAlarmFails();
+    void aSlowSinePasses_data();
+    void aSlowSinePasses();
+    void whoDoesNotFollowTheSineFails_data();
+    void whoDoesNotFollowTheSineFails();
+    void whoFollowsByTheBytePasses();
+    void aSineFasterThanItTurnsNeverPasses();
+    void tooFewReadingsAreNoVerdict();
+    void halfAPeriodIsNoVerdict();
+    void limitsWithoutALineForSinesAreNoVerdict();
+    void randomTargetsAreJudged();
+    void aSingleRandomTargetIsNoVerdict();
+};
+
+base::Result<record::SweepRun> TestSweepVerdict::scripted(const record::SweepSpec& spec,
+                                                          const ScriptedServo::Script& script,
+                                                          Duration latency)
+{
+    SimBench like(text("sts3215@1"));
+    base::ManualClock clock;
+    bus::BusCore bus(std::make_unique<ScriptedServo>(clock, like, script, latency),
+                     protocol::feetechCodec(), clock, bus::CoreOptions{});
+    support::MemoryJournal journal;
+    base::Stop stop;
+    device::Notices notices;
+    const device::Context context{bus, support::builtInCatalog(), journal, stop, notices};
+    auto servo = device::identify(context, 1, base::Protocol::Feetech);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    std::vector<device::Servo> servos{std::move(*servo)};
+    return run(context, servos, spec);
+}
+
+void TestSweepVerdict::aStopAfterAGoodLegIsNoVerdict()
+{
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    jobs::SweepWatch watch;
+    watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
+        if (leg.number == 2)
+            bench.stop().request();
+    };
+    const auto done = run(bench.context(), servos, thereAndBack(), watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Stopped);
+    for (const record::SweepServo& servo : done->servos) {
+        QVERIFY(servo.legs.size() >= 2);
+        QVERIFY(!servo.legs[0].missed && servo.legs[0].steadyError);
+        QCOMPARE(record::worst(servo.lines), Grade::Pass); // as far as it went
+        QCOMPARE(servo.verdict, Grade::NotMeasured);
+    }
+    QCOMPARE(reason(*done), NoVerdict::Ended);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+    QVERIFY(!record::encodeSweepRun(*done).contains("\"verdict\": \"pass\""));
+}
+
+void TestSweepVerdict::onlyTheServoWithTheAlarmFails()
+{
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    jobs::SweepWatch watch;
+    watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
+        if (leg.number == 2)
+            bench.withWire([](sim::VirtualBus& wire) {
+                wire.servo(2)->load().stopHigh = 1500.0 / 4096 * 2 * M_PI;
+            });
+    };
+    const auto done = run(bench.context(), servos, thereAndBack(), watch);
+    QVERIFY(done);
+    QVERIFY(done->end == SweepEnd::Stall || done->end == SweepEnd::Alarm);
+    QCOMPARE(done->endedBy, 2);
+    QCOMPARE(done->servos[0].verdict, Grade::NotMeasured);
+    QCOMPARE(done->servos[1].verdict, Grade::Fail);
+    QCOMPARE(done->verdict(), Grade::Fail);
+}
+
+void TestSweepVerdict::aSlowSinePasses_data()
+{
+    QTest::addColumn<QString>("servos");
+    QTest::addColumn<QString>("from");
+    QTest::addColumn<QString>("to");
+    QTest::addColumn<QString>("speed");
+    QTest::newRow("STS") << text("sts3215@1") << text("1000") << text("3000") << text("3000");
+    QTest::newRow("HLS") << text("hls3606@1") << text("1000") << text("3000") << text("40");
+    QTest::newRow("SCS") << text("scs15@1:1000000") << text("300") << text("700") << text("1000");
+}
+
+void TestSweepVerdict::aSlowSinePasses()
+{
+    QFETCH(QString, servos);
+    QFETCH(QString, from);
+    QFETCH(QString, to);
+    QFETCH(QString, speed);
+    SimBench bench(servos);
+    std::vector<device::Servo> all{bench.servo(1)};
+    record::SweepSpec spec = sine(8s);
+    spec.range = {from, to};
+    spec.speed = speed;
+    spec.acceleration.clear();
+    const auto done = run(bench.context(), all, spec);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    const record::SweepServo& one = done->servos.front();
+    const QString figures = text("%1 %, %2 degrees, %3 readings")
+                                .arg(metric(one, "following_error_relative").value_or(-1))
+                                .arg(metric(one, "phase_lag").value_or(-1))
+                                .arg(metric(one, "readings_per_period").value_or(-1));
+    QVERIFY2(one.verdict == Grade::Pass, qPrintable(figures));
+    QVERIFY2(*metric(one, "phase_lag") > 0 && *metric(one, "phase_lag") < 15, qPrintable(figures));
+    QVERIFY2(*metric(one, "readings_per_period") > 100, qPrintable(figures));
+    QVERIFY(*metric(one, "following_error_relative") < 25);
+    const auto again = record::decodeSweepRun(record::encodeSweepRun(*done));
+    QVERIFY(again && again->verdict() == Grade::Pass);
+    QCOMPARE(again->servos.front().legs[1].phaseLag, one.legs[1].phaseLag);
+}
+
+void TestSweepVerdict::whoDoesNotFollowTheSineFails_data()
+{
+    QTest::addColumn<double>("share"); ///< of the amplitude that it goes
+    QTest::addColumn<int>("lateMs");
+    QTest::newRow("ignores its goals") << 0.0 << 0;
+    QTest::newRow("goes a third of the way") << 0.3 << 0;
+    QTest::newRow("goes the wrong way") << -1.0 << 0;
+    QTest::newRow("comes half a second late") << 1.0 << 500;
+}
+
+/// The wave begins with the first goal that is not the start.
+void TestSweepVerdict::whoDoesNotFollowTheSineFails()
+{
+    QFETCH(double, share);
+    QFETCH(int, lateMs);
+    std::map<Duration, double> goals;
+    const auto done = scripted(sine(4s), [&](Duration now, double goal) {
+        goals[now] = goal;
+        const auto then = goals.upper_bound(now - std::chrono::milliseconds(lateMs));
+        const double told = then == goals.begin() ? 1000 : std::prev(then)->second;
+        return 1000 + share * (told - 1000);
+    });
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Finished);
+    const record::SweepServo& servo = done->servos.front();
+    QCOMPARE(servo.legs.size(), std::size_t(4));
+    QCOMPARE(servo.verdict, Grade::Fail);
+    QCOMPARE(done->verdict(), Grade::Fail);
+    QVERIFY(*metric(servo, "following_error_relative") > 50);
+    if (lateMs > 0)
+        QVERIFY(std::abs(*metric(servo, "phase_lag") - 45) < 4); // half a second of four
+    if (share == 0)
+        QVERIFY(!metric(servo, "phase_lag")); // there is no phase of what stands
+}
+
+void TestSweepVerdict::whoFollowsByTheBytePasses()
+{
+    const auto done = scripted(sine(4s), [](Duration, double goal) { return goal; });
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    const record::SweepServo& servo = done->servos.front();
+    for (const record::VerdictLine& line : servo.lines)
+        QVERIFY2(line.grade != Grade::Warn, qPrintable(line.limit.metric));
+    QCOMPARE(servo.verdict, Grade::Pass);
+    QVERIFY(*metric(servo, "following_error_relative") < 5);
+    QVERIFY(std::abs(*metric(servo, "phase_lag")) < 2);
+}
+
+void TestSweepVerdict::aSineFasterThanItTurnsNeverPasses()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = sine(4s); // π · 2000 / 4 steps/s
+    spec.speed = text("500");
+    const auto look = jobs::lookAtSweep(bench.context(), servos[0], spec, {});
+    QVERIFY(look && look->tooShort);
+    const auto done = run(bench.context(), servos, spec);
+    QVERIFY(done);
+    QVERIFY(done->verdict() != Grade::Pass && done->verdict() != Grade::Warn);
+    // Nor does one that is quicker than it was told to be.
+    const auto quick = scripted(spec, [](Duration, double goal) { return goal; });
+    QVERIFY(quick);
+    QCOMPARE(quick->servos.front().verdict, Grade::NotMeasured);
+    QCOMPARE(reason(*quick), NoVerdict::TooFast);
+}
+
+void TestSweepVerdict::tooFewReadingsAreNoVerdict()
+{
+    record::SweepSpec spec = sine(500ms);
+    spec.range.to = text("1100");
+    spec.cycles = 6;
+    const auto follow = [](Duration, double goal) { return goal; };
+    const auto done = scripted(spec, follow, 35ms); // an adapter that takes its time
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+    QCOMPARE(reason(*done), NoVerdict::TooFewReadings);
+    QVERIFY(!metric(done->servos.front(), "phase_lag"));
+    const auto enough = scripted(spec, follow);
+    QVERIFY(enough);
+    QCOMPARE(enough->verdict(), Grade::Pass);
+}
+
+void TestSweepVerdict::halfAPeriodIsNoVerdict()
+{
+    record::SweepSpec spec = sine(4s);
+    spec.cycles = 0;
+    spec.length = 1s;
+    const auto done = scripted(spec, [](Duration, double goal) { return goal; });
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QCOMPARE(done->servos.front().legs.size(), std::size_t(1));
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+    QCOMPARE(reason(*done), NoVerdict::TooShort);
+}
+
+/// A file of one's own from before there were such limits.
+void TestSweepVerdict::limitsWithoutALineForSinesAreNoVerdict()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    jobs::SweepOrder order;
+    order.spec = sine(8s);
+    record::SweepLimits limits;
+    limits.name = text("own");
+    limits.lines = {{text("alarms"), QString(), {}, 0.0}, {text("overshoot"), text("%"), 3, 5}};
+    order.limits = {limits};
+    const auto done = jobs::sweep(bench.context(), servos, order, {});
+    QVERIFY(done);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+    QCOMPARE(reason(*done), NoVerdict::NoLimit);
+}
+
+void TestSweepVerdict::randomTargetsAreJudged()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = thereAndBack();
+    spec.shape = SweepShape::Random;
+    spec.pace = record::SweepPace::Dwell;
+    spec.pause = 400ms;
+    const auto done = run(bench.context(), servos, spec);
+    QVERIFY(done);
+    const record::SweepServo& one = done->servos.front();
+    QVERIFY2(one.verdict == Grade::Pass,
+             qPrintable(QString::number(metric(one, "following_error_relative").value_or(-1))));
+    QVERIFY(metric(one, "following_error_relative"));
+    QVERIFY(std::none_of(one.lines.begin(), one.lines.end(), [](const record::VerdictLine& line) {
+        return line.limit.metric == text("phase_lag");
+    }));
+    spec.pace = record::SweepPace::Delay;
+    const auto ignored = scripted(spec, [](Duration, double) { return 1000.0; });
+    QVERIFY(ignored);
+    QVERIFY(ignored->verdict() == Grade::Fail);
+}
+
+void TestSweepVerdict::aSingleRandomTargetIsNoVerdict()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = thereAndBack();
+    spec.shape = SweepShape::Random;
+    spec.cycles = 0;
+    spec.length = 1s;
+    const auto done = run(bench.context(), servos, spec);
+    QVERIFY(done);
+    QCOMPARE(done->servos.front().legs.size(), std::size_t(1));
+    QCOMPARE(reason(*done), NoVerdict::TooShort);
+}
+
+QTEST_GUILESS_MAIN(TestSweepVerdict)
+#include "tst_sweep_verdict.moc"
