@@ -10705,6 +10705,14 @@ Asked more than once: %9</source>
         <source>Verdict</source>
         <translation>结论</translation>
     </message>
+    <message>
+        <source>Start</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>结束</translation>
+    </message>
 </context>
 <context>
     <name>ui::SweepVerdictModel</name>

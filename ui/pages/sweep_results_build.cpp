@@ -55,6 +55,7 @@ void SweepResults::build()
     m_title = new QLabel(this);
     m_servos = new QComboBox(this);
     m_servos->setObjectName(QStringLiteral("sweepShownServo"));
+    m_servos->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_servos->hide();
     m_verdict = new Pill(this);
     m_verdict->setObjectName(QStringLiteral("sweepVerdict"));

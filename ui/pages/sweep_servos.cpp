@@ -175,6 +175,8 @@ void SweepServos::showVerdicts()
     m_filling = false;
     m_table->setColumnHidden(Verdicts, m_verdicts.empty());
     const bool narrow = !m_verdicts.empty();
+    m_table->horizontalHeaderItem(Start)->setText(narrow ? tr("Start") : tr("own start"));
+    m_table->horizontalHeaderItem(End)->setText(narrow ? tr("End") : tr("own end"));
     for (const int column : {Servo, Verdicts})
         m_table->horizontalHeader()->setSectionResizeMode(
             column, narrow ? QHeaderView::ResizeToContents : QHeaderView::Stretch);
