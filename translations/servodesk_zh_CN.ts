@@ -1372,6 +1372,10 @@
         <source>Last seen: %1</source>
         <translation>最近应答：%1</translation>
     </message>
+    <message>
+        <source>Family unclear: read only</source>
+        <translation>系列不明：只读</translation>
+    </message>
 </context>
 <context>
     <name>ServoTasks</name>
@@ -4100,6 +4104,14 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>%1 &quot;%2&quot;: give 0 or more, raw or with its unit; the direction follows from the goals</source>
         <translation>%1 “%2”：请给出 0 或更大的值，可为原始值或带单位；方向由目标决定</translation>
     </message>
+    <message>
+        <source>family unclear: read only</source>
+        <translation>系列不明：只读</translation>
+    </message>
+    <message>
+        <source>On the command line the option %1 is your consent.</source>
+        <translation>在命令行中，用选项 %1 表示同意。</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -6072,6 +6084,66 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Give a step of 1 or more, and swap start and end for the other direction.</source>
         <translation>请给出 1 或更大的步长；若要反方向，请对调起始和结束。</translation>
+    </message>
+    <message>
+        <source>its family is unclear</source>
+        <translation>系列不明</translation>
+    </message>
+    <message>
+        <source>Connect this servo alone and read it again. If the values stay the same, check the label on the servo, then add a model file that lists this model number with its real family.</source>
+        <translation>请单独连接该舵机并重新读取。若数值不变，请核对舵机标签，再添加型号文件，写明该型号的实际系列。</translation>
+    </message>
+    <message>
+        <source>two servos answer under this ID</source>
+        <translation>有两个舵机用该 ID 应答</translation>
+    </message>
+    <message>
+        <source>Connect one servo at a time and change its ID. If only this servo is connected, check leads and ground, then try again: every attempt looks afresh. An emergency stop still reaches both.</source>
+        <translation>请逐个连接舵机并修改 ID。如果只接了这一个舵机，请检查连线和地线后重试：每次都会重新检查。急停对两个舵机仍然有效。</translation>
+    </message>
+    <message>
+        <source>not in the model list</source>
+        <translation>不在型号表中</translation>
+    </message>
+    <message>
+        <source>%1, byte order flag %2</source>
+        <translation>%1，字节序标志 %2</translation>
+    </message>
+    <message>
+        <source>its family is unclear: firmware %1, byte order flag %2 and model number %3 contradict each other</source>
+        <translation>系列不明：固件 %1、字节序标志 %2 与型号 %3 互相矛盾</translation>
+    </message>
+    <message>
+        <source>its family is unclear: firmware %1, byte order flag %2 and model number %3 put the EPROM lock at address %4, but %5 stands there</source>
+        <translation>系列不明：按固件 %1、字节序标志 %2 和型号 %3，EPROM 锁应在地址 %4，但该处的值为 %5</translation>
+    </message>
+    <message>
+        <source>two servos answer under this ID: two replies came to one request</source>
+        <translation>有两个舵机用该 ID 应答：一次请求收到两个应答</translation>
+    </message>
+    <message>
+        <source>two servos answer under this ID: the same question gave replies that one servo cannot give</source>
+        <translation>有两个舵机用该 ID 应答：同一请求的应答不可能出自一个舵机</translation>
+    </message>
+    <message>
+        <source>two servos seem to answer under this ID: %1 of %2 replies were unreadable</source>
+        <translation>可能有两个舵机用该 ID 应答：%2 个应答中有 %1 个无法辨认</translation>
+    </message>
+    <message>
+        <source>Their replies collide and garble each other; a disturbed line can look the same. A write would change both, and only one of the old values would be recorded.</source>
+        <translation>两者的应答互相冲突；线路受干扰时也会如此。写入会同时改动两个舵机，而只记录其中一个的原值。</translation>
+    </message>
+    <message>
+        <source>Switch the servo off and on, and read it again. If the byte is still neither 0 nor 1, do not write to this servo: ask the vendor for its memory table.</source>
+        <translation>请给舵机断电再上电，然后重新读取。若该字节仍不是 0 或 1，请勿写入该舵机，并向厂商索取其内存表。</translation>
+    </message>
+    <message>
+        <source>A variant that the model list does not know, or a damaged identity. These facts choose the memory table; with the wrong table a write changes another register, so nothing is written.</source>
+        <translation>型号表中没有的变型，或身份数据已损坏。内存表由这些信息决定；用错内存表，写入会改动别的参数，因此不写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Two servos with the same ID are connected. A write would change both, and only one of the old values would be recorded.</source>
+        <translation>接有两个 ID 相同的舵机。写入会同时改动两个舵机，而只记录其中一个的原值。</translation>
     </message>
 </context>
 <context>

@@ -53,6 +53,10 @@ QString errorName(ErrorCode code)
         return QStringLiteral("lock-open");
     case ErrorCode::UnknownModel:
         return QStringLiteral("unknown-model");
+    case ErrorCode::FamilyUnclear:
+        return QStringLiteral("family-unclear");
+    case ErrorCode::SeveralServos:
+        return QStringLiteral("several-servos");
     case ErrorCode::IdentityDiffers:
         return QStringLiteral("identity-differs");
     case ErrorCode::SeveralProtocols:

@@ -32,12 +32,14 @@ enum class ErrorCode {
     NotSupported, ///< this family has no such thing; detail says why
     // servo
     IdInUse,
-    Refused,          ///< the servo did not take it
-    Mismatch,         ///< read back differs from what was written
-    LockOpen,         ///< the EPROM lock could not be proven closed
-    UnknownModel,     ///< identity read, but no register map fits
-    IdentityDiffers,  ///< another servo answers under this ID than the one expected
-    TurnsUnknown,     ///< multi-turn position not known since power-on
+    Refused,         ///< the servo did not take it
+    Mismatch,        ///< read back differs from what was written
+    LockOpen,        ///< the EPROM lock could not be proven closed
+    UnknownModel,    ///< identity read, but no register map fits
+    FamilyUnclear,   ///< firmware, byte order, model or lock contradict each other; see FamilyFacts
+    SeveralServos,   ///< two servos seem to answer under this ID; detail says what was seen
+    IdentityDiffers, ///< another servo answers under this ID than the one expected
+    TurnsUnknown,    ///< multi-turn position not known since power-on
     SeveralProtocols, ///< the ID answers in more than one; detail lists them
     // files
     FileMissing,

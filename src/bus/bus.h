@@ -11,6 +11,7 @@
 #include "bus/statistics.h"
 #include "bus/stop_frame.h"
 #include "bus/trace.h"
+#include "bus/verified_ids.h"
 #include "protocol/request.h"
 
 #include <functional>
@@ -166,9 +167,15 @@ public:
     virtual std::vector<TraceEntry> takeTrace() = 0;
     virtual base::Clock& clock() const = 0;
 
+    /// Who has been found to answer alone on this connection. Any thread.
+    VerifiedIds& verifiedIds() { return m_verifiedIds; }
+
 protected:
     friend class Hold;
     virtual void release(std::uint64_t token) = 0;
+
+private:
+    VerifiedIds m_verifiedIds;
 };
 
 /// While it lives a pulled plug may be put back. One at a time: for work that has the bus to

@@ -2,6 +2,7 @@
 #include "catalog/catalog.h"
 
 #include "catalog/definition.h"
+#include "catalog/family_conflict.h"
 #include "catalog/loader.h"
 
 #include <QDir>
@@ -214,6 +215,16 @@ ProfilePtr build(const Catalog::Data& data, const Identity& identity, const Mode
         addRegisters(*profile, map->second, firmware);
     return profile;
 }
+
+/// Neither the model's name nor any map is believed.
+ProfilePtr buildUnclear(const Catalog::Data& data, const Identity& identity, base::ByteOrder order,
+                        const FamilyFacts& conflict)
+{
+    auto profile = std::make_shared<Profile>(*build(data, identity, nullptr, nullptr, order));
+    profile->conflict = conflict;
+    showAsBytes(*profile);
+    return profile;
+}
 } // namespace
 
 Catalog::Catalog()
@@ -245,6 +256,8 @@ ProfilePtr Catalog::resolve(const Identity& identity) const
         return build(*m_data, identity, nullptr, series, orderOf(series));
     }
     const auto order = byteOrderOf(*m_data, identity, firmware);
+    if (const auto conflict = familyConflict(*m_data, identity))
+        return buildUnclear(*m_data, identity, *order, *conflict);
     const ModelEntry* model =
         order ? modelByNumber(*m_data, identity.modelMajor, identity.modelMinor, *order) : nullptr;
     const SeriesDef* series = order ? seriesByFirmware(*m_data, firmware, order) : nullptr;

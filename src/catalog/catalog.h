@@ -58,6 +58,8 @@ public:
 
     /// The profile for what registers 0–4 said. Never null: an unknown model with a known firmware
     /// gets a generic name; an unknown firmware gets a read-only profile (identity and feedback).
+    /// Where firmware, byte order flag and model list contradict each other the profile has a
+    /// conflict, and its table is bytes.
     ProfilePtr resolve(const Identity& identity) const;
 
     /// For files and the simulator: a model by its name; case, blanks and '-' are ignored

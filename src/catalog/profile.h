@@ -5,6 +5,7 @@
 
 #include "base/bytes.h"
 #include "base/protocol.h"
+#include "catalog/family_facts.h"
 #include "catalog/register.h"
 
 #include <memory>
@@ -56,6 +57,9 @@ struct Profile {
     base::ByteOrder byteOrder = base::ByteOrder::Little;
     Line line = Line::Unknown;
     bool writable = true; ///< false: firmware unknown; identity and feedback may be read only
+    /// Set where what the servo says of itself contradicts itself: no map is believed, the table is
+    /// bytes, and nothing is written.
+    std::optional<FamilyFacts> conflict;
     int stepsPerTurn = 4096;
     std::optional<double> angleRangeDeg;
     std::optional<int> defaultBaud;

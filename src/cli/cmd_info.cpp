@@ -5,6 +5,8 @@
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "device/motion.h"
+#include "device/write_access.h"
+#include "text/error_words.h"
 #include "text/language.h"
 #include "text/notice_words.h"
 
@@ -106,7 +108,12 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (const auto read = device::readAll(*context, *servo); !read)
         return tl::unexpected(read.error());
     device::noteAlarms(*context, *servo);
+    const auto bar = device::writeBar(*servo);
     QString text = infoText(*servo);
+    if (bar) {
+        const text::Description words = text::describe(*bar);
+        text += QStringLiteral("%1\n%2\n%3\n").arg(words.what, words.cause, words.remedy);
+    }
     const catalog::Register* lock = registerOf(*servo, Role::Lock);
     if (lock != nullptr && servo->raw(*lock) == 0) {
         text +=
@@ -114,7 +121,9 @@ base::Result<Exit> run(Run& run, const Values& values)
                 .arg(servo->id) +
             QLatin1Char('\n');
     }
-    run.finish(jsonInfo(*servo), text);
+    Json info = jsonInfo(*servo);
+    info.add("not_writable", bar ? Json(base::errorName(bar->code)) : Json());
+    run.finish(std::move(info), text);
     return Exit::Done;
 }
 } // namespace

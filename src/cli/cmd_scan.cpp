@@ -49,6 +49,14 @@ Json jsonReport(const jobs::ScanReport& report)
     return json;
 }
 
+QString remarkOf(const jobs::Found& found)
+{
+    if (found.twinsSuspected)
+        return translate("cli", "two servos with this ID suspected");
+    const bool unclear = found.servo.profile && found.servo.profile->conflict;
+    return unclear ? translate("cli", "family unclear: read only") : QString();
+}
+
 Table foundTable(const jobs::ScanReport& report)
 {
     Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Number"),
@@ -59,15 +67,13 @@ Table foundTable(const jobs::ScanReport& report)
     for (const jobs::Found& found : report.found) {
         const catalog::Profile* profile = found.servo.profile.get();
         const bool known = profile != nullptr;
-        table.add({QString::number(found.servo.id),
-                   known ? profile->modelName : QStringLiteral("?"),
-                   known ? profile->identity.modelId() : QStringLiteral("?"),
-                   known ? profile->identity.firmware() : QStringLiteral("?"),
-                   base::protocolName(found.servo.protocol),
-                   known ? profile->mapKey : QStringLiteral("?"), QString::number(found.servo.baud),
-                   text::statusWords(found.servo.status, profile, text::inChinese()),
-                   found.twinsSuspected ? translate("cli", "two servos with this ID suspected")
-                                        : QString()});
+        table.add(
+            {QString::number(found.servo.id), known ? profile->modelName : QStringLiteral("?"),
+             known ? profile->identity.modelId() : QStringLiteral("?"),
+             known ? profile->identity.firmware() : QStringLiteral("?"),
+             base::protocolName(found.servo.protocol),
+             known ? profile->mapKey : QStringLiteral("?"), QString::number(found.servo.baud),
+             text::statusWords(found.servo.status, profile, text::inChinese()), remarkOf(found)});
     }
     return table;
 }

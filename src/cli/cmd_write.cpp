@@ -5,6 +5,7 @@
 #include "cli/report_words.h"
 #include "cli/run.h"
 #include "cli/translate.h"
+#include "device/write_access.h"
 
 namespace cli {
 namespace {
@@ -17,6 +18,8 @@ base::Result<Exit> run(Run& run, const Values& values)
     auto servo = run.servoWithSettings(values);
     if (!servo)
         return tl::unexpected(servo.error());
+    if (const auto writable = device::requireWritable(*servo, QStringLiteral("write")); !writable)
+        return tl::unexpected(writable.error());
     const auto items = parseWriteItems(*servo, values.words("KEY=VALUE"));
     if (!items)
         return tl::unexpected(items.error());

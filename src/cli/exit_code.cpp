@@ -35,6 +35,8 @@ Exit exitCode(base::ErrorCode code)
     case ErrorCode::Mismatch:
     case ErrorCode::LockOpen:
     case ErrorCode::UnknownModel:
+    case ErrorCode::FamilyUnclear:
+    case ErrorCode::SeveralServos:
     case ErrorCode::IdentityDiffers:
     case ErrorCode::TurnsUnknown:
     case ErrorCode::SeveralProtocols:

@@ -8,6 +8,23 @@
 
 namespace cli {
 namespace {
+/// The option that is the user's consent.
+QString consentOption(const base::Error& error)
+{
+    return error.operation == QLatin1String("clear-alarm") ? QStringLiteral("--move")
+                                                           : QStringLiteral("--dangerous");
+}
+
+/// The text layer asks for consent without knowing how it is given here.
+QString remedyFor(const base::Error& error, const QString& remedy)
+{
+    if (error.code != base::ErrorCode::NeedsConsent)
+        return remedy;
+    return remedy + QLatin1Char(' ') +
+           translate("cli", "On the command line the option %1 is your consent.")
+               .arg(consentOption(error));
+}
+
 /// What to type next, where the words of the text layer cannot know about commands.
 QString commandHint(const base::Error& error)
 {
@@ -18,7 +35,7 @@ QString commandHint(const base::Error& error)
     case base::ErrorCode::Garbled:
         return QStringLiteral("servodesk-cli scan --bauds all");
     case base::ErrorCode::NeedsConsent:
-        return QStringLiteral("--dangerous");
+        return consentOption(error);
     case base::ErrorCode::PortMissing:
         return QStringLiteral("servodesk-cli ports");
     case base::ErrorCode::LockOpen:
@@ -183,7 +200,7 @@ Json jsonError(const base::Error& error)
                     .add("code", base::errorName(error.code))
                     .add("message", words.what)
                     .add("cause", words.cause)
-                    .add("remedy", words.remedy);
+                    .add("remedy", remedyFor(error, words.remedy));
     if (error.id >= 0)
         json.add("id", error.id);
     if (!error.registerKey.isEmpty())
@@ -201,7 +218,7 @@ QString errorText(const base::Error& error)
     // A slip of the keyboard has no cause to look for.
     if (error.operation != QLatin1String("arguments")) {
         lines << translate("cli", "  Likely cause: %1").arg(words.cause)
-              << translate("cli", "  Remedy: %1").arg(words.remedy);
+              << translate("cli", "  Remedy: %1").arg(remedyFor(error, words.remedy));
     }
     const QString hint = commandHint(error);
     if (!hint.isEmpty())

@@ -4,6 +4,7 @@
 #include "cli/arguments.h"
 #include "cli/translate.h"
 #include "device/reader.h"
+#include "device/write_access.h"
 #include "session/safety_snapshot.h"
 #include "text/notice_words.h"
 #include "transport/port_opener.h"
@@ -183,6 +184,8 @@ base::Result<void> Run::saveFirst(const device::Context& context, device::Servo&
                                   [&](const auto& saved) { return saved.first == servo.id; });
     if (done)
         return {};
+    if (const auto may = device::beginWriting(context, servo, QStringLiteral("write")); !may)
+        return may;
     const auto saved = session::saveSafetySnapshot(context, servo);
     if (!saved) {
         m_console.say(translate("cli", "The settings of servo %1 could not be saved first, so "

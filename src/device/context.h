@@ -22,11 +22,14 @@ struct Context {
     std::uint64_t hold = 0; ///< token of the bus::Hold this work owns its servos by
     /// bus::Bus::emergencies() when the work was asked for: after a later one nothing is begun.
     std::optional<std::uint64_t> epoch{};
+    /// Part of an emergency stop: writes without a look whether a second servo answers.
+    bool emergencyStop = false;
 
     /// The same work, inside a hold.
     Context within(const bus::Hold& owned) const
     {
-        return {bus, catalog, journal, stop, notices, priority, owned.token(), epoch};
+        return {bus,      catalog,       journal, stop,         notices,
+                priority, owned.token(), epoch,   emergencyStop};
     }
 
     void note(NoticeCode code, int id, QString key = {}, std::int64_t a = 0,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/mode.h"
 #include "device/motion.h"
+#include "device/write_access.h"
 #include "device/write_check.h"
 
 #include <QRegularExpression>
@@ -171,8 +172,8 @@ base::Result<void> Planner::know()
 
 base::Result<MovePlan> Planner::plan()
 {
-    if (!m_servo.profile->writable)
-        return refuse(ErrorCode::UnknownModel, m_servo, {}, m_servo.profile->identity.firmware());
+    if (const auto writable = requireWritable(m_servo, QStringLiteral("move")); !writable)
+        return tl::unexpected(writable.error());
     if (const auto known = know(); !known)
         return tl::unexpected(known.error());
     m_plan.servo = &m_servo;

@@ -3,6 +3,7 @@
 #include "device/mode.h"
 #include "device/move_step.h"
 #include "device/move_together.h"
+#include "device/write_access.h"
 
 namespace device {
 using base::ErrorCode;
@@ -132,7 +133,13 @@ base::Result<Owned> ownAll(const Context& outer, const std::vector<MovePlan>& pl
         ids.push_back(plan.servo->id);
     if (outer.stop.requested())
         return base::fail(ErrorCode::Stopped, QStringLiteral("move"));
-    return own(outer, ids);
+    Owned owned = own(outer, ids);
+    for (const MovePlan& plan : plans) {
+        const auto may = beginWriting(owned.context, *plan.servo, QStringLiteral("move"));
+        if (!may)
+            return tl::unexpected(may.error());
+    }
+    return owned;
 }
 
 /// The goal must still mean what it meant when it was held.

@@ -3,6 +3,7 @@
 
 #include "device/alarms.h"
 #include "device/persistence.h"
+#include "device/write_access.h"
 #include "protocol/codec.h"
 
 #include <algorithm>
@@ -11,9 +12,19 @@ namespace device {
 using base::ErrorCode;
 
 namespace {
+bool changes(const protocol::Request& request)
+{
+    return request.op != protocol::Op::Ping && request.op != protocol::Op::Read &&
+           request.op != protocol::Op::SyncRead;
+}
+
 base::Result<bus::Outcome> say(const Context& context, Servo& servo, protocol::Request request,
                                int retries = -1)
 {
+    if (changes(request)) {
+        if (const auto may = beginWriting(context, servo, QStringLiteral("write")); !may)
+            return tl::unexpected(may.error());
+    }
     bus::Transaction transaction;
     transaction.request = std::move(request);
     transaction.request.protocol = servo.protocol;

@@ -2,6 +2,7 @@
 #include "device/holding.h"
 #include "device/mode.h"
 #include "device/motion.h"
+#include "device/write_access.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,8 +106,10 @@ base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
 {
     const Owned owned = own(outer, {servo.id});
     const Context& context = owned.context;
+    if (const auto may = beginWriting(context, servo, QStringLiteral("torque")); !may)
+        return may;
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
-    if (torque == nullptr || !servo.profile->writable)
+    if (torque == nullptr)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));
     if (wanted == Torque::Damp && !servo.profile->damping)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("damp"));
@@ -200,8 +203,10 @@ base::Result<void> halt(const Context& outer, Servo& servo)
 {
     const Owned owned = own(outer, {servo.id});
     const Context& context = owned.context;
+    if (const auto may = beginWriting(context, servo, QStringLiteral("torque")); !may)
+        return may;
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
-    if (torque == nullptr || !servo.profile->writable)
+    if (torque == nullptr)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));
     if (const auto fresh = readSettings(context, servo); !fresh)
         return fresh;

@@ -2,6 +2,7 @@
 #include "device/write_check.h"
 
 #include "device/persistence.h"
+#include "device/write_access.h"
 
 #include <algorithm>
 #include <array>
@@ -68,10 +69,8 @@ base::Result<void> checkTime(const Servo& servo, const RegisterValues& items)
 base::Result<RegisterValues> checkItems(const Servo& servo, const std::vector<WriteItem>& items,
                                         const WriteOptions& options)
 {
-    if (!servo.profile->writable) {
-        return refuse(ErrorCode::UnknownModel, servo, {},
-                      QStringLiteral("firmware ") + servo.profile->identity.firmware());
-    }
+    if (const auto writable = requireWritable(servo, QStringLiteral("write")); !writable)
+        return tl::unexpected(writable.error());
     RegisterValues checked;
     for (const WriteItem& item : items) {
         const catalog::Register* reg = servo.profile->find(item.key);

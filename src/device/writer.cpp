@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/writer.h"
 
+#include "device/write_access.h"
 #include "device/write_run.h"
 
 #include <algorithm>
@@ -129,6 +130,8 @@ base::Result<WriteReport> write(const Context& outer, Servo& servo,
         return tl::unexpected(checked.error());
     const Owned owned = own(outer, {servo.id});
     const Context& context = owned.context;
+    if (const auto may = beginWriting(context, servo, QStringLiteral("write")); !may)
+        return tl::unexpected(may.error());
     if (const auto fresh = readBefore(context, servo, *checked); !fresh)
         return tl::unexpected(fresh.error());
     if (const auto valid = checkValues(context, servo, *checked, options.asBefore); !valid)

@@ -3,6 +3,7 @@
 
 #include "device/persistence.h"
 #include "device/talk.h"
+#include "device/write_access.h"
 #include "jobs/change_steps.h"
 
 #include <algorithm>
@@ -159,11 +160,13 @@ base::Result<Led> prepare(const device::Context& outer, device::Servo& servo,
 base::Result<BlinkReport> blink(const device::Context& context, device::Servo& servo,
                                 base::Duration time, const ProgressFn& progress)
 {
-    if (const auto writable = requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
     const auto reg = ledOf(servo);
     if (!reg)
         return tl::unexpected(reg.error());
+    if (const auto may = device::beginWriting(context, servo, operation); !may)
+        return tl::unexpected(may.error());
     const auto led = prepare(context, servo, **reg);
     if (!led)
         return tl::unexpected(led.error());

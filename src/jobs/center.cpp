@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/motion.h"
 #include "device/talk.h"
+#include "device/write_access.h"
 #include "jobs/change_steps.h"
 
 #include <cstdlib>
@@ -132,13 +133,15 @@ base::Result<CenterReport> centerUnlocked(const device::Context& context, device
 
 base::Result<CenterReport> center(const device::Context& outer, device::Servo& servo)
 {
-    if (const auto writable = requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
     if (const auto possible = checkPossible(servo); !possible)
         return tl::unexpected(possible.error());
     const catalog::Register& offset = *servo.profile->byRole(Role::PositionOffset);
     const device::Owned owned = device::own(outer, {servo.id});
     const device::Context& context = owned.context;
+    if (const auto may = device::beginWriting(context, servo, operation); !may)
+        return tl::unexpected(may.error());
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
     const auto before = readPlace(context, servo);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/talk.h"
+#include "device/write_access.h"
 #include "jobs/change_steps.h"
 
 #include <algorithm>
@@ -71,6 +72,7 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
         if (!*found)
             return base::fail(ErrorCode::NoAnswer, operation, {}, servo.id);
         servo.baud = context.bus.baud();
+        device::moveAccess(context.bus, servo, servo.id, oldBaud);
         const auto back = device::readRegister(context, servo, reg);
         if (!back)
             return tl::unexpected(back.error());
@@ -118,7 +120,7 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
 
 base::Result<void> checkBeforehand(const device::Context& context, const device::Servo& servo)
 {
-    if (const auto writable = requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, operation); !writable)
         return writable;
     if (servo.profile->byRole(Role::BaudRate) == nullptr)
         return base::fail(ErrorCode::NotSupported, operation, QStringLiteral("fixed-rate"),
@@ -141,6 +143,8 @@ base::Result<device::WriteReport> changeBaud(const device::Context& outer, devic
         return tl::unexpected(code.error());
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
+    if (const auto may = device::beginWriting(context, servo, operation); !may)
+        return tl::unexpected(may.error());
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
     if (servo.raw(reg) == *code && context.bus.baud() == newBaud) {

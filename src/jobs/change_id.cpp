@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/talk.h"
+#include "device/write_access.h"
 #include "jobs/change_steps.h"
 
 namespace jobs {
@@ -85,9 +86,11 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
         if (*place < 0) {
             // Whoever has acknowledged under the new ID has its lock there.
             servo.id = sent->answeredBy == newId ? newId : oldId;
+            device::moveAccess(context.bus, servo, oldId, context.bus.baud());
             return base::fail(ErrorCode::NoAnswer, operation, {}, newId);
         }
         servo.id = *place;
+        device::moveAccess(context.bus, servo, oldId, context.bus.baud());
         const auto back = device::readRegister(context, servo, reg);
         if (!back)
             return tl::unexpected(back.error());
@@ -148,7 +151,7 @@ std::vector<base::Protocol> neighbours(const device::Context& context, const dev
 base::Result<device::WriteReport> changeId(const device::Context& outer, device::Servo& servo,
                                            int newId)
 {
-    if (const auto writable = requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
     if (const auto possible = checkId(servo, newId); !possible)
         return tl::unexpected(possible.error());
@@ -160,6 +163,8 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
     }
     const device::Owned owned = device::own(outer, {servo.id, newId});
     const device::Context& context = owned.context;
+    if (const auto may = device::beginWriting(context, servo, operation); !may)
+        return tl::unexpected(may.error());
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
     for (const base::Protocol protocol : neighbours(context, servo)) {

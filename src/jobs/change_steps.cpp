@@ -109,14 +109,6 @@ base::Result<void> requireSayable(const device::Servo& servo, const protocol::Re
     return base::fail(ErrorCode::NotSupported, operation, detail, servo.id);
 }
 
-base::Result<void> requireWritable(const device::Servo& servo, const QString& operation)
-{
-    if (servo.profile && servo.profile->writable)
-        return {};
-    return base::fail(ErrorCode::UnknownModel, operation,
-                      servo.profile ? servo.profile->identity.firmware() : QString(), servo.id);
-}
-
 device::WriteResult failedResult(device::WriteResult result, const base::Error& error)
 {
     result.error = error;

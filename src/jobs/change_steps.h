@@ -39,8 +39,6 @@ base::Result<void> endIntent(const device::Context& context, const QString& uuid
 base::Result<void> requireSayable(const device::Servo& servo, const protocol::Request& request,
                                   const QString& operation, const QString& detail);
 
-base::Result<void> requireWritable(const device::Servo& servo, const QString& operation);
-
 /// The result of a write that ended with `error`.
 device::WriteResult failedResult(device::WriteResult result, const base::Error& error);
 

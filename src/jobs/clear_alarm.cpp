@@ -2,6 +2,7 @@
 #include "jobs/clear_alarm.h"
 
 #include "device/motion.h"
+#include "device/write_access.h"
 #include "jobs/change_steps.h"
 
 #include <algorithm>
@@ -143,7 +144,7 @@ base::Result<AlarmPlan> judge(const device::Context& context, device::Servo& ser
 base::Result<AlarmReport> clearAlarm(const device::Context& outer, device::Servo& servo,
                                      const std::optional<AlarmPlan>& agreed)
 {
-    if (const auto writable = requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
     const device::Owned owned = device::own(outer, {servo.id});
     const device::Context& context = owned.context;

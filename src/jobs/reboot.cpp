@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/motion.h"
 #include "device/talk.h"
+#include "device/write_access.h"
 #include "jobs/change_steps.h"
 #include "jobs/temporary.h"
 
@@ -164,7 +165,7 @@ base::Result<int> restart(const device::Context& context, device::Servo& servo, 
 
 base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
 {
-    if (const auto writable = requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
     const auto reboots = protocol::Request::reboot(servo.id).in(servo.protocol);
     if (const auto possible =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/recover.h"
 
+#include "device/write_access.h"
 #include "jobs/recover_look.h"
 #include "jobs/recover_settle.h"
 
@@ -102,6 +103,11 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
             QStringLiteral("recover"),
             {},
             intent.servo.id};
+        return recovered;
+    }
+    const auto may = device::beginWriting(context, servo, QStringLiteral("recover"));
+    if (!may) {
+        recovered.error = may.error();
         return recovered;
     }
     if (beforeWrite) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/restore.h"
 
+#include "device/write_access.h"
 #include "jobs/recover_settle.h"
 #include "jobs/restore_run.h"
 
@@ -76,6 +77,8 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
             outer.note(NoticeCode::AlreadySo, servo.id);
         return outcome;
     }
+    if (const auto may = device::beginWriting(outer, servo, operation); !may)
+        return tl::unexpected(may.error());
     if (options.beforeWrite) {
         if (const auto saved = options.beforeWrite(outer, servo); !saved)
             return tl::unexpected(saved.error());

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/motion.h"
 #include "device/talk.h"
+#include "device/write_access.h"
 #include "jobs/change_steps.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace jobs {
 using base::ErrorCode;
@@ -62,8 +64,9 @@ base::Result<bool> findAgain(const device::Context& context, device::Servo& serv
             if (!here && here.error().code == ErrorCode::LinkLost)
                 return tl::unexpected(here.error());
             if (here && *here) {
-                servo.id = id;
+                const int oldId = std::exchange(servo.id, id);
                 servo.baud = context.bus.baud();
+                device::moveAccess(context.bus, servo, oldId, oldBaud);
                 return true;
             }
         }
@@ -120,7 +123,7 @@ base::Result<void> restore(const device::Context& context, device::Servo& servo,
 base::Result<RestoreReport> restoreDefaults(const device::Context& outer, device::Servo& servo,
                                             const ProgressFn& progress)
 {
-    if (const auto writable = requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
     if (const auto possible = requireSayable(servo, protocol::Request::restore(servo.id), operation,
                                              QStringLiteral("no-restore"));
@@ -128,6 +131,8 @@ base::Result<RestoreReport> restoreDefaults(const device::Context& outer, device
         return tl::unexpected(possible.error());
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
+    if (const auto may = device::beginWriting(context, servo, operation); !may)
+        return tl::unexpected(may.error());
     if (const auto fresh = device::readAll(context, servo); !fresh)
         return tl::unexpected(fresh.error());
     const auto factoryFree = servo.id == factoryId ? base::Result<bool>(false)

@@ -308,6 +308,8 @@ base::Result<ScanReport> scan(const device::Context& context, const ScanSpec& sp
 {
     if (const auto good = checkSpec(context, spec); !good)
         return tl::unexpected(good.error());
+    // Servos may have been plugged in since they were last written to.
+    context.bus.verifiedIds().clear();
     // At a foreign rate nobody else may speak; at its own the bus keeps its feedback.
     const int baud = context.bus.baud();
     if (ratesToSearch(spec, baud) == std::vector{baud})

@@ -3,10 +3,9 @@
 
 #include "device/alarms.h"
 #include "device/reader.h"
+#include "device/twin_check.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 
 namespace jobs {
 namespace {
@@ -16,15 +15,6 @@ constexpr int cleanReadsWanted = 2;
 constexpr int maxFailures = 5;
 constexpr int brokenReadsSuspicious = 2;
 constexpr base::Duration readsApart = std::chrono::milliseconds(1);
-
-// Twice the speed of the fastest servos of the vendor's list, and the jitter of a resting encoder,
-// both in 1/4096 turn.
-constexpr double fastestStepsPerSecond = 16'000;
-constexpr double restJitterSteps = 12;
-constexpr double stepsPerTurn = 4096;
-constexpr double maxTemperatureJump = 3; // degrees
-constexpr double maxVoltageJump = 3;     // volts: supplies sag when a motor starts
-constexpr double jumpSlack = 1e-6;       // physical values are binary fractions
 
 class TwinCheck {
 public:
@@ -90,7 +80,7 @@ private:
             if (!*clean)
                 break;
             const base::Duration now = m_context.bus.clock().now();
-            if (earlier && !couldBeOneServo(*earlier, m_servo, now - earlierAt))
+            if (earlier && !device::couldBeOneServo(*earlier, m_servo, now - earlierAt))
                 return true;
             earlier = m_servo;
             earlierAt = now;
@@ -184,42 +174,7 @@ private:
     bool m_secondReply = false;
 };
 
-double jump(const device::Servo& a, const device::Servo& b, Role role)
-{
-    const auto before = a.physical(role);
-    const auto after = b.physical(role);
-    return before && after ? std::abs(*after - *before) : 0;
-}
-
-/// A turn in the unit of the present position: degrees, or steps where the range is not known.
-double turnOf(const device::Servo& servo)
-{
-    const catalog::Register* position = servo.profile->byRole(Role::PresentPosition);
-    const bool degrees =
-        position != nullptr && servo.meaning(*position).unit == QLatin1String("deg");
-    return degrees ? 360 : servo.profile->stepsPerTurn;
-}
-
-bool resting(const device::Servo& servo)
-{
-    return servo.raw(Role::PresentSpeed).value_or(1) == 0 &&
-           servo.raw(Role::Moving).value_or(1) == 0;
-}
 } // namespace
-
-bool couldBeOneServo(const device::Servo& before, const device::Servo& after, base::Duration apart)
-{
-    if (jump(before, after, Role::PresentTemperature) > maxTemperatureJump + jumpSlack ||
-        jump(before, after, Role::PresentVoltage) > maxVoltageJump + jumpSlack)
-        return false;
-    const double turn = turnOf(after);
-    double moved = std::fmod(jump(before, after, Role::PresentPosition), turn);
-    moved = std::min(moved, turn - moved) * stepsPerTurn / turn; // the seam of a turn is no jump
-    double possible = restJitterSteps;
-    if (!resting(before) || !resting(after))
-        possible += fastestStepsPerSecond * double(apart.count()) / 1e6;
-    return moved <= possible;
-}
 
 base::Result<bool> suspectTwins(const device::Context& context, device::Servo& servo)
 {

@@ -12,7 +12,4 @@ namespace jobs {
 /// True: suspected. False proves nothing. `servo` has been identified and gets the feedback read.
 /// Stopped, LinkLost, Preempted, Held.
 base::Result<bool> suspectTwins(const device::Context& context, device::Servo& servo);
-
-/// Could one servo have said both, `apart` from one another?
-bool couldBeOneServo(const device::Servo& before, const device::Servo& after, base::Duration apart);
 } // namespace jobs

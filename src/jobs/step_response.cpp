@@ -3,6 +3,7 @@
 
 #include "device/motion.h"
 #include "device/talk.h"
+#include "device/write_access.h"
 #include "jobs/link_return.h"
 #include "jobs/step_meter.h"
 #include "jobs/sweep_runner.h"
@@ -298,6 +299,9 @@ base::Result<record::StepRun> stepResponse(const device::Context& outer, device:
                                   outer.journal, outer.stop,
                                   outer.notices, outer.priority,
                                   outer.hold,    outer.epoch.value_or(outer.bus.emergencies())};
+    const auto may = device::beginWriting(context, servo, QStringLiteral("step-response"));
+    if (!may)
+        return tl::unexpected(may.error());
     return StepJob(context, servo, order, watch).run();
 }
 } // namespace jobs

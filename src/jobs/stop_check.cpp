@@ -60,11 +60,13 @@ base::Result<Torque> switchOff(const device::Context& context, device::Servo& se
 base::Result<std::vector<StopVerdict>> checkStopped(const device::Context& outer,
                                                     const std::vector<device::Servo*>& servos)
 {
+    device::Context stopping = outer;
+    stopping.emergencyStop = true;
     waitWhileAway(outer.bus); // the stop itself is said when the line is back, before all else
     std::vector<StopVerdict> verdicts(servos.size());
     // Torque of all of them first: what waits in one of them does nothing by itself.
     for (std::size_t i = 0; i < servos.size(); ++i) {
-        const device::Owned owned = device::own(outer, {servos[i]->id});
+        const device::Owned owned = device::own(stopping, {servos[i]->id});
         const auto torque = switchOff(owned.context, *servos[i]);
         if (!torque && endsAll(torque.error()))
             return tl::unexpected(torque.error());
@@ -73,7 +75,7 @@ base::Result<std::vector<StopVerdict>> checkStopped(const device::Context& outer
     for (std::size_t i = 0; i < servos.size(); ++i) {
         if (verdicts[i].torque == Torque::Unknown)
             continue;
-        const auto held = device::disarm(outer, *servos[i]);
+        const auto held = device::disarm(stopping, *servos[i]);
         if (!held && endsAll(held.error()))
             return tl::unexpected(held.error());
         verdicts[i].mayHold = held.value_or(true);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/sweep.h"
 
+#include "device/write_access.h"
 #include "jobs/snapshot.h"
 #include "jobs/sweep_axis.h"
 #include "jobs/sweep_runner.h"
@@ -78,6 +79,11 @@ base::Result<record::SweepRun> sweep(const device::Context& outer,
     if (servos.empty() || order.limits.size() != servos.size())
         return base::fail(ErrorCode::BadArgument, QStringLiteral("sweep"),
                           QStringLiteral("no servo"));
+    for (const device::Servo& servo : servos) {
+        const auto may = device::beginWriting(context, servo, QStringLiteral("sweep"));
+        if (!may)
+            return tl::unexpected(may.error());
+    }
     Modes modes; // go back when this ends, however it does
     auto run = prepare(context, servos, order, modes);
     if (!run)

@@ -76,8 +76,12 @@ FeedBatch Feeder::take(bus::Bus& bus, const EntryOf& entryOf)
         }
     }
     for (const auto& [source, entry] : met) {
-        if (entry != nullptr)
-            finishBatch(*source, *entry);
+        if (entry == nullptr)
+            continue;
+        finishBatch(*source, *entry);
+        // Another servo may stand in its place when it is heard again.
+        if (m_batch.news.count(entry->ref) > 0)
+            bus.verifiedIds().remove(entry->servo.protocol, entry->servo.id, m_baud);
     }
     std::stable_sort(m_batch.readings.begin(), m_batch.readings.end(),
                      [](const Reading& a, const Reading& b) { return a.at < b.at; });

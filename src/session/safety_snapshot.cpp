@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/safety_snapshot.h"
 
+#include "device/write_access.h"
 #include "jobs/snapshot.h"
 #include "record/history.h"
 #include "session/paths.h"
@@ -40,6 +41,10 @@ QString programName()
 base::Result<QString> saveSafetySnapshot(const device::Context& context, device::Servo& servo,
                                          record::SnapshotReason reason)
 {
+    // A write that is refused has nothing to be saved from.
+    const auto may = device::beginWriting(context, servo, QStringLiteral("write"));
+    if (!may)
+        return tl::unexpected(may.error());
     const QDir folder(dataFolder() + QStringLiteral("/snapshots"));
     if (!folder.mkpath(QStringLiteral(".")))
         return base::fail(base::ErrorCode::FileUnwritable, QStringLiteral("snapshot"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/detail_words.h"
 
+#include "text/family_words.h"
 #include "text/refusal_words.h"
 #include "text/server_words.h"
 #include "text/translate.h"
@@ -150,6 +151,8 @@ QString specialCase(const base::Error& error)
     }
     if (const RefusalWords* words = refusalWords(error))
         return translate("text", words->what);
+    if (const QString bar = writeBarCase(error); !bar.isEmpty())
+        return bar;
     switch (error.code) {
     case ErrorCode::OutOfRange:
         return standsOutside(error)
@@ -182,6 +185,8 @@ QString specialCause(const base::Error& error)
 {
     if (const RefusalWords* words = refusalWords(error))
         return translate("text", words->cause);
+    if (const QString bar = writeBarCause(error); !bar.isEmpty())
+        return bar;
     if (standsOutside(error))
         return translate("text", "Holding it where it is would mean a goal beyond its limits.");
     if (takenByBraille(error))
@@ -196,6 +201,8 @@ QString specialRemedy(const base::Error& error)
 {
     if (const RefusalWords* words = refusalWords(error))
         return translate("text", words->remedy);
+    if (const QString bar = writeBarRemedy(error); !bar.isEmpty())
+        return bar;
     if (standsOutside(error))
         return translate("text", "Turn it by hand into its range, or move it to a goal inside.");
     if (takenByBraille(error))

@@ -141,6 +141,22 @@ constexpr std::array servoEntries{
           QT_TRANSLATE_NOOP("text", "Its firmware version belongs to no known family, so writing "
                                     "could do damage."),
           QT_TRANSLATE_NOOP("text", "Read its feedback only, or add a model file for it.")},
+    Entry{
+        ErrorCode::FamilyUnclear, QT_TRANSLATE_NOOP("text", "its family is unclear"),
+        QT_TRANSLATE_NOOP("text", "A variant that the model list does not know, or a damaged "
+                                  "identity. These facts choose the memory table; with the wrong "
+                                  "table a write changes another register, so nothing is written."),
+        QT_TRANSLATE_NOOP("text", "Connect this servo alone and read it again. If the values stay "
+                                  "the same, check the label on the servo, then add a model file "
+                                  "that lists this model number with its real family.")},
+    Entry{ErrorCode::SeveralServos, QT_TRANSLATE_NOOP("text", "two servos answer under this ID"),
+          QT_TRANSLATE_NOOP("text", "Two servos with the same ID are connected. A write would "
+                                    "change both, and only one of the old values would be "
+                                    "recorded."),
+          QT_TRANSLATE_NOOP("text", "Connect one servo at a time and change its ID. If only this "
+                                    "servo is connected, check leads and ground, then try again: "
+                                    "every attempt looks afresh. An emergency stop still reaches "
+                                    "both.")},
     Entry{ErrorCode::IdentityDiffers,
           QT_TRANSLATE_NOOP("text", "another servo answers under this ID"),
           QT_TRANSLATE_NOOP("text", "The servo was exchanged since, or its ID was changed."),

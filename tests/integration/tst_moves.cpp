@@ -460,7 +460,8 @@ void TestMoves::modeSwitchIsQuiet()
     QFETCH(QString, mode);
     QFETCH(QString, command);
     SimBench bench(servo);
-    bench.poke(1, text("torque_switch"), 1);
+    bench.poke(1, text("goal_position"), bench.raw(1, text("present_position")));
+    bench.poke(1, text("torque_switch"), 1); // it holds while it is looked at
     bench.poke(1, command, 1000); // full speed, full PWM, or an innocent second of travel time
     device::Servo one = bench.servo(1);
     const double before = shaft(bench, 1);

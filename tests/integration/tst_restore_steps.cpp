@@ -221,7 +221,7 @@ void TestRestoreSteps::theListIsWhatTheWireShows()
     const auto plan = jobs::planRestore(bench.context(), servo, snapshot, everything());
     Witness witness(bench, servo);
     const auto outcome = jobs::restore(bench.context(), servo, plan, {true, {}, {}});
-    QVERIFY(outcome);
+    QVERIFY2(outcome, outcome ? "" : qPrintable(outcome.error().detail));
     QCOMPARE(outcome->verdict, jobs::RestoreVerdict::Done);
     const QStringList happened = witness.changes();
     QCOMPARE(parting(happened, promised(plan, happened)), QString());

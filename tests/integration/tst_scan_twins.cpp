@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Broken answers in a search: two servos on one ID, a servo that nobody understands, and noise that
 // is nobody.
+#include "device/twin_check.h"
 #include "integration/scan_help.h"
-#include "jobs/scan_twins.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -199,7 +199,7 @@ void TestScanTwins::oneServoCouldSayThis()
     device::Servo b = a;
     a.image.store(56, feedback(before, 30), {});
     b.image.store(56, feedback(after, temperature), {});
-    QCOMPARE(jobs::couldBeOneServo(a, b, milliseconds(4)), possible);
+    QCOMPARE(device::couldBeOneServo(a, b, milliseconds(4)), possible);
 }
 
 QTEST_GUILESS_MAIN(TestScanTwins)

@@ -93,7 +93,9 @@ std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
                              : translate("ServoRow", "EPROM lock open")});
     if (entry.heardLate)
         remarks.push_back({Tone::Warn, translate("ServoRow", "Answers late")});
-    if (profile != nullptr && !profile->writable)
+    if (profile != nullptr && profile->conflict)
+        remarks.push_back({Tone::Bad, translate("ServoRow", "Family unclear: read only")});
+    else if (profile != nullptr && !profile->writable)
         remarks.push_back({Tone::Warn, translate("ServoRow", "Unknown firmware: read only")});
     if (newer)
         remarks.push_back(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/control_panel.h"
 
+#include "device/write_access.h"
+#include "text/error_words.h"
 #include "ui/app/theme.h"
 #include "ui/pages/control_fields.h"
 #include "ui/pages/control_goal.h"
@@ -67,6 +69,11 @@ QString ControlPanel::whyEmpty() const
     if (!known->servo.profile)
         return tr("This servo answers, but does not say what it is, so nobody knows how to move "
                   "it. Search again, or check whether two servos share the ID.");
+    if (known->servo.profile->conflict) {
+        const auto bar = device::writeBar(known->servo);
+        const text::Description words = text::describe(*bar);
+        return words.what + QLatin1Char('\n') + words.cause + QLatin1Char('\n') + words.remedy;
+    }
     if (!known->servo.profile->writable)
         return tr("The firmware of this servo is not known. Its measurements are shown; moving it "
                   "could do damage. A model file makes it possible.");

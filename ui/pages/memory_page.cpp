@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/memory_page.h"
 
+#include "device/write_access.h"
 #include "device/writer.h"
 #include "text/error_words.h"
 #include "ui/models/memory_words.h"
@@ -109,10 +110,10 @@ void MemoryPage::showWhich()
 void MemoryPage::showStanding()
 {
     const session::ServoEntry* known = entry();
-    const bool unknownMap =
-        known != nullptr && known->servo.profile && !known->servo.profile->writable;
+    const auto bar =
+        known != nullptr && known->servo.profile ? device::writeBar(known->servo) : std::nullopt;
     const bool failed = known != nullptr && known->readError && !known->reading;
-    if (!unknownMap && !failed) {
+    if (!bar && !failed) {
         if (m_standing)
             m_banner->clear();
         m_standing = false;
@@ -123,6 +124,13 @@ void MemoryPage::showStanding()
     m_standing = true;
     if (failed) {
         m_banner->present(*known->readError);
+        return;
+    }
+    if (bar->code == base::ErrorCode::FamilyUnclear) {
+        m_banner->present([error = *bar] {
+            const text::Description words = text::describe(error);
+            return BannerWords{Tone::Warn, words.what, words.cause, words.remedy};
+        });
         return;
     }
     m_banner->present([] {

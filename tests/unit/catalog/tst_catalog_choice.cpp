@@ -92,7 +92,7 @@ void TestCatalogChoice::mapByFirmware_data()
     row("SCS first", {0, 0, 1, 5, 4}, "scs", "SCS", "SCS0009", true);
     row("SCS last", {0, 39, 1, 5, 15}, "scs", "SCS", "SCS15", true);
     row("SCS beyond", {0, 40, 1, 5, 15}, "unknown", "SCS", "SCS15", true);
-    row("SCS firmware, low byte first", {0, 4, 0, 5, 15}, "unknown", "", "? (5.15)", false);
+    row("SCS firmware, low byte first", {0, 4, 0, 5, 15}, "unclear", "", "? (5.15)", false);
     row("SMCL", {1, 6, 0, 6, 16}, "smcl", "SMCL", "SM100-360M", true);
     row("SMCL older range", {1, 39, 0, 6, 200}, "smcl", "SMCL", "SMCL (6.200)", false);
     row("below SMS", {2, 39, 0, 8, 42}, "unknown", "SMS", "SM45BLHV", true);
@@ -101,11 +101,13 @@ void TestCatalogChoice::mapByFirmware_data()
     row("above SMS", {2, 70, 0, 8, 30}, "unknown", "SMS", "SM30BL", true);
     row("STS first", {3, 0, 0, 9, 3}, "sts-sms", "STS", "STS3215", true);
     row("STS last", {3, 39, 0, 9, 11}, "sts-sms", "STS", "STS3250", true);
-    row("STS, high byte first", {3, 10, 1, 9, 3}, "unknown", "", "? (9.3)", false);
+    row("STS, high byte first", {3, 10, 1, 9, 3}, "unclear", "", "? (9.3)", false);
+    row("SCS2 firmware, STS number", {3, 25, 1, 9, 3}, "unclear", "", "? (9.3)", false);
+    row("SMCL firmware, SMS number", {1, 6, 0, 8, 42}, "unclear", "", "? (8.42)", false);
     row("SCS2 first", {3, 20, 1, 9, 15}, "scs2", "SCS2", "SCS15-2", true);
     row("SCS2 last", {3, 39, 1, 9, 20}, "scs2", "SCS2", "SCSXX-2", true);
-    row("SCS2 beyond", {3, 40, 1, 9, 15}, "unknown", "SCS2", "SCS15-2", true);
-    row("same numbers, low byte first", {3, 24, 0, 9, 15}, "sts-sms", "STS", "STS (9.15)", false);
+    row("HLS firmware, SCS2 flag and number", {3, 40, 1, 9, 15}, "unclear", "", "? (9.15)", false);
+    row("SCS2 number, low byte first", {3, 24, 0, 9, 15}, "unclear", "", "? (9.15)", false);
     row("HLS first", {3, 40, 0, 10, 10}, "hls", "HLS", "HLS3606", true);
     row("HLS without a known model", {3, 46, 0, 10, 200}, "hls", "HLS", "HLS (10.200)", false);
     row("HLS last", {3, 59, 0, 10, 10}, "hls", "HLS", "HLS3606", true);
@@ -139,7 +141,9 @@ void TestCatalogChoice::mapByFirmware()
     QTEST(profile->series, "series");
     QTEST(profile->modelName, "name");
     QTEST(profile->modelKnown, "known");
-    QCOMPARE(profile->writable, profile->mapKey != QStringLiteral("unknown"));
+    const bool unclear = profile->mapKey == QStringLiteral("unclear");
+    QCOMPARE(profile->conflict.has_value(), unclear);
+    QCOMPARE(profile->writable, !unclear && profile->mapKey != QStringLiteral("unknown"));
     QCOMPARE(profile->identity, identity);
     QCOMPARE(profile->byteOrder,
              identity.byteOrderFlag ? base::ByteOrder::Big : base::ByteOrder::Little);
@@ -225,7 +229,13 @@ void TestCatalogChoice::everyModelResolvesToItsName()
         if (model.major < 0)
             continue;
         const int flag = model.byteOrder == base::ByteOrder::Big ? 1 : 0;
-        const ProfilePtr profile = m_catalog.resolve({3, 30, flag, model.major, model.minor});
+        // With the firmware of another family the number would contradict it.
+        const auto [major, minor] = model.series == QLatin1String("SCS")    ? std::pair(0, 4)
+                                    : model.series == QLatin1String("SMCL") ? std::pair(1, 6)
+                                    : model.series == QLatin1String("SMS")  ? std::pair(2, 50)
+                                                                            : std::pair(3, 30);
+        const ProfilePtr profile =
+            m_catalog.resolve({major, minor, flag, model.major, model.minor});
         QCOMPARE(profile->modelName, model.name);
         QVERIFY(model.supported || !profile->writable);
     }

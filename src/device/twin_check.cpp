@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/twin_check.h"
+
+#include "device/reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace device {
+using base::ErrorCode;
+using catalog::Role;
+
+namespace {
+/// A round reads everything that tells servos apart once. Two good ones are enough; each sign of a
+/// second servo asks for two more, and the same sign a second time is believed.
+constexpr int goodRoundsWanted = 2;
+constexpr int signsBelieved = 2;
+constexpr int maxRounds = 10;
+/// So many unreadable replies, and more than readable ones: no retry would make a write safe.
+constexpr int brokenTooMany = 6;
+
+// Twice the speed of the fastest servos of the vendor's list, and the jitter of a resting encoder,
+// both in 1/4096 turn.
+constexpr double fastestStepsPerSecond = 16'000;
+constexpr double restJitterSteps = 12;
+constexpr double stepsPerTurn = 4096;
+constexpr double turnDegrees = 360;
+constexpr double maxTemperatureJump = 3; // degrees
+constexpr double maxVoltageJump = 3;     // volts: supplies sag when a motor starts
+constexpr double jumpSlack = 1e-6;       // physical values are binary fractions
+
+/// Settings only writes can change. What the servo changes by itself is judged by its jumps.
+bool stays(const catalog::Register& reg)
+{
+    return reg.area == catalog::Area::Eprom || reg.area == catalog::Area::Factory;
+}
+
+/// LX servos have one command for each of these, and the whole table would take a second.
+bool tellsApart(const catalog::Register& reg, base::Protocol protocol)
+{
+    if (reg.role == Role::StoredGoal || reg.role == Role::StoredTime)
+        return false; // some models never answer that
+    if (protocol != base::Protocol::Lx)
+        return true;
+    switch (reg.role) {
+    case Role::PresentPosition:
+    case Role::PresentVoltage:
+    case Role::PresentTemperature:
+    case Role::MinAngle:
+    case Role::MinVoltage:
+    case Role::PositionOffset:
+    case Role::TorqueSwitch:
+        return true;
+    default:
+        return false;
+    }
+}
+
+class TwinCheck {
+public:
+    TwinCheck(const Context& context, const Servo& servo)
+        : m_context(context)
+        , m_servo(servo)
+    {
+        std::vector<const catalog::Register*> wanted;
+        for (const catalog::Register& reg : servo.profile->registers) {
+            if (tellsApart(reg, servo.protocol))
+                wanted.push_back(&reg);
+        }
+        m_spans = planSpans(*servo.profile, wanted);
+    }
+
+    base::Result<TwinFinding> run()
+    {
+        m_context.bus.takeStrays();
+        for (int round = 0; round < maxRounds; ++round) {
+            if (m_context.stop.requested())
+                return base::fail(ErrorCode::Stopped, QStringLiteral("identify"), {}, m_servo.id);
+            if (const auto done = oneRound(round == 0); !done)
+                return tl::unexpected(done.error());
+            if (const auto verdict = judge())
+                return *verdict;
+        }
+        if (m_clean == 0 && m_broken == 0)
+            return base::fail(ErrorCode::NoAnswer, QStringLiteral("identify"), {}, m_servo.id);
+        return finding(TwinSign::BrokenReplies);
+    }
+
+private:
+    TwinFinding finding(TwinSign sign) const
+    {
+        TwinFinding found{sign, m_clean + m_broken, m_broken, std::nullopt};
+        if (m_last)
+            found.lock = m_last->raw(Role::Lock);
+        return found;
+    }
+
+    std::optional<TwinFinding> judge() const
+    {
+        if (m_secondReplies >= signsBelieved)
+            return finding(TwinSign::SecondReply);
+        if (m_differences >= signsBelieved)
+            return finding(TwinSign::DifferentValues);
+        const int wanted = goodRoundsWanted * (1 + m_secondReplies + m_differences);
+        if (m_goodRounds >= wanted && m_clean >= 2 * m_broken)
+            return finding(TwinSign::None);
+        if (m_broken >= brokenTooMany && m_broken > m_clean)
+            return finding(TwinSign::BrokenReplies);
+        return std::nullopt;
+    }
+
+    base::Result<void> oneRound(bool first)
+    {
+        Servo seen = m_servo;
+        seen.image.clear();
+        bool whole = true;
+        const int brokenBefore = m_broken;
+        for (const bus::PollSpan& span : m_spans) {
+            const auto answered = readOnce(seen, span);
+            if (!answered)
+                return tl::unexpected(answered.error());
+            whole = whole && *answered;
+        }
+        // A second reply may be as late as this link ever was. Only where nothing is out of the
+        // ordinary once is enough.
+        const bool doubtful = m_broken > brokenBefore || m_secondReplies + m_differences > 0;
+        if (first || doubtful) {
+            if (const auto heard = m_context.bus.listen(m_context.bus.replyTimeout()); !heard)
+                return heard;
+        }
+        countSecondReplies();
+        if (whole)
+            compare(std::move(seen));
+        return {};
+    }
+
+    /// False: nothing usable came.
+    base::Result<bool> readOnce(Servo& seen, const bus::PollSpan& span)
+    {
+        bus::Transaction transaction;
+        transaction.request =
+            protocol::Request::read(seen.id, span.address, span.count).in(seen.protocol);
+        transaction.priority = m_context.priority;
+        transaction.retries = 0; // a repeated read would hide what is looked for
+        transaction.hold = m_context.hold;
+        transaction.epoch = m_context.epoch;
+        transaction.stop = &m_context.stop;
+        const auto outcome = m_context.bus.transact(transaction);
+        if (!outcome)
+            return failedRead(outcome.error());
+        ++m_clean;
+        seen.image.store(span.address, outcome->data(), outcome->sentAt + outcome->roundTrip);
+        return true;
+    }
+
+    base::Result<bool> failedRead(const base::Error& error)
+    {
+        switch (error.code) {
+        case ErrorCode::Garbled:
+        case ErrorCode::WrongAnswer:
+            ++m_broken;
+            return false;
+        case ErrorCode::Refused: // a Modbus station without this register
+            ++m_clean;
+            return true;
+        case ErrorCode::NoAnswer: {
+            // Its reply may still come, and must not be taken for a second one.
+            const auto heard = m_context.bus.listen(m_context.bus.replyTimeout());
+            m_context.bus.takeStrays();
+            return heard ? base::Result<bool>(false) : tl::unexpected(heard.error());
+        }
+        default:
+            return tl::unexpected(error);
+        }
+    }
+
+    void countSecondReplies()
+    {
+        const auto strays = m_context.bus.takeStrays();
+        const bool second =
+            std::any_of(strays.begin(), strays.end(),
+                        [this](const bus::Stray& stray) { return stray.id == m_servo.id; });
+        m_secondReplies += second ? 1 : 0;
+    }
+
+    void compare(Servo seen)
+    {
+        const base::Duration now = m_context.bus.clock().now();
+        const bool differs = m_last && (settingsDiffer(*m_last, seen) ||
+                                        !couldBeOneServo(*m_last, seen, now - m_at));
+        m_differences += differs ? 1 : 0;
+        m_goodRounds += differs ? 0 : 1;
+        m_last = std::move(seen);
+        m_at = now;
+    }
+
+    static bool settingsDiffer(const Servo& before, const Servo& after)
+    {
+        const auto& registers = before.profile->registers;
+        return std::any_of(registers.begin(), registers.end(), [&](const catalog::Register& reg) {
+            const auto was = before.image.bytes(reg.offset, reg.size);
+            const auto is = after.image.bytes(reg.offset, reg.size);
+            return stays(reg) && was && is && *was != *is;
+        });
+    }
+
+    const Context& m_context;
+    const Servo& m_servo;
+    std::vector<bus::PollSpan> m_spans;
+    std::optional<Servo> m_last; ///< the latest whole round
+    base::Duration m_at{};
+    int m_goodRounds = 0;
+    int m_clean = 0;
+    int m_broken = 0;
+    int m_secondReplies = 0; ///< rounds with one
+    int m_differences = 0;   ///< rounds that differ from the one before
+};
+
+double jump(const Servo& a, const Servo& b, Role role)
+{
+    const auto before = a.physical(role);
+    const auto after = b.physical(role);
+    return before && after ? std::abs(*after - *before) : 0;
+}
+
+/// A turn in the unit of the present position: degrees, or steps where the range is not known.
+double turnOf(const Servo& servo)
+{
+    const catalog::Register* position = servo.profile->byRole(Role::PresentPosition);
+    const bool degrees =
+        position != nullptr && servo.meaning(*position).unit == QLatin1String("deg");
+    return degrees ? turnDegrees : servo.profile->stepsPerTurn;
+}
+
+bool resting(const Servo& servo)
+{
+    return servo.raw(Role::PresentSpeed).value_or(1) == 0 &&
+           servo.raw(Role::Moving).value_or(1) == 0;
+}
+} // namespace
+
+bool couldBeOneServo(const Servo& before, const Servo& after, base::Duration apart)
+{
+    if (jump(before, after, Role::PresentTemperature) > maxTemperatureJump + jumpSlack ||
+        jump(before, after, Role::PresentVoltage) > maxVoltageJump + jumpSlack)
+        return false;
+    const double turn = turnOf(after);
+    double moved = std::fmod(jump(before, after, Role::PresentPosition), turn);
+    moved = std::min(moved, turn - moved) * stepsPerTurn / turn; // the seam of a turn is no jump
+    double possible = restJitterSteps;
+    if (!resting(before) || !resting(after)) {
+        possible += fastestStepsPerSecond * double(apart.count()) / 1e6;
+        // A turning motor of an SCS or LX servo passes the part of a turn it cannot measure.
+        const double measured = after.profile->angleRangeDeg.value_or(turnDegrees);
+        possible += std::max(0.0, turnDegrees - measured) * stepsPerTurn / turnDegrees;
+    }
+    return moved <= possible;
+}
+
+base::Result<TwinFinding> lookForTwins(const Context& context, const Servo& servo)
+{
+    return TwinCheck(context, servo).run();
+}
+} // namespace device

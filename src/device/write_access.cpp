@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/write_access.h"
+
+#include "device/twin_check.h"
+
+#include <algorithm>
+
+namespace device {
+using base::ErrorCode;
+using catalog::Role;
+
+namespace {
+/// Every family knows its lock's values; another byte there means that it is another register.
+bool isLockValue(const catalog::Register& lock, std::int64_t raw)
+{
+    return lock.values.empty() ||
+           std::any_of(lock.values.begin(), lock.values.end(),
+                       [raw](const catalog::NamedValue& value) { return value.value == raw; });
+}
+
+std::optional<base::Error> lockBar(const Servo& servo, std::optional<std::int64_t> raw,
+                                   const QString& operation)
+{
+    const catalog::Register* lock = servo.profile->byRole(Role::Lock);
+    if (lock == nullptr || !raw || isLockValue(*lock, *raw))
+        return std::nullopt;
+    const catalog::Profile& profile = *servo.profile;
+    catalog::FamilyFacts facts;
+    facts.firmware = profile.identity.firmware();
+    facts.firmwareSeries = profile.series;
+    facts.byteOrderFlag = profile.identity.byteOrderFlag;
+    facts.modelId = profile.identity.modelId();
+    if (profile.modelKnown) {
+        facts.modelName = profile.modelName;
+        facts.modelFlag = profile.identity.byteOrderFlag;
+    }
+    facts.lockAddress = lock->address;
+    facts.lock = *raw;
+    return base::Error{ErrorCode::FamilyUnclear, operation, facts.detail(), servo.id};
+}
+
+QString wordOf(const TwinFinding& finding)
+{
+    switch (finding.sign) {
+    case TwinSign::SecondReply:
+        return QStringLiteral("two-replies");
+    case TwinSign::DifferentValues:
+        return QStringLiteral("different-values");
+    case TwinSign::BrokenReplies:
+        return QStringLiteral("broken %1/%2").arg(finding.broken).arg(finding.reads);
+    case TwinSign::None:
+        break;
+    }
+    return {};
+}
+} // namespace
+
+base::Result<void> requireWritable(const Servo& servo, const QString& operation)
+{
+    if (!servo.profile)
+        return base::fail(ErrorCode::UnknownModel, operation, {}, servo.id);
+    if (servo.profile->conflict) {
+        return base::fail(ErrorCode::FamilyUnclear, operation, servo.profile->conflict->detail(),
+                          servo.id);
+    }
+    if (!servo.profile->writable) {
+        return base::fail(ErrorCode::UnknownModel, operation,
+                          QStringLiteral("firmware ") + servo.profile->identity.firmware(),
+                          servo.id);
+    }
+    return {};
+}
+
+std::optional<base::Error> writeBar(const Servo& servo)
+{
+    if (const auto writable = requireWritable(servo, {}); !writable)
+        return writable.error();
+    return lockBar(servo, servo.raw(Role::Lock), {});
+}
+
+base::Result<void> beginWriting(const Context& outer, const Servo& servo, const QString& operation)
+{
+    if (outer.emergencyStop)
+        return {};
+    if (const auto writable = requireWritable(servo, operation); !writable)
+        return writable;
+    bus::VerifiedIds& verified = outer.bus.verifiedIds();
+    const int baud = outer.bus.baud();
+    if (verified.contains(servo.protocol, servo.id, baud))
+        return {};
+    const Owned owned = own(outer, {servo.id});
+    const auto found = lookForTwins(owned.context, servo);
+    if (!found)
+        return tl::unexpected(found.error());
+    if (found->sign != TwinSign::None)
+        return base::fail(ErrorCode::SeveralServos, operation, wordOf(*found), servo.id);
+    if (auto bar = lockBar(servo, found->lock, operation))
+        return tl::unexpected(std::move(*bar));
+    verified.add(servo.protocol, servo.id, baud);
+    return {};
+}
+
+void moveAccess(bus::Bus& bus, const Servo& servo, int oldId, int oldBaud)
+{
+    bus.verifiedIds().remove(servo.protocol, oldId, oldBaud);
+    bus.verifiedIds().add(servo.protocol, servo.id, bus.baud());
+}
+} // namespace device

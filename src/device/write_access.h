@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// May this servo be written to? Asked by every path before its first byte, and once more by the
+// frames themselves: is its family known and unambiguous, and does it answer alone. The job's
+// thread.
+#pragma once
+
+#include "device/context.h"
+#include "device/servo.h"
+
+namespace device {
+/// By what it says of itself: UnknownModel, or FamilyUnclear with the facts in its detail.
+base::Result<void> requireWritable(const Servo& servo, const QString& operation);
+
+/// The same and the byte at the lock's place, as far as it has been read: for whoever shows the
+/// servo. Null: nothing speaks against writing.
+std::optional<base::Error> writeBar(const Servo& servo);
+
+/// The above, and where this connection has not written to the servo before: looks whether a second
+/// one answers under its ID (SeveralServos) and what stands at the lock's place. Remembered on the
+/// bus once it is well. Neither delays nor refuses what belongs to an emergency stop. Errors of
+/// reading besides.
+base::Result<void> beginWriting(const Context& context, const Servo& servo,
+                                const QString& operation);
+
+/// After a change of ID or rate: where the servo answers now it needs no second look, and whoever
+/// is plugged in where it was needs one.
+void moveAccess(bus::Bus& bus, const Servo& servo, int oldId, int oldBaud);
+} // namespace device

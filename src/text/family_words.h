@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why nothing is written to a servo whose family is unclear or whose ID two servos answer: the
+// facts that were found, in words. Pure functions; any thread.
+#pragma once
+
+#include "base/error.h"
+
+namespace text {
+/// Empty for every other error.
+QString writeBarCase(const base::Error& error);
+QString writeBarCause(const base::Error& error);
+QString writeBarRemedy(const base::Error& error);
+} // namespace text

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/byte_line.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace support {
+namespace {
+constexpr std::uint8_t ping = 1;
+constexpr std::uint8_t read = 2;
+constexpr std::uint8_t write = 3;
+constexpr base::Duration replyDelay = std::chrono::microseconds(100);
+constexpr base::Duration byteTime = std::chrono::microseconds(10); // 1 Mbaud
+
+std::uint8_t checksum(const base::Bytes& frame)
+{
+    return std::uint8_t(~std::accumulate(frame.begin() + 2, frame.end(), 0U) & 0xFF);
+}
+
+base::Bytes reply(int id, const base::Bytes& data)
+{
+    base::Bytes frame{0xFF, 0xFF, std::uint8_t(id), std::uint8_t(data.size() + 2), 0};
+    frame.insert(frame.end(), data.begin(), data.end());
+    frame.push_back(checksum(frame));
+    return frame;
+}
+
+class ByteLink final : public transport::Link {
+public:
+    ByteLink(ByteLine& line, base::ManualClock& clock)
+        : m_line(line)
+        , m_clock(clock)
+    {}
+
+    base::Result<void> write(base::ByteView bytes) override
+    {
+        const base::Bytes frame(bytes.begin(), bytes.end());
+        m_line.frames.push_back(frame);
+        base::Bytes body = frame;
+        if (body.size() < 6 || body[0] != 0xFF || body[1] != 0xFF)
+            return {};
+        const std::uint8_t check = body.back();
+        body.pop_back();
+        if (checksum(body) != check)
+            return {};
+        answer(body);
+        return {};
+    }
+
+    base::Result<std::size_t> read(base::Bytes& buffer) override
+    {
+        std::size_t count = 0;
+        for (; !m_coming.empty() && m_coming.front().at <= m_clock.now(); ++count) {
+            buffer.push_back(m_coming.front().value);
+            m_coming.pop_front();
+        }
+        return count;
+    }
+
+    base::Result<bool> waitReadable(base::Duration span) override
+    {
+        const base::Duration until = m_clock.now() + span;
+        if (m_coming.empty() || m_coming.front().at > until) {
+            m_clock.advance(span);
+            return false;
+        }
+        m_clock.advance(std::max(base::Duration{}, m_coming.front().at - m_clock.now()));
+        return true;
+    }
+
+    base::Result<void> setBaud(int baud) override
+    {
+        m_baud = baud;
+        return {};
+    }
+    int baud() const override { return m_baud; }
+    QString name() const override { return QStringLiteral("bytes"); }
+
+private:
+    struct Coming {
+        base::Duration at{};
+        std::uint8_t value = 0;
+    };
+
+    static base::Bytes carryOut(ByteServo& servo, const base::Bytes& body)
+    {
+        const std::uint8_t instruction = body[4];
+        if (instruction == support::read) {
+            const auto first = servo.table.begin() + body[5];
+            return {first, first + body[6]};
+        }
+        if (instruction == support::write) {
+            std::copy(body.begin() + 6, body.end(), servo.table.begin() + body[5]);
+            ++servo.writes;
+            servo.id = servo.table[5];
+        }
+        return {};
+    }
+
+    void answer(const base::Bytes& body)
+    {
+        if (m_baud != 1'000'000 ||
+            (body[4] != ping && body[4] != support::read && body[4] != support::write))
+            return;
+        std::vector<base::Bytes> said;
+        for (ByteServo& servo : m_line.servos) {
+            if (servo.id == body[2])
+                said.push_back(reply(body[2], carryOut(servo, body)));
+        }
+        if (said.empty())
+            return;
+        if (m_line.replies == ByteLine::Replies::Together) {
+            for (std::size_t i = 0; i < said[0].size() && said.size() > 1; ++i)
+                said[0][i] = said[0][i] & said[1][i];
+            said.resize(1);
+        }
+        base::Duration at = m_clock.now() + byteTime * (int(body.size()) + 1) + replyDelay;
+        for (std::size_t i = 0; i < said.size(); ++i) {
+            if (m_line.spoil)
+                m_line.spoil(m_line.asked++, said[i]);
+            at += i > 0 ? m_line.secondLate : base::Duration{};
+            for (const std::uint8_t value : said[i])
+                m_coming.push_back({(at += byteTime) + m_line.adapterLate, value});
+            at += byteTime;
+        }
+    }
+
+    ByteLine& m_line;
+    base::ManualClock& m_clock;
+    int m_baud = 1'000'000;
+    std::deque<Coming> m_coming;
+};
+} // namespace
+
+int ByteLine::changingFrames() const
+{
+    return int(std::count_if(frames.begin(), frames.end(), [](const base::Bytes& frame) {
+        return frame.size() > 4 && frame[4] != ping && frame[4] != read;
+    }));
+}
+
+std::unique_ptr<transport::Link> openByteLine(ByteLine& line, base::ManualClock& clock)
+{
+    return std::make_unique<ByteLink>(line, clock);
+}
+
+ByteServo byteSts(int id, int position)
+{
+    ByteServo servo;
+    servo.id = id;
+    base::Bytes& t = servo.table;
+    const auto set = [&t](std::size_t at, std::initializer_list<int> values) {
+        for (const int value : values)
+            t[at++] = std::uint8_t(value);
+    };
+    set(0, {3,  10, 0, 9,  3, id, 0, 250,  1, 0, 0, 0xFF, 0x0F, 70, 80,  40, 0xE8, 3,   12, 44, 47,
+            32, 32, 0, 16, 0, 1,  1, 0xF4, 1, 1, 0, 0,    0,    20, 200, 80, 10,   200, 200});
+    set(40, {0, 0, position & 0xFF, position >> 8, 0, 0, 0, 0, 0xE8, 3});
+    set(55, {1, position & 0xFF, position >> 8, 0, 0, 0, 0, 74, 30});
+    return servo;
+}
+} // namespace support

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A wire with responders that know only bytes: each has 128 of them, answers PING, READ and WRITE
+// of the Feetech language, and nothing else. What two of them say at once runs into one another, or
+// comes one after the other. Shares nothing with the simulator. One thread, on a manual clock.
+#pragma once
+
+#include "base/clock.h"
+#include "transport/link.h"
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace support {
+struct ByteServo {
+    int id = 1;
+    base::Bytes table = base::Bytes(128, 0);
+    int writes = 0; ///< frames that changed it
+};
+
+struct ByteLine {
+    enum class Replies : std::uint8_t {
+        Together,        ///< at the same instant: low bits win, as on an open line
+        OneAfterAnother, ///< whole frames in a row
+    };
+    std::vector<ByteServo> servos;
+    Replies replies = Replies::Together;
+    base::Duration adapterLate{};
+    base::Duration secondLate{};                    ///< the second reply comes so much later
+    std::function<void(int, base::Bytes&)> spoil{}; ///< may change the n-th reply
+    std::vector<base::Bytes> frames;                ///< what the host has sent
+    int asked = 0;
+
+    int writesTo(std::size_t index) const { return servos[index].writes; }
+    /// Writes, restores and the like among the frames.
+    int changingFrames() const;
+};
+
+/// `line` and `clock` must outlive it.
+std::unique_ptr<transport::Link> openByteLine(ByteLine& line, base::ManualClock& clock);
+
+/// An STS3215 with firmware 3.10 at rest: identity, limits, lock closed, 7.4 V, 30 °C.
+ByteServo byteSts(int id, int position = 2048);
+} // namespace support
