@@ -318,8 +318,9 @@ private Q_SLOTS:
         WindowBench bench;
         bench.page = QStringLiteral("operate");
         QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
-        auto* wheel = bench.find<QToolButton>("mode_speed");
-        QTRY_VERIFY(wheel != nullptr && wheel->isEnabled());
+        QToolButton* wheel = nullptr;
+        QTRY_VERIFY((wheel = bench.find<QToolButton>("mode_speed")) != nullptr);
+        QTRY_VERIFY(wheel->isEnabled());
         const Watch settledNow(bench, {QStringLiteral("mode_speed")});
         gui::PressClock clock;
         clock.pass(1h);

@@ -10,7 +10,17 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <limits>
+
 namespace ui {
+namespace {
+QString notAcceptedWords()
+{
+    return QStringLiteral("✗ ") + ControlField::tr("not accepted");
+}
+} // namespace
+
 ControlField::ControlField(const QString& name, QWidget* parent)
     : QWidget(parent)
     , m_name(name)
@@ -33,6 +43,7 @@ ControlField::ControlField(const QString& name, QWidget* parent)
 void ControlField::setTitle(const QString& title)
 {
     m_titleText = title;
+    reservePhysical(); // also after a change of language
     m_title->setText(title);
     if (m_editor != nullptr) {
         for (QWidget* taker : m_editor->keyTakers())
@@ -185,11 +196,22 @@ void ControlField::startAnew()
         m_editor->setRaw(std::nullopt);
 }
 
+/// A sign from another font may be higher than the numbers are: nothing below moves when it
+/// appears.
+void ControlField::reservePhysical()
+{
+    const QRect room(0, 0, std::numeric_limits<short>::max(), std::numeric_limits<short>::max());
+    int height = 0;
+    for (const QString& words : {notAcceptedWords(), QStringLiteral("0.0°")})
+        height = std::max(height, m_physical->fontMetrics().boundingRect(room, 0, words).height());
+    m_physical->setMinimumHeight(height);
+}
+
 void ControlField::showPhysical()
 {
     const auto raw = value();
     const bool wrong = edited() && !raw;
-    const QString words = wrong ? QStringLiteral("✗ ") + tr("not accepted")
+    const QString words = wrong ? notAcceptedWords()
                           : raw && m_editor != nullptr
                               ? physicalWords(*raw, *m_reg, m_editor->context().meaning)
                               : QString();
@@ -223,5 +245,7 @@ void ControlField::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
         showPhysical();
+    if (event->type() == QEvent::FontChange)
+        reservePhysical();
 }
 } // namespace ui

@@ -65,6 +65,7 @@ protected:
 private:
     void makeEditor(const device::Servo& servo);
     void showPhysical();
+    void reservePhysical();
 
     QString m_name;
     QString m_titleText;
