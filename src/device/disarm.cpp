@@ -14,20 +14,21 @@ namespace {
 /// How often it is tried.
 constexpr int tries = 4;
 
-/// A held write of "torque off", which it is, takes the place of a held goal. Only where the servo
-/// has acknowledged it may it be carried out, which leaves nothing that waits: an ACTION that met
-/// the goal would turn the shaft.
-base::Result<bool> mayHold(const Context& context, Servo& servo, const catalog::Register& flag)
+/// A held write that changes nothing takes the place of a held goal. Only where the servo has
+/// acknowledged it may it be carried out, which leaves nothing that waits: an ACTION that met the
+/// goal would turn the shaft.
+base::Result<bool> mayHold(const Context& context, Servo& servo, const catalog::Register& flag,
+                           const RegisterValue& harmless)
 {
-    const catalog::Register& torque = *servo.profile->byRole(Role::TorqueSwitch);
     for (int attempt = 0; attempt < tries; ++attempt) {
         const auto held = readRegister(context, servo, flag);
         if (!held)
             return tl::unexpected(held.error());
         if (*held == 0)
             return false;
-        auto request = protocol::Request::regWrite(
-            servo.id, torque.writeOffset, wireBytes(servo, torque, 0), protocol::Repeat::Safe);
+        auto request = protocol::Request::regWrite(servo.id, harmless.reg->writeOffset,
+                                                   wireBytes(servo, *harmless.reg, harmless.raw),
+                                                   protocol::Repeat::Safe);
         request.acknowledged = servo.answersWrites();
         const auto replaced = transactPlain(context, std::move(request));
         if (!replaced && !answerLost(replaced.error()))
@@ -75,9 +76,19 @@ base::Result<bool> disarm(const Context& outer, Servo& servo)
     if (!servo.profile || !servo.profile->writable)
         return false;
     if (const catalog::Register* flag = servo.profile->byRole(Role::AsyncFlag))
-        return mayHold(context, servo, *flag);
+        return mayHold(context, servo, *flag, {servo.profile->byRole(Role::TorqueSwitch), 0});
     if (const catalog::Register* goal = servo.profile->byRole(Role::StoredGoal))
         return mayStore(context, servo, *goal);
     return false;
+}
+
+base::Result<bool> dropHeld(const Context& outer, Servo& servo)
+{
+    const Owned owned = own(outer, {servo.id});
+    const catalog::Register* flag = servo.profile->byRole(Role::AsyncFlag);
+    const catalog::Register* lock = servo.profile->byRole(Role::Lock);
+    if (flag == nullptr || lock == nullptr)
+        return true;
+    return mayHold(owned.context, servo, *flag, {lock, 1});
 }
 } // namespace device

@@ -11,26 +11,40 @@ using base::ErrorCode;
 using catalog::Role;
 
 namespace {
+base::Result<bool> waits(const Context& context, Servo& servo)
+{
+    const catalog::Register* flag = servo.profile->byRole(Role::AsyncFlag);
+    if (flag == nullptr)
+        return false;
+    return readRegister(context, servo, *flag).map([](std::int64_t raw) { return raw == 1; });
+}
+
 base::Result<void> holdGoal(const Context& context, MovePlan& plan, const Block& block)
 {
     Servo& servo = *plan.servo;
+    const auto before = waits(context, servo);
+    if (!before)
+        return tl::unexpected(before.error());
     auto request = protocol::Request::regWrite(servo.id, block.patch.writeOffset, block.patch.data,
                                                protocol::Repeat::Safe);
     request.acknowledged = servo.answersWrites();
-    // The flag below tells whether it is held, so a lost answer does not matter.
+    const bool told = request.acknowledged;
     const auto held = transactPlain(context, std::move(request));
     if (!held && !answerLost(held.error()))
         return held;
     const catalog::Register* flag = servo.profile->byRole(Role::AsyncFlag);
     if (flag == nullptr)
         return {};
-    const auto pending = readRegister(context, servo, *flag);
+    const auto pending = waits(context, servo);
     if (!pending)
         return tl::unexpected(pending.error());
-    if (*pending == 1)
+    const bool taken = held.has_value() && told;
+    // The flag tells whether it is held, so a lost answer does not matter; unless another goal has
+    // been waiting there, of which it speaks just as well.
+    if (*pending && (taken || !*before))
         return {};
-    return tl::unexpected(
-        base::Error{ErrorCode::Refused, QStringLiteral("reg-write"), {}, servo.id, flag->key});
+    const ErrorCode code = *pending ? ErrorCode::Uncertain : ErrorCode::Refused;
+    return tl::unexpected(base::Error{code, QStringLiteral("reg-write"), {}, servo.id, flag->key});
 }
 
 base::Result<void> releaseHeld(const Context& context, const Plans& plans)
@@ -43,26 +57,26 @@ base::Result<void> releaseHeld(const Context& context, const Plans& plans)
     protocol::Request start =
         plans.size() == 1 ? protocol::Request::action(first.id) : protocol::Request::action();
     start.acknowledged = plans.size() == 1 && first.answersWrites();
+    int waiting = -1;
     for (int sent = 0; sent < sends; ++sent) {
         // The flag below tells what became of it.
         const auto acted = transactPlain(context, start);
         if (!acted && !answerLost(acted.error()))
             return acted;
-        bool waiting = false;
+        waiting = -1;
         for (MovePlan* plan : plans) {
-            const catalog::Register* flag = plan->servo->profile->byRole(Role::AsyncFlag);
-            const auto pending = flag != nullptr ? readRegister(context, *plan->servo, *flag)
-                                                 : base::Result<std::int64_t>(0);
+            const auto pending = waits(context, *plan->servo);
             if (!pending)
                 return tl::unexpected(pending.error());
-            waiting |= *pending == 1;
+            if (*pending && waiting < 0)
+                waiting = plan->servo->id;
         }
         // A flag still up proves that this servo has not heard the ACTION; the others hold nothing
         // any more, so a second one moves only it.
-        if (!waiting)
+        if (waiting < 0)
             return {};
     }
-    return base::fail(ErrorCode::Refused, QStringLiteral("action"));
+    return base::fail(ErrorCode::Refused, QStringLiteral("action"), {}, waiting);
 }
 
 base::Result<void> holdAll(const Context& context, const Plans& plans)
@@ -191,6 +205,18 @@ base::Result<void> startGoals(const Context& context, const Ways& ways)
         return started;
     }
     return releaseHeld(context, ways.held);
+}
+
+base::Result<void> giveUpHeld(const Context& context, const Ways& ways, base::Error error)
+{
+    for (MovePlan* plan : ways.held) {
+        const auto waiting = dropHeld(context, *plan->servo);
+        // One that is silent here was silent before, and is named by the error already.
+        if (waiting && *waiting)
+            error = {ErrorCode::Refused, QStringLiteral("move"), QStringLiteral("forget-held"),
+                     plan->servo->id};
+    }
+    return tl::unexpected(std::move(error));
 }
 
 base::Result<void> forgetGoals(const Context& context, const Ways& ways)

@@ -136,9 +136,9 @@ base::Result<Ways> sortOut(std::vector<MovePlan>& plans, MoveHow how)
 base::Result<void> sendTogether(const Context& context, const Ways& ways)
 {
     if (const auto held = holdGoals(context, ways); !held)
-        return held;
+        return giveUpHeld(context, ways, held.error());
     if (const auto started = startGoals(context, ways); !started)
-        return started;
+        return giveUpHeld(context, ways, started.error());
     return sendBySync(context, ways.packets);
 }
 } // namespace device

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Held moves (REG WRITE, then ACTION) on a line that loses frames: each frame of them in turn, as a
+// request and as its answer, and many by chance. What the servos have done is asked of their
+// shafts, what was sent is counted on the wire. A move is made once or not at all, and never
+// another one.
+#include "device/motion.h"
+#include "device/reader.h"
+#include "support/sim_bench.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include <cmath>
+#include <random>
+
+using base::ErrorCode;
+using device::MoveHow;
+using device::MovePlan;
+using support::SimBench;
+using namespace std::chrono_literals;
+
+namespace {
+constexpr int goalAddress = 42;
+
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+double shaft(SimBench& bench, int id)
+{
+    return bench.withWire([id](sim::VirtualBus& wire) { return wire.servo(id)->shaftDegrees(); });
+}
+
+enum class Lost { Request, Answer };
+
+/// Loses what `picks` says, and hears everything else.
+void lose(SimBench& bench, Lost what, std::function<bool(const base::Bytes&)> picks)
+{
+    bench.tap().onWrite = [&bench, what, picks = std::move(picks)](const base::Bytes& frame) {
+        auto& faults = bench.wireConfig().faults;
+        const double chance = picks(frame) ? 1.0 : 0.0;
+        (what == Lost::Request ? faults.dropRequest : faults.drop) = chance;
+    };
+}
+
+void hearEverything(SimBench& bench)
+{
+    bench.tap().onWrite = nullptr;
+    bench.wireConfig().faults.drop = 0;
+    bench.wireConfig().faults.dropRequest = 0;
+}
+
+std::vector<MovePlan> plansFor(SimBench& bench, std::vector<device::Servo>& servos,
+                               const QString& goal)
+{
+    std::vector<MovePlan> plans;
+    for (device::Servo& servo : servos) {
+        device::MoveOrder order;
+        order.servo = &servo;
+        order.goal = goal;
+        auto plan = device::planMove(bench.context(), order);
+        if (!plan)
+            qFatal("plan");
+        plans.push_back(*plan);
+    }
+    return plans;
+}
+
+/// 64, as the servo tells it on a good line.
+std::int64_t flag(SimBench& bench, int id)
+{
+    device::Servo servo = bench.servo(id);
+    if (!device::readKeys(bench.context(), servo, {text("async_write_flag")}))
+        return -1;
+    return servo.raw(text("async_write_flag")).value_or(-1);
+}
+
+/// A program that knows only bytes says one frame; nobody waits for the answer.
+void sayBytes(SimBench& bench, const base::Bytes& body)
+{
+    base::Bytes frame{0xFF, 0xFF};
+    frame.insert(frame.end(), body.begin(), body.end());
+    unsigned sum = 0;
+    for (const std::uint8_t byte : body)
+        sum += byte;
+    frame.push_back(std::uint8_t(~sum & 0xFFU));
+    protocol::Request request = protocol::Request::raw(frame);
+    bus::Transaction transaction;
+    transaction.request = std::move(request);
+    (void)bench.bus().transact(transaction);
+}
+
+/// REG WRITE of a goal by another program.
+void holdForeign(SimBench& bench, int id, int goal)
+{
+    sayBytes(bench, {std::uint8_t(id), 5, support::RegWrite, goalAddress, std::uint8_t(goal & 0xFF),
+                     std::uint8_t(goal >> 8)});
+    QCOMPARE(flag(bench, id), 1);
+}
+
+void actAll(SimBench& bench)
+{
+    sayBytes(bench, {254, 2, support::Action});
+    bench.letTimePass(4s);
+}
+
+QByteArray whatHappened(const base::Result<void>& result)
+{
+    return result ? QByteArray("done")
+                  : base::errorName(result.error().code).toUtf8() + " of servo " +
+                        QByteArray::number(result.error().id);
+}
+
+/// Two servos at 180° with torque on, and a move of both: to 1024 (90°), or by 512 steps (45°).
+struct Pair {
+    explicit Pair(bool relative)
+        : bench(text("sts3215@1,sts3215@2"))
+        , way(relative ? 45.0 : -90.0)
+    {
+        for (const int id : {1, 2}) {
+            device::Servo servo = bench.servo(id);
+            if (relative && !device::switchMode(bench.context(), servo, text("step")))
+                qFatal("mode");
+            if (!device::setTorque(bench.context(), servo, device::Torque::On))
+                qFatal("torque");
+            servos.push_back(bench.servo(id));
+        }
+        bench.letTimePass(1s);
+        plans = plansFor(bench, servos, relative ? text("512") : text("1024"));
+        for (const int id : {1, 2})
+            start[id] = shaft(bench, id);
+        bench.notices().clear();
+        bench.forgetFrames();
+    }
+    double moved(int id) { return shaft(bench, id) - start[id]; }
+    bool whole(int id) { return std::abs(moved(id) - way) < 4; }
+    bool none(int id) { return std::abs(moved(id)) < 4; }
+    /// Sends it, with time enough to arrive afterwards.
+    base::Result<void> move()
+    {
+        const auto sent = device::sendMoves(bench.context(), plans, MoveHow::Async);
+        hearEverything(bench);
+        bench.letTimePass(4s);
+        return sent;
+    }
+    QByteArray story(const base::Result<void>& sent)
+    {
+        return whatHappened(sent) + ": " + QByteArray::number(moved(1)) + "°, " +
+               QByteArray::number(moved(2)) + "°";
+    }
+
+    SimBench bench;
+    double way;
+    std::vector<device::Servo> servos;
+    std::vector<MovePlan> plans;
+    std::map<int, double> start;
+};
+} // namespace
+
+class TestHeldMoves : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void eachFrameLostOnce_data();
+    void eachFrameLostOnce();
+    void manyLostByChance_data();
+    void manyLostByChance();
+    void aForgottenGoalIsNotTakenForOurs();
+    void aMoveGivenUpLeavesNothingThatWaits();
+    void aStartThatIsNeverHeardLeavesNothingThatWaits();
+    void whoFallsSilentAtTheStartIsNamed();
+};
+
+void TestHeldMoves::eachFrameLostOnce_data()
+{
+    QTest::addColumn<bool>("relative");
+    QTest::addColumn<Lost>("what");
+    QTest::newRow("goals, requests") << false << Lost::Request;
+    QTest::newRow("goals, answers") << false << Lost::Answer;
+    QTest::newRow("steps, requests") << true << Lost::Request;
+    QTest::newRow("steps, answers") << true << Lost::Answer;
+}
+
+/// One frame lost: the move is made all the same, by both, once.
+void TestHeldMoves::eachFrameLostOnce()
+{
+    QFETCH(bool, relative);
+    QFETCH(Lost, what);
+    std::size_t frames = 1;
+    for (std::size_t lost = 0; lost < frames; ++lost) {
+        Pair pair(relative);
+        std::size_t count = 0;
+        lose(pair.bench, what, [&](const base::Bytes&) { return count++ == lost; });
+        const auto sent = pair.move();
+        frames = std::max(frames, count);
+        const QByteArray story = "frame " + QByteArray::number(int(lost)) + ": " + pair.story(sent);
+        QVERIFY2(sent.has_value(), story.constData());
+        for (const int id : {1, 2}) {
+            QVERIFY2(pair.whole(id), story.constData());
+            QCOMPARE(flag(pair.bench, id), 0);
+        }
+        // A goal is held once, or again because its answer was lost; the start likewise.
+        QVERIFY2(pair.bench.frames(support::RegWrite) <= 3, story.constData());
+        QVERIFY2(pair.bench.frames(support::Action) <= 2, story.constData());
+    }
+    QVERIFY(frames > 6);
+}
+
+void TestHeldMoves::manyLostByChance_data()
+{
+    QTest::addColumn<bool>("relative");
+    QTest::addColumn<double>("chance");
+    QTest::newRow("goals, 20 %") << false << 0.2;
+    QTest::newRow("goals, 50 %") << false << 0.5;
+    QTest::newRow("steps, 20 %") << true << 0.2;
+    QTest::newRow("steps, 50 %") << true << 0.5;
+}
+
+/// Done is done, by both; what failed has moved whole or not at all, and a start later on finds
+/// nothing that the error has not named.
+void TestHeldMoves::manyLostByChance()
+{
+    QFETCH(bool, relative);
+    QFETCH(double, chance);
+    int done = 0;
+    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+        Pair pair(relative);
+        std::mt19937 dice(seed);
+        pair.bench.tap().onWrite = [&](const base::Bytes&) {
+            auto& faults = pair.bench.wireConfig().faults;
+            std::uniform_real_distribution<double> roll(0, 1);
+            faults.dropRequest = roll(dice) < chance ? 1.0 : 0.0;
+            faults.drop = roll(dice) < chance ? 1.0 : 0.0;
+        };
+        const auto sent = pair.move();
+        const QByteArray story = "seed " + QByteArray::number(seed) + ": " + pair.story(sent);
+        done += sent ? 1 : 0;
+        for (const int id : {1, 2}) {
+            QVERIFY2(pair.whole(id) || (!sent && pair.none(id)), story.constData());
+            if (flag(pair.bench, id) == 1)
+                QVERIFY2(!sent, story.constData());
+        }
+    }
+    QVERIFY2(done > (chance < 0.3 ? 10 : 0), qPrintable(QString::number(done)));
+}
+
+/// A goal of another program waits in the servo, and ours never arrives: the flag that says "one
+/// waits" speaks of the other one, which must not be started in our name.
+void TestHeldMoves::aForgottenGoalIsNotTakenForOurs()
+{
+    Pair pair(false);
+    holdForeign(pair.bench, 1, 3000);
+    lose(pair.bench, Lost::Request,
+         [](const base::Bytes& frame) { return frame[4] == support::RegWrite && frame[2] == 1; });
+    const auto sent = pair.move();
+    QVERIFY2(!sent, pair.story(sent).constData());
+    QCOMPARE(sent.error().id, 1);
+    QVERIFY2(pair.none(1) && pair.none(2), pair.story(sent).constData());
+    // Where ours arrives, it takes the other one's place.
+    pair.plans = plansFor(pair.bench, pair.servos, text("1024"));
+    const auto again = pair.move();
+    QVERIFY2(again.has_value(), pair.story(again).constData());
+    QVERIFY2(pair.whole(1) && pair.whole(2), pair.story(again).constData());
+}
+
+/// The second servo cannot be told its goal, so the move is not made: nor by the first one when
+/// another program starts what it holds.
+void TestHeldMoves::aMoveGivenUpLeavesNothingThatWaits()
+{
+    Pair pair(false);
+    lose(pair.bench, Lost::Request,
+         [](const base::Bytes& frame) { return frame[4] == support::RegWrite && frame[2] == 2; });
+    const auto sent = pair.move();
+    QVERIFY(!sent);
+    QCOMPARE(sent.error().id, 2);
+    QCOMPARE(flag(pair.bench, 1), 0);
+    QCOMPARE(pair.bench.raw(1, text("torque_switch")), 1);
+    actAll(pair.bench);
+    QVERIFY2(pair.none(1) && pair.none(2), pair.story(sent).constData());
+}
+
+/// No start is heard: both are named as waiting no more, and a start by another program moves none.
+void TestHeldMoves::aStartThatIsNeverHeardLeavesNothingThatWaits()
+{
+    Pair pair(false);
+    lose(pair.bench, Lost::Request,
+         [](const base::Bytes& frame) { return frame[4] == support::Action; });
+    const auto sent = pair.move();
+    QVERIFY(!sent);
+    QVERIFY(sent.error().id == 1 || sent.error().id == 2);
+    QVERIFY(pair.bench.frames(support::Action) > 1);
+    actAll(pair.bench);
+    QVERIFY2(pair.none(1) && pair.none(2), pair.story(sent).constData());
+}
+
+/// Whether it has heard the start cannot be known.
+void TestHeldMoves::whoFallsSilentAtTheStartIsNamed()
+{
+    Pair pair(false);
+    lose(pair.bench, Lost::Request, [&](const base::Bytes& frame) {
+        if (frame[4] == support::Action)
+            pair.bench.wireConfig().faults.muteIds = {2};
+        return false;
+    });
+    const auto sent = pair.move();
+    pair.bench.wireConfig().faults.muteIds.clear();
+    QVERIFY(!sent);
+    QCOMPARE(sent.error().id, 2);
+    QVERIFY2(pair.whole(1) && pair.whole(2), pair.story(sent).constData());
+}
+
+QTEST_GUILESS_MAIN(TestHeldMoves)
+#include "tst_held_moves.moc"
