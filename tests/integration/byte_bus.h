@@ -57,6 +57,12 @@ public:
     Bus& operator=(const Bus&) = delete;
 
     QString port() const { return m_name; }
+    /// The next `count` WRITEs of this address are lost on their way to the servo.
+    void loseWrites(int id, int address, int count)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_lost[{id, address}] = count;
+    }
     int writes() const { return m_writes; }
     int restarts() const { return m_restarts; }
     bool has(int id)
@@ -153,6 +159,11 @@ private:
             break;
         }
         case 0x03:
+            if (const auto lost = m_lost.find({id, at(5)});
+                lost != m_lost.end() && lost->second > 0) {
+                --lost->second;
+                break;
+            }
             ++m_writes;
             for (int i = 6; i < frame.size() - 1; ++i)
                 servo->second[std::size_t(at(5) + i - 6)] = at(i);
@@ -197,6 +208,7 @@ private:
     QString m_name;
     std::mutex m_mutex; ///< guards the tables
     std::map<int, Table> m_servos;
+    std::map<std::pair<int, int>, int> m_lost;                      ///< WRITEs by ID and address
     std::deque<std::pair<Clock::time_point, QByteArray>> m_replies; ///< the thread's
     std::atomic<int> m_writes{0};
     std::atomic<int> m_restarts{0};
