@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A cable between a program and the simulator's terminal, as a terminal of its own: what is said on
 // one side is heard on the other, at the rate it was said at. Kills the program (SIGKILL) at the
-// WRITE of one register, before the servo has heard it or after. A thread of its own; killAt(),
-// killed() and connectAnew() from the test's, the last while no program is at it. POSIX only.
+// WRITE of one register, before the servo has heard it or after; or interrupts it there as Ctrl-C
+// does. A thread of its own; killAt(), interruptAt(), killed() and connectAnew() from the test's,
+// the last while no program is at it. POSIX only.
 #pragma once
 
 #include "transport/tty_speed.h"
@@ -25,6 +26,13 @@ namespace support {
 struct KillPoint {
     int address = -1; ///< first one of the frame
     bool heard = false;
+};
+
+/// Ctrl-C at a WRITE of this register that the servo hears; `times`: again at the frames after it.
+struct InterruptPoint {
+    int address = -1; ///< first one of the frame
+    int skip = 0;     ///< so many such frames before it
+    int times = 1;
 };
 
 class KillCable {
@@ -63,6 +71,17 @@ public:
         m_point = point;
         m_program = static_cast<pid_t>(program);
     }
+    void interruptAt(const InterruptPoint& point, qint64 program)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_interrupt = point;
+        m_program = static_cast<pid_t>(program);
+    }
+    bool interrupted()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_interrupted;
+    }
     bool killed()
     {
         const std::lock_guard lock(m_mutex);
@@ -76,6 +95,8 @@ public:
         tcflush(m_slave, TCIOFLUSH);
         m_point.reset();
         m_killed = false;
+        m_interrupt.reset();
+        m_interrupted = false;
     }
 
 private:
@@ -111,14 +132,27 @@ private:
         if (rate && transport::ttySpeed(m_terminal) != rate)
             transport::setTtySpeed(m_terminal, *rate);
         constexpr unsigned char writeInstruction = 3;
-        const bool here = m_point && got > 5 && frame[0] == 0xFF && frame[1] == 0xFF &&
-                          frame[4] == writeInstruction && frame[5] == m_point->address;
+        const bool writes =
+            got > 5 && frame[0] == 0xFF && frame[1] == 0xFF && frame[4] == writeInstruction;
+        interrupt(writes ? frame[5] : -1);
+        const bool here = m_point && writes && frame[5] == m_point->address;
         if ((!here || m_point->heard) && write(m_terminal, frame, std::size_t(got)) != got)
             qFatal("terminal");
         if (!here)
             return;
         kill(m_program, SIGKILL);
         m_killed = true;
+    }
+
+    void interrupt(int address)
+    {
+        if (!m_interrupt || m_interrupt->times == 0)
+            return;
+        if (!m_interrupted && (address != m_interrupt->address || m_interrupt->skip-- > 0))
+            return;
+        m_interrupted = true;
+        --m_interrupt->times;
+        kill(m_program, SIGINT);
     }
 
     int m_terminal;
@@ -130,6 +164,8 @@ private:
     std::optional<KillPoint> m_point;
     pid_t m_program = 0;
     bool m_killed = false;
+    std::optional<InterruptPoint> m_interrupt;
+    bool m_interrupted = false;
     std::thread m_thread;
 };
 } // namespace support

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ctrl-C, once and by an impatient user, in the tasks that last: sweep, step-response, bundle
+// restore, commission. The simulator is a program of its own; in the cable between them the program
+// is interrupted at the very frame that matters. What is left is asked for by a client that knows
+// only bytes: torque as promised, EPROM lock closed, temporary values back.
+#include "integration/kill_cable.h"
+#include "integration/raw_client.h"
+#include "record/commission_batch.h"
+#include "record/history_journal.h"
+#include "support/cli_program.h"
+#include "support/commission_bench.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QRegularExpression>
+#include <QTest>
+
+using support::CliProgram;
+using support::InterruptPoint;
+using support::KillCable;
+using support::Ran;
+using support::words;
+
+namespace {
+// Of an STS3215.
+constexpr int idAddress = 5;
+constexpr int rateAddress = 6;
+constexpr int maxTemperature = 13;
+constexpr int gainAddress = 21;
+constexpr int modeAddress = 33;
+constexpr int torqueSwitch = 40;
+constexpr int goalAddress = 42;
+constexpr int goalFrame = 41; ///< where the goal goes out with its acceleration
+constexpr int lockAddress = 55;
+constexpr int presentPosition = 56;
+constexpr int movingFlag = 66;
+
+constexpr int impatient = 6; ///< Ctrl-C at so many frames one after the other
+
+struct CtrlC {
+    explicit CtrlC(const char* servos)
+        : sim(words(servos))
+        , cable(sim.port())
+    {
+        cli.setPort(cable.port());
+    }
+
+    QString file(const char* name) const { return folder.filePath(QLatin1String(name)); }
+    Ran run(const char* line)
+    {
+        cable.connectAnew();
+        return cli.run(words(line));
+    }
+    Ran interrupted(const QStringList& line, const InterruptPoint& point)
+    {
+        cable.connectAnew();
+        cli.start(line);
+        cable.interruptAt(point, cli.process().processId());
+        return cli.finish();
+    }
+    /// What the servo itself says, in bytes; -1: it does not answer.
+    int at(int id, int address, int count = 1, speed_t rate = B1000000)
+    {
+        cable.connectAnew();
+        const raw::Client client(cable.port(), rate);
+        QByteArray frame("\xFF\xFF");
+        for (const int byte : {id, 4, 2, address, count})
+            frame.append(char(byte));
+        frame.append(char(~(id + 4 + 2 + address + count) & 0xFF));
+        const QByteArray reply = client.askUntilAnswered(frame.toHex().constData(), 6 + count);
+        if (reply.size() != 6 + count)
+            return -1;
+        int value = 0;
+        for (int i = count - 1; i >= 0; --i)
+            value = value * 256 + static_cast<unsigned char>(reply[5 + i]);
+        return value;
+    }
+    bool nothingIsOpen() const
+    {
+        const record::HistoryJournal journal(cli.dataFolder() + QStringLiteral("/history.sqlite"),
+                                             {});
+        const auto open = journal.open();
+        return open && open->empty();
+    }
+
+    QTemporaryDir folder;
+    raw::Simulator sim;
+    KillCable cable;
+    CliProgram cli;
+};
+
+QByteArray contents(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void onceAndTwice(const char* name, int address, int skip)
+{
+    QTest::addRow("%s", name) << address << skip << 1;
+    QTest::addRow("%s, again and again", name) << address << skip << impatient;
+}
+} // namespace
+
+class TestCliCtrlC : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void sweep_data();
+    void sweep();
+    void sweepInABorrowedMode_data();
+    void sweepInABorrowedMode();
+    void stepResponse_data();
+    void stepResponse();
+    void bundleRestore_data();
+    void bundleRestore();
+    void commission_data();
+    void commission();
+};
+
+void TestCliCtrlC::sweep_data()
+{
+    QTest::addColumn<int>("skip");
+    QTest::addColumn<int>("times");
+    QTest::addColumn<bool>("release");
+    for (const int times : {1, impatient}) {
+        QTest::addRow("on the way to the start, hold, %d", times) << 0 << times << false;
+        QTest::addRow("third goal, hold, %d", times) << 2 << times << false;
+        QTest::addRow("third goal, release, %d", times) << 2 << times << true;
+    }
+}
+
+/// The servo stands, with torque or without, and does not go on to the goal it was just given.
+void TestCliCtrlC::sweep()
+{
+    QFETCH(int, skip);
+    QFETCH(int, times);
+    QFETCH(bool, release);
+    CtrlC bench("--servos sts3215@1");
+    QStringList line = words("sweep 1 --from 1500 --to 2600 --delay 900 --cycles 50 --speed 900 "
+                             "--report");
+    line << bench.file("r.json") << words(release ? "--release --json" : "--json");
+    const Ran ran = bench.interrupted(line, {goalAddress, skip, times});
+    QVERIFY(bench.cable.interrupted());
+    const QByteArray story = ran.out.toUtf8().left(400) + ran.err.toUtf8();
+    QVERIFY2(ran.exit == 1, story.constData());
+
+    QCOMPARE(bench.at(1, torqueSwitch), release ? 0 : 1);
+    QCOMPARE(bench.at(1, lockAddress), 1);
+    QTRY_COMPARE(bench.at(1, movingFlag), 0); // it has braked
+    const int place = bench.at(1, presentPosition, 2);
+    for (const int goal : {1500, 2600})
+        QVERIFY2(std::abs(place - goal) > 100, qPrintable(QString::number(place)));
+    if (!release)
+        QVERIFY(std::abs(bench.at(1, goalAddress, 2) - place) < 40);
+    QVERIFY(bench.nothingIsOpen());
+
+    for (const QByteArray& document : {ran.out.toUtf8(), contents(bench.file("r.json"))}) {
+        const QJsonObject run = QJsonDocument::fromJson(document).object();
+        QCOMPARE(run[QLatin1String("end")].toString(), QStringLiteral("stopped"));
+        QVERIFY2(run[QLatin1String("verdict")].toString() != QLatin1String("pass"),
+                 document.constData());
+        QVERIFY(run[QLatin1String("legs")].toArray().size() <= skip);
+    }
+    QVERIFY(contents(bench.file("r.readings.csv")).count('\n') > 5);
+    // Kept for later, and no better there.
+    const Ran kept = bench.cli.json("sweep-runs");
+    QCOMPARE(kept.exit, 0);
+    QVERIFY2(kept.out.contains(QLatin1String("stopped")), qPrintable(kept.out));
+    QVERIFY2(!kept.out.contains(QLatin1String("\"pass\"")), qPrintable(kept.out));
+}
+
+void TestCliCtrlC::sweepInABorrowedMode_data()
+{
+    QTest::addColumn<int>("address");
+    QTest::addColumn<int>("skip");
+    QTest::addColumn<int>("times");
+    onceAndTwice("while the mode is switched", modeAddress, 0);
+    onceAndTwice("while the servo moves", goalAddress, 3);
+}
+
+void TestCliCtrlC::sweepInABorrowedMode()
+{
+    QFETCH(int, address);
+    QFETCH(int, skip);
+    QFETCH(int, times);
+    CtrlC bench("--servos sts3215@1");
+    QCOMPARE(bench.run("mode 1 speed").exit, 0);
+    const Ran ran = bench.interrupted(words("sweep 1 --from 1500 --to 2600 --delay 900 --cycles 50 "
+                                            "--speed 900 --switch-mode"),
+                                      {address, skip, times});
+    QVERIFY2(bench.cable.interrupted(), qPrintable(ran.out + ran.err));
+    QVERIFY2(ran.exit == 1, qPrintable(ran.out + ran.err));
+    QCOMPARE(bench.at(1, modeAddress), 1);
+    QCOMPARE(bench.at(1, torqueSwitch), 0); // the help: it then stands without torque
+    QCOMPARE(bench.at(1, lockAddress), 1);
+    QTRY_COMPARE(bench.at(1, movingFlag), 0);
+    QVERIFY(bench.nothingIsOpen());
+    QVERIFY(!ran.out.contains(QLatin1String(": Passed")));
+}
+
+void TestCliCtrlC::stepResponse_data()
+{
+    QTest::addColumn<int>("address");
+    QTest::addColumn<int>("skip");
+    QTest::addColumn<int>("times");
+    onceAndTwice("first run", goalFrame, 1);
+    onceAndTwice("values of the trial written", gainAddress, 0);
+    onceAndTwice("trial, on its way", goalFrame, 4);
+}
+
+/// The gains are the servo's own again, and what was measured before is kept.
+void TestCliCtrlC::stepResponse()
+{
+    QFETCH(int, address);
+    QFETCH(int, skip);
+    QFETCH(int, times);
+    CtrlC bench("--servos sts3215@1");
+    const int own = bench.at(1, gainAddress);
+    QStringList line = words("step-response 1 --size 300 --repeats 1 --hold 700 --json --try "
+                             "position_p=20,position_d=10 --report");
+    line << bench.file("s.json");
+    const Ran ran = bench.interrupted(line, {address, skip, times});
+    const QByteArray story = ran.out.toUtf8().left(600) + ran.err.toUtf8();
+    QVERIFY2(bench.cable.interrupted(), story.constData());
+    QVERIFY2(ran.exit == 1, story.constData());
+    QCOMPARE(bench.at(1, gainAddress), own);
+    QCOMPARE(bench.at(1, gainAddress + 1), 32);
+    QCOMPARE(bench.at(1, lockAddress), 1);
+    QTRY_COMPARE(bench.at(1, movingFlag), 0);
+    QVERIFY(bench.nothingIsOpen());
+    const QJsonArray runs = ran.json()[QLatin1String("runs")].toArray();
+    QVERIFY2(!runs.isEmpty(), story.constData());
+    const bool inTrial = address == gainAddress || skip > 1;
+    QCOMPARE(runs[0][QLatin1String("end")].toString(),
+             inTrial ? QStringLiteral("finished") : QStringLiteral("stopped"));
+    QVERIFY(QFile::exists(bench.file("s.json")));
+    // The values on trial were RAM's alone: a restart finds the same ones.
+    QCOMPARE(bench.run("reboot 1").exit, 0);
+    QCOMPARE(bench.at(1, gainAddress), own);
+}
+
+void TestCliCtrlC::bundleRestore_data()
+{
+    QTest::addColumn<int>("address");
+    QTest::addColumn<int>("skip");
+    QTest::addColumn<int>("times");
+    onceAndTwice("first servo, first row", maxTemperature, 0);
+    onceAndTwice("first servo, lock opened", lockAddress, 0);
+    onceAndTwice("first servo, lock being closed", lockAddress, 1);
+    onceAndTwice("second servo, first row", maxTemperature, 1);
+}
+
+/// What is said of each row is what the servo holds, and no lock is open.
+void TestCliCtrlC::bundleRestore()
+{
+    QFETCH(int, address);
+    QFETCH(int, skip);
+    QFETCH(int, times);
+    CtrlC bench("--servos sts3215@1,sts3215@2");
+    const QString file = bench.file("all.bundle.json");
+    QCOMPARE(bench.run(qPrintable(QStringLiteral("bundle save ") + file)).exit, 0);
+    for (const char* line : {"write 1 max_temperature=60 position_p=20 position_d=10",
+                             "write 2 max_temperature=61 position_p=21 position_d=11"})
+        QCOMPARE(bench.run(line).exit, 0);
+    const Ran ran =
+        bench.interrupted(words("bundle restore --json") << file, {address, skip, times});
+    const QByteArray story = ran.out.toUtf8() + ran.err.toUtf8();
+    QVERIFY2(bench.cable.interrupted(), story.constData());
+    QVERIFY2(ran.exit == 1, story.constData());
+    for (const int id : {1, 2}) {
+        QCOMPARE(bench.at(id, lockAddress), 1);
+        QCOMPARE(bench.at(id, torqueSwitch), 0);
+    }
+    QVERIFY2(bench.nothingIsOpen(), story.constData());
+    const QJsonArray servos = ran.json()[QLatin1String("servos")].toArray();
+    QCOMPARE(servos.size(), 2);
+    // What the report calls kept is there after a restart; the rest is as it was before.
+    for (const int id : {1, 2}) {
+        const QJsonObject one = servos[id - 1].toObject();
+        const QJsonObject outcome = one[QLatin1String("outcome")].toObject();
+        QVERIFY(one[QLatin1String("verdict")].toString() != QLatin1String("done") ||
+                bench.at(id, gainAddress) == 32);
+        const std::map<QString, std::pair<int, int>> changed{
+            {QStringLiteral("max_temperature"), {maxTemperature, 59 + id}},
+            {QStringLiteral("position_p"), {gainAddress, 19 + id}}};
+        for (const auto& [key, where] : changed) {
+            int expected = where.second;
+            for (const QJsonValue& row : outcome[QLatin1String("results")].toArray()) {
+                if (row[QLatin1String("key")] == key &&
+                    row[QLatin1String("outcome")].toString() == QLatin1String("kept"))
+                    expected = row[QLatin1String("read_back")].toInt();
+            }
+            QVERIFY2(bench.at(id, where.first) == expected, story.constData());
+        }
+    }
+    // The same again finishes it.
+    const Ran again = bench.run(qPrintable(QStringLiteral("bundle restore ") + file));
+    QVERIFY2(again.exit == 0, qPrintable(again.out + again.err));
+    QCOMPARE(bench.at(1, gainAddress), 32);
+    QCOMPARE(bench.at(2, gainAddress), 32);
+}
+
+void TestCliCtrlC::commission_data()
+{
+    QTest::addColumn<int>("address");
+    QTest::addColumn<int>("skip");
+    QTest::addColumn<int>("times");
+    onceAndTwice("template", gainAddress, 0);
+    onceAndTwice("lock opened", lockAddress, 0);
+    onceAndTwice("ID", idAddress, 0);
+    onceAndTwice("rate", rateAddress, 0);
+}
+
+/// The servo is in the batch as unfinished or set up, never as something else; the same line again
+/// finishes it.
+void TestCliCtrlC::commission()
+{
+    QFETCH(int, address);
+    QFETCH(int, skip);
+    QFETCH(int, times);
+    CtrlC bench("--preset line");
+    QVERIFY(record::saveSnapshot(
+        support::templateOf("sts3215", {{"position_p", 24}, {"max_temperature", 65}}),
+        bench.file("t.servo.json")));
+    const QStringList line = words("commission --auto --first-id 11 --count 1 --to-baud 500000 "
+                                   "--template")
+                             << bench.file("t.servo.json") << QStringLiteral("--batch")
+                             << bench.file("b.csv");
+    bench.sim.tell("next");
+    (void)bench.sim.nextLine();
+    const Ran ran = bench.interrupted(line, {address, skip, times});
+    const QByteArray story = ran.out.toUtf8() + ran.err.toUtf8();
+    QVERIFY2(bench.cable.interrupted(), story.constData());
+    QVERIFY2(ran.exit == 1, story.constData());
+    auto batch = record::openCommissionBatch(bench.file("b.csv"));
+    QVERIFY(batch);
+    QVERIFY2(batch->rows.empty(), story.constData());
+    QCOMPARE(batch->pending.size(), std::size_t{1});
+    QVERIFY2(bench.nothingIsOpen(), story.constData());
+    QVERIFY2(ran.err.contains(QLatin1String("1 unfinished")), story.constData());
+
+    const bool atRate = address == rateAddress;
+    const bool atId = atRate || address == idAddress;
+    const speed_t rate = atRate ? B500000 : B1000000;
+    QCOMPARE(bench.at(atId ? 11 : 1, lockAddress, 1, rate), 1);
+    QCOMPARE(bench.at(atId ? 11 : 1, torqueSwitch, 1, rate), 0);
+
+    bench.cable.connectAnew();
+    bench.cli.start(line);
+    QVERIFY(bench.cli.waitForRemark("Unplug"));
+    bench.sim.tell("unplug");
+    (void)bench.sim.nextLine();
+    const Ran again = bench.cli.finish();
+    QVERIFY2(again.exit == 0, qPrintable(again.out + again.err));
+    batch = record::openCommissionBatch(bench.file("b.csv"));
+    QVERIFY(batch && batch->rows.size() == 1 && batch->pending.empty());
+    QCOMPARE(batch->rows.front().newId, 11);
+}
+
+QTEST_GUILESS_MAIN(TestCliCtrlC)
+#include "tst_cli_ctrl_c.moc"
