@@ -62,6 +62,8 @@ struct Exchange::Wait {
     Duration onTime{}; ///< when a prompt adapter would have shown the last reply
     Duration deadline{};
     std::vector<int> broken; ///< answered with a wrong checksum
+    /// A PING asks who is there: silence is an answer to that, and no error of anybody's.
+    bool asksWhoIsThere = false;
 
     bool asks(int id) const { return has(expected.ids, id); }
     /// The servo that noise is counted for.
@@ -105,6 +107,7 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
     m_language = request.protocol;
     m_trace.speak(request.protocol);
     wait.expected = m_codec->expect(request);
+    wait.asksWhoIsThere = request.op == protocol::Op::Ping;
     const std::size_t replies = wait.expected.ids.size();
     // An emergency that came while the line was looked at goes first.
     if (const auto reason = interrupt.due())
@@ -151,9 +154,15 @@ Result<Attempt> Exchange::unheard(Wait& wait, const Interrupt& interrupt)
     wait.attempt.endedAt = m_clock.now();
     wait.attempt.missing = wait.expected.ids;
     for (const int id : wait.expected.ids)
-        m_statistics.count(Event::TimeOut, countedId(id));
+        countSilence(wait, id);
     wait.trouble(FaultKind::TimeOut);
     return std::move(wait.attempt);
+}
+
+void Exchange::countSilence(const Wait& wait, int id)
+{
+    if (!wait.asksWhoIsThere)
+        m_statistics.count(Event::TimeOut, countedId(id));
 }
 
 void Exchange::countSent(const protocol::Request& request, const Expectation& expected)
@@ -238,7 +247,7 @@ void Exchange::giveUp(Wait& wait, bool interrupted)
         if (interrupted)
             continue;
         wait.trouble(FaultKind::TimeOut);
-        m_statistics.count(Event::TimeOut, countedId(id));
+        countSilence(wait, id);
         m_trace.note(now, QStringLiteral("time-out %1").arg(id));
     }
 }

@@ -64,6 +64,7 @@ private:
     base::Result<void> receiveUntil(const Wait& wait, const Interrupt& interrupt, Ended&& ended);
     base::Result<void> receiveReplies(Wait& wait, const Interrupt& interrupt);
     base::Result<void> receiveRaw(Wait& wait, const Interrupt& interrupt);
+    void countSilence(const Wait& wait, int id);
     void countSent(const protocol::Request& request, const protocol::Expectation& expected);
     base::Result<Attempt> unheard(Wait& wait, const Interrupt& interrupt);
     void digest(Wait& wait, bool atDeadline);
