@@ -8,6 +8,7 @@
 #include "ui/models/compare_model.h"
 #include "ui/pages/snapshots_page.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/pill.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -246,6 +247,28 @@ private Q_SLOTS:
     }
 
     /// The table was saved by itself before the first change, and can be chosen like any other.
+    /// A row that is never restored is not counted among what differs; it is named, with the
+    /// reason.
+    void whatIsNeverRestoredIsNotCounted()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1));
+        QVERIFY(bench.write("torque_switch", 1));
+        QVERIFY(bench.taken());
+        QVERIFY(bench.write("torque_switch", 0));
+        QVERIFY(bench.write("position_p", 40));
+        auto* different = bench.find<ui::Pill>("compareDifferent");
+        auto* never = bench.find<ui::Pill>("compareNever");
+        QTRY_COMPARE(different->words(), QStringLiteral("≠ 1 differ"));
+        QVERIFY(never->isVisible());
+        QCOMPARE(never->words(), QStringLiteral("≠ 1 not restored"));
+        QVERIFY2(never->toolTip().contains(QStringLiteral("never restored")),
+                 qPrintable(never->toolTip()));
+        bench.click("restoreWrite");
+        QTRY_COMPARE(different->words(), QStringLiteral("= no setting differs"));
+        QVERIFY(never->isVisible());
+    }
+
     void theTableBeforeTheFirstChangeIsThere()
     {
         SnapshotsBench bench;

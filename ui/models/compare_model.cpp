@@ -70,6 +70,20 @@ void CompareModel::retranslate()
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
 }
 
+QStringList CompareModel::neverRestored() const
+{
+    QStringList rows;
+    for (const CompareRow& row : m_found.rows) {
+        const jobs::RestoreRow* planned =
+            row.verdict == RowVerdict::Different ? rowOf(m_plan, row.key) : nullptr;
+        if (planned != nullptr && !planned->mayTick)
+            rows << QStringLiteral("%1: %2").arg(
+                nameOf(row.key),
+                text::restoreReasonWords(jobs::restoreReasonNames(planned->reasons)));
+    }
+    return rows;
+}
+
 void CompareModel::tickAll(jobs::RestoreReason reason, bool on)
 {
     if (!m_plan)

@@ -36,6 +36,9 @@ public:
     const record::SnapshotComparison& comparison() const { return m_found; }
     const std::vector<ComparedTable>& tables() const { return m_tables; }
     const std::optional<jobs::RestorePlan>& plan() const { return m_plan; }
+    /// Of the rows that differ those the plan can never write, each with its name and the reason;
+    /// none without a plan.
+    QStringList neverRestored() const;
     /// All rows that may be ticked for this reason, or none of them.
     void tickAll(jobs::RestoreReason reason, bool on);
     QString nameOf(const QString& key) const; ///< of a register, in the language of the window

@@ -52,6 +52,7 @@ void SnapshotPane::build()
         return made;
     };
     m_different = pill("compareDifferent");
+    m_never = pill("compareNever");
     m_same = pill("compareSame");
     m_rest = pill("compareRest");
     m_all = new QToolButton(this);
@@ -106,9 +107,14 @@ void SnapshotPane::showCounts()
     for (QWidget* widget : std::initializer_list<QWidget*>{m_different, m_same, m_rest, m_all})
         widget->setVisible(some && several);
     m_filter.setAll(m_all->isChecked() || !several);
-    m_different->setState(found.different > 0 ? Tone::Accent : Tone::Good,
-                          found.different > 0 ? tr("≠ %1 differ").arg(found.different)
-                                              : tr("= no setting differs"));
+    const QStringList never = m_model.neverRestored();
+    const int different = found.different - int(never.size());
+    m_different->setState(different > 0 ? Tone::Accent : Tone::Good,
+                          different > 0 ? tr("≠ %1 differ").arg(different)
+                                        : tr("= no setting differs"));
+    m_never->setVisible(some && several && !never.isEmpty());
+    m_never->setState(Tone::Quiet, tr("≠ %1 not restored").arg(never.size()), {},
+                      never.join(QLatin1Char('\n')));
     m_same->setState(Tone::Good, tr("= %1 the same").arg(found.identical));
     m_rest->setState(Tone::Quiet,
                      tr("%1 read-only, %2 missing, %3 not known")

@@ -40,6 +40,7 @@ private:
     CompareFilter m_filter;
     QLabel* m_title = nullptr;
     Pill* m_different = nullptr;
+    Pill* m_never = nullptr; ///< differ too, but a restore leaves them alone
     Pill* m_same = nullptr;
     Pill* m_rest = nullptr;
     QToolButton* m_all = nullptr;
