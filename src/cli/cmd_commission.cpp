@@ -248,9 +248,12 @@ QString confirmText(const CommissionView& view)
             QLatin1Char(' ') +
             translate("cli", "Beware: %1.").arg(in(report::commissionTroublesWords(view.concerns)));
     if (view.doubtfulId >= 0)
-        text += QLatin1Char(' ') +
-                translate("cli", "If it is the one that was to have ID %1, press s and Enter.")
-                    .arg(view.doubtfulId);
+        text +=
+            QLatin1Char(' ') +
+            translate("cli",
+                      "A servo of this kind was left unfinished; it was to have ID %1. If this is "
+                      "that servo, press s and Enter; otherwise it is set up as a new one.")
+                .arg(view.doubtfulId);
     return text + QLatin1Char(' ') + translate("cli", "Enter: go on; a and Enter: set it aside.");
 }
 
@@ -350,6 +353,12 @@ Exit CommissionCommand::finish(jobs::CommissionEnd end)
     if (end == jobs::CommissionEnd::IdsUsedUp)
         m_run.console().remark(translate("cli", "All IDs have been given."));
     m_run.console().remark(summary);
+    for (const record::CommissionPending& one : m_batch.pending)
+        m_run.console().remark(
+            translate("cli", "Unfinished: %1 that was to have ID %2. Connect it and run the same "
+                             "command again to finish it; \"recover\" shows what is open.")
+                .arg(one.servo.model)
+                .arg(one.newId));
     if (const QString notices = m_run.takeNotices(); !notices.isEmpty())
         m_run.console().remark(notices.trimmed());
     const bool good = std::all_of(m_batch.rows.begin() + std::ptrdiff_t(m_before),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/reader.h"
 #include "jobs/commission_line.h"
 #include "jobs/commission_settle.h"
 
@@ -12,6 +13,18 @@ using record::CommissionVerdict;
 
 namespace {
 const QString operation = QStringLiteral("commission");
+
+/// What is kept in them tells two of a kind apart, as far as anything does.
+bool sameSettings(const device::Servo& one, const device::Servo& other)
+{
+    return std::none_of(one.profile->registers.begin(), one.profile->registers.end(),
+                        [&](const catalog::Register& reg) {
+                            const auto before = one.raw(reg);
+                            const auto now = other.raw(reg);
+                            return reg.area == catalog::Area::Eprom && before && now &&
+                                   *before != *now;
+                        });
+}
 } // namespace
 
 CommissionPending* CommissionLine::pendingOf(const CommissionWork& work)
@@ -24,8 +37,8 @@ CommissionPending* CommissionLine::pendingOf(const CommissionWork& work)
 }
 
 /// Is it one that was left in the middle? Then it goes on with what it was to get. At its old place
-/// it may as well be another one of the kind, if the new ID may have been written already, unless
-/// its lock still stands open.
+/// it may as well be another one of the kind, if the new ID may have been written already or a
+/// write to it has not ended, unless its lock still stands open.
 bool CommissionLine::recognise(CommissionWork& work, CommissionView& view)
 {
     const record::SnapshotServo who = servoRecord(work.servo);
@@ -38,7 +51,11 @@ bool CommissionLine::recognise(CommissionWork& work, CommissionView& view)
         const bool rate = work.servo.baud == one.oldBaud || work.servo.baud == one.newBaud;
         if (!sameKind || !rate || !(atNew || atOld))
             continue;
-        if (!atNew && one.idSent && !leftOpen(m_context, work.servo, one)) {
+        // Without anybody to ask, a template that was begun is simply written to whoever stands
+        // here.
+        const bool asked = !m_spec.automatic && owesChange(m_context, work.servo, one.at);
+        const bool begun = one.idSent || asked;
+        if (!atNew && begun && !leftOpen(m_context, work.servo, one)) {
             view.doubtfulId = one.newId;
             continue;
         }
@@ -127,19 +144,22 @@ base::Result<bool> CommissionLine::confirm(CommissionWork& work, CommissionView 
     }
 }
 
-/// Between the look and the click somebody may have plugged in another one.
+/// Between the look and the click somebody may have plugged in another one, or swapped them.
 base::Result<bool> CommissionLine::stillAlone(CommissionWork& work)
 {
     CommissionView checking = *m_view;
     checking.step = CommissionStep::Checking;
     show(checking);
     device::Servo now;
-    auto ready = alone(placeOf(work.servo), now);
-    return ready && *ready && now.id == work.servo.id && now.baud == work.servo.baud &&
-                   now.identity().sameKind(work.servo.identity())
-               ? base::Result<bool>(true)
-           : ready ? base::Result<bool>(false)
-                   : ready;
+    const auto ready = alone(placeOf(work.servo), now);
+    if (!ready || !*ready || now.id != work.servo.id || now.baud != work.servo.baud ||
+        !now.identity().sameKind(work.servo.identity()))
+        return ready ? base::Result<bool>(false) : ready;
+    if (const auto read = device::readAll(m_context, now); !read)
+        return read.error().code == ErrorCode::NoAnswer
+                   ? base::Result<bool>(false)
+                   : base::Result<bool>(tl::unexpected(read.error()));
+    return sameSettings(work.servo, now);
 }
 
 base::Result<void> CommissionLine::setAside(const CommissionWork& work,

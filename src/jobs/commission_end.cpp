@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of a servo on the line: its row, its name in the history.
 #include "jobs/commission_line.h"
+#include "jobs/commission_settle.h"
 
 #include <algorithm>
 
@@ -11,6 +12,9 @@ using record::CommissionTrouble;
 using record::CommissionVerdict;
 
 namespace {
+/// Of one servo within a line, before it is given up for now.
+constexpr int maxReturns = 2;
+
 bool endsLine(ErrorCode code)
 {
     switch (code) {
@@ -34,6 +38,21 @@ CommissionTrouble troubleOf(const base::Error& error)
             error.registerKey.isEmpty() ? error.detail : error.registerKey};
 }
 } // namespace
+
+/// True: it is the very servo, and what was begun on it has been brought to one side.
+base::Result<bool> CommissionLine::stayed(CommissionWork& work, const CommissionPending& begun)
+{
+    if (m_context.bus.hasBaud() && m_context.bus.baud() != work.servo.baud) {
+        if (const auto set = m_context.bus.setBaud(work.servo.baud); !set)
+            return tl::unexpected(set.error());
+    }
+    if (!leftOpen(m_context, work.servo, begun))
+        return false;
+    const auto settled = settleIntents(m_context, work.servo, begun.at);
+    if (!settled && endsLine(settled.error().code))
+        return tl::unexpected(settled.error());
+    return settled.has_value() && !owesChange(m_context, work.servo, begun.at);
+}
 
 /// Ends the line, or waits for a servo that has gone away, or sets its failure down.
 base::Result<void> CommissionLine::failed(CommissionWork& work, const base::Error& error)
@@ -65,6 +84,16 @@ base::Result<void> CommissionLine::failed(CommissionWork& work, const base::Erro
     }
     work.servo.id = here->id;
     work.servo.baud = here->baud;
+    if (one != nullptr && owesChange(m_context, work.servo, one->at)) {
+        const auto known = stayed(work, *one);
+        if (!known)
+            return tl::unexpected(known.error());
+        // Somebody may have pulled the plug and put another one in: it is looked at anew.
+        if (!*known && ++m_returns[work.newId] <= maxReturns) {
+            m_lost = true;
+            return {};
+        }
+    }
     work.row.troubles.push_back(troubleOf(error));
     work.row.verdict = CommissionVerdict::Failed;
     return finish(work);
@@ -104,7 +133,9 @@ base::Result<void> CommissionLine::finish(CommissionWork& work)
     });
     if (row.verdict == CommissionVerdict::Good && !row.troubles.empty())
         row.verdict = alarmed ? CommissionVerdict::Failed : CommissionVerdict::Remark;
-    if (const CommissionPending* one = pendingOf(work))
+    // What the journal still holds open is not over with this row: it stays unfinished.
+    const CommissionPending* one = pendingOf(work);
+    if (one != nullptr && !owesChange(m_context, work.servo, one->at))
         m_batch.pending.erase(m_batch.pending.begin() + (one - m_batch.pending.data()));
     CommissionView view;
     view.baud = work.servo.baud;

@@ -7,6 +7,8 @@
 #include "jobs/commission_look.h"
 #include "jobs/commission_steps.h"
 
+#include <map>
+
 namespace jobs {
 constexpr base::Duration answerPause = std::chrono::milliseconds(50);
 /// A plug that is being pulled makes contact more than once.
@@ -56,6 +58,7 @@ private:
     base::Result<void> begin(CommissionWork& work, CommissionView& view);
     base::Result<void> takeId(CommissionWork& work);
     base::Result<void> placed(CommissionWork& work);
+    base::Result<bool> stayed(CommissionWork& work, const record::CommissionPending& begun);
     base::Result<void> failed(CommissionWork& work, const base::Error& error);
     base::Result<void> finish(CommissionWork& work);
     base::Result<void> keepName(CommissionWork& work, const QString& label);
@@ -71,6 +74,7 @@ private:
     const CommissionHooks& m_hooks;
     CommissionLook m_look;
     std::optional<CommissionView> m_view;
-    bool m_lost = false; ///< the last one went away in the middle
+    std::map<int, int> m_returns; ///< by the ID it was to have: how often it was looked at anew
+    bool m_lost = false;          ///< the last one went away in the middle
 };
 } // namespace jobs

@@ -60,14 +60,22 @@ base::Result<void> settleIntents(const device::Context& context, device::Servo& 
     return {};
 }
 
+bool owesChange(const device::Context& context, const device::Servo& servo, const QDateTime& since)
+{
+    const auto open = context.journal.open();
+    return open && std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
+               return concerns(context, intent, servo, since);
+           });
+}
+
 bool leftOpen(const device::Context& context, device::Servo& servo,
               const record::CommissionPending& begun)
 {
     const auto open = context.journal.open();
     const bool ours =
         open && std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
-            return intent.kind == base::IntentKind::SetId && intent.lockOpened &&
-                   intent.servo.id == servo.id && concerns(context, intent, servo, begun.at);
+            return intent.lockOpened && intent.servo.id == servo.id &&
+                   concerns(context, intent, servo, begun.at);
         });
     if (!ours || !cameLocked(servo, begun) ||
         !device::readRoles(context, servo, {catalog::Role::Lock}))

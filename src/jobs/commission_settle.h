@@ -12,9 +12,12 @@ namespace jobs {
 base::Result<void> settleIntents(const device::Context& context, device::Servo& servo,
                                  const QDateTime& since);
 
+/// The journal holds a change of a servo of this kind, begun since then, that has not ended.
+bool owesChange(const device::Context& context, const device::Servo& servo, const QDateTime& since);
+
 /// At its old place: is it the very one? Yes where the journal has us open the lock of such a
-/// servo to give it its ID, the lock is open still, and was closed when the servo came. Losing
-/// power closes it, so nobody has pulled this one since.
+/// servo, the lock is open still, and was closed when the servo came. Losing power closes it, so
+/// nobody has pulled this one since.
 bool leftOpen(const device::Context& context, device::Servo& servo,
               const record::CommissionPending& begun);
 } // namespace jobs

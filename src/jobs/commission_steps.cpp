@@ -240,6 +240,31 @@ base::Result<void> centerServo(const device::Context& context, CommissionWork& w
     return {};
 }
 
+namespace {
+/// Each row of the template stands in the servo that is here at the end. Another one may have been
+/// put in its place between two steps.
+base::Result<void> verifyTemplate(const device::Context& context, CommissionWork& work)
+{
+    if (!work.plan)
+        return {};
+    if (const auto read = device::readAll(context, work.servo); !read)
+        return tl::unexpected(read.error());
+    for (const RestoreRow& row : work.plan->rows) {
+        const catalog::Register* reg = work.servo.profile->find(row.key);
+        const bool told = std::any_of(work.row.troubles.begin(), work.row.troubles.end(),
+                                      [&](const auto& one) { return one.detail == row.key; });
+        if (!row.ticked || !row.wanted || reg == nullptr || told ||
+            reg->area != catalog::Area::Eprom || reg->role == Role::PositionOffset)
+            continue;
+        const auto now = work.servo.raw(*reg);
+        if (now && *now != *row.wanted)
+            return tl::unexpected(base::Error{ErrorCode::Mismatch, QStringLiteral("commission"),
+                                              QStringLiteral("swapped"), work.servo.id, row.key});
+    }
+    return {};
+}
+} // namespace
+
 base::Result<void> checkHealth(const device::Context& context, CommissionWork& work)
 {
     std::vector<CommissionTrouble>& troubles = work.row.troubles;
@@ -250,6 +275,8 @@ base::Result<void> checkHealth(const device::Context& context, CommissionWork& w
         return base::fail(ErrorCode::IdentityDiffers, QStringLiteral("commission"),
                           again->profile->modelName, work.servo.id);
     device::Servo& servo = work.servo;
+    if (const auto verified = verifyTemplate(context, work); !verified)
+        return verified;
     if (const auto read = readHealth(context, servo); !read)
         return read;
     addAlarms(servo, troubles);

@@ -3,6 +3,7 @@
 // goes wrong at a bench: two servos at once, foreign rates, alarms, servos pulled in the middle,
 // the program killed, IDs used up, a template of another model.
 #include "device/reader.h"
+#include "device/writer.h"
 #include "support/commission_bench.h"
 #include "support/deaf_acks.h"
 
@@ -517,6 +518,129 @@ private Q_SLOTS:
         QCOMPARE(line.batch.done(), 2);
         for (const CommissionRow& row : line.batch.rows)
             QVERIFY2(ids.count(row.newId) == 1, "the batch says what is so");
+    }
+
+    void swappedInAMoment_data() { pulledInTheMiddle_data(); }
+
+    /// Pulled and plugged in again before anybody could notice, the same servo or another of its
+    /// kind: whatever the journal still holds open is counted as unfinished, and who is said to be
+    /// good has all of it.
+    void swappedInAMoment()
+    {
+        QFETCH(int, frame);
+        QFETCH(bool, heard);
+        QFETCH(bool, killed); // here: another one
+        CommissionBench line(q("sts3215@1,sts3215@1"));
+        pullSpec(line);
+        int changes = 0;
+        const auto swap = [&] {
+            line.bench.tap().onWrite = nullptr;
+            line.unplugAll();
+            line.plug(killed ? 1U : 0U);
+        };
+        bool next = false;
+        line.bench.tap().onWrite = [&](const base::Bytes& bytes) {
+            if (next)
+                return swap();
+            if (support::isChange(bytes) && changes++ == frame) {
+                if (heard)
+                    next = true;
+                else
+                    swap();
+            }
+        };
+        const auto end = line.run();
+        QVERIFY2(end, qPrintable(end ? QString() : base::errorName(end.error().code)));
+        if (!line.bench.journal().open()->empty())
+            QVERIFY2(!line.batch.pending.empty(), "an open change is unfinished");
+        std::set<int> ids;
+        for (std::size_t place : {0U, 1U}) {
+            line.plug(place);
+            ids.insert(line.servoAt(place).id());
+        }
+        for (const CommissionRow& row : line.batch.rows) {
+            if (row.verdict == CommissionVerdict::Failed || row.newId < 0)
+                continue;
+            QVERIFY2(ids.count(row.newId) == 1, "the batch says what is so");
+            for (std::size_t place : {0U, 1U}) {
+                const auto& servo = line.servoAt(place);
+                if (servo.id() != row.newId)
+                    continue;
+                QCOMPARE(servo.raw(q("position_p")), 24);
+                QCOMPARE(servo.raw(q("max_temperature")), 65);
+                QVERIFY(lockedAndOff(servo));
+            }
+        }
+    }
+
+    /// The click was about the one that stood there when it was asked for.
+    void swappedBeforeTheClick()
+    {
+        CommissionBench line(q("sts3215@1,sts3215@1"));
+        line.spec.automatic = false;
+        line.spec.count = 1;
+        line.spec.settings = templateOf("sts3215", {{"position_p", 24}, {"max_temperature", 65}});
+        line.plug(1);
+        device::Servo other = line.bench.servo(1);
+        QVERIFY(device::write(line.bench.context(), other, {{q("max_temperature"), 60}}, {}));
+        line.unplugAll();
+        int asked = 0;
+        line.answer = [&] {
+            if (++asked == 1) {
+                line.unplugAll();
+                line.plug(1);
+            }
+            return CommissionAnswer::Continue;
+        };
+        QVERIFY(line.run());
+        QCOMPARE(line.servoAt(0).id(), 1);
+        QCOMPARE(line.servoAt(1).id(), 11);
+        QCOMPARE(asked, 2); // the other one was looked at, and asked about, by itself
+        QCOMPARE(line.servoAt(1).raw(q("position_p")), 24);
+    }
+
+    /// A servo comes back at its old ID while a write of its template has not ended: the user is
+    /// asked whether it is the one.
+    void whoMayBeAnotherIsAskedAbout()
+    {
+        bool everOpen = false;
+        for (int frame = 1; frame <= 6; ++frame) {
+            CommissionBench line(q("sts3215@1,sts3215@1"));
+            line.spec.automatic = false;
+            line.spec.count = 1;
+            line.spec.settings =
+                templateOf("sts3215", {{"position_p", 24}, {"max_temperature", 65}});
+            bool pulled = false;
+            bool open = false;
+            int changes = 0;
+            line.bench.tap().onWrite = [&](const base::Bytes& bytes) {
+                if (!pulled && support::isChange(bytes) && ++changes == frame) {
+                    pulled = true;
+                    line.unplugAll();
+                }
+            };
+            line.hand = [&](const CommissionView& view) {
+                if (view.step != CommissionStep::Waiting || !pulled || line.somebodyPlugged())
+                    return false;
+                open = !line.bench.journal().open()->empty();
+                line.plug(0);
+                return true;
+            };
+            bool doubted = false;
+            line.answer = [&] {
+                const bool doubts = line.views.back().doubtfulId == 11;
+                doubted = doubted || doubts;
+                return doubts ? CommissionAnswer::SameServo : CommissionAnswer::Continue;
+            };
+            QVERIFY(line.run());
+            QVERIFY(pulled);
+            QVERIFY2(doubted || !open, qPrintable(QString::number(frame)));
+            everOpen = everOpen || open;
+            QCOMPARE(line.batch.done(), 1);
+            QCOMPARE(line.servoAt(0).id(), 11);
+            QVERIFY(line.bench.journal().open()->empty());
+        }
+        QVERIFY(everOpen);
     }
 };
 

@@ -316,9 +316,21 @@ QString CommissionPage::headline() const
     }
 }
 
+/// What was left in the middle, and how it is finished.
+QString CommissionPage::unfinishedWords() const
+{
+    QStringList servos;
+    for (const record::CommissionPending& one : m_line.batch().pending)
+        servos << tr("%1 for ID %2").arg(one.servo.model).arg(one.newId);
+    return tr("Unfinished: %1. Connect the servo and start the same batch again to finish it.")
+        .arg(servos.join(QStringLiteral(", ")));
+}
+
 QString CommissionPage::detail() const
 {
     const jobs::CommissionView& view = m_line.view();
+    if (!m_line.running() && m_ended && !m_line.batch().pending.empty())
+        return unfinishedWords();
     if (!m_line.running() && m_ended)
         return m_desk.searching()
                    ? tr("Looking who is on the wire now, since the servos of the list have "
@@ -341,6 +353,12 @@ QString CommissionPage::detail() const
                          .arg(one.place.baud));
     if (view.step == CommissionStep::Waiting && view.newId >= 0)
         parts.append(tr("It gets ID %1.").arg(view.newId));
+    if (view.step == CommissionStep::Confirm && view.doubtfulId >= 0)
+        parts.append(
+            tr("A servo of this kind was left unfinished; it was to have ID %1. If this is "
+               "that servo, click \"%2\"; otherwise it is set up as a new one.")
+                .arg(view.doubtfulId)
+                .arg(m_same->text()));
     if (view.halfDone)
         parts.append(tr("It was begun before and is finished now."));
     if (!view.concerns.empty())

@@ -63,6 +63,7 @@ private:
     bool pathsFine() const;
     QString headline() const;
     QString detail() const;
+    QString unfinishedWords() const;
 
     session::Desk& m_desk;
     QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
