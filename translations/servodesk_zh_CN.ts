@@ -632,6 +632,10 @@
         <source>look at the mode</source>
         <translation>查看模式</translation>
     </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>已重做：%1</translation>
+    </message>
 </context>
 <context>
     <name>Feedback</name>
@@ -768,10 +772,6 @@
         <translation>整组保存</translation>
     </message>
     <message>
-        <source>when set up</source>
-        <translation>设置完成时</translation>
-    </message>
-    <message>
         <source>Writes</source>
         <translation>写入</translation>
     </message>
@@ -906,6 +906,14 @@
     <message>
         <source>restore defaults</source>
         <translation>恢复出厂设置</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>before commissioning</source>
+        <translation>批量设置前</translation>
     </message>
 </context>
 <context>
@@ -1918,6 +1926,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>restore a snapshot</source>
         <translation>恢复快照</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>撤销</translation>
     </message>
 </context>
 <context>
@@ -3497,10 +3509,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>注意：%1。</translation>
     </message>
     <message>
-        <source>If it is the one that was to have ID %1, press s and Enter.</source>
-        <translation>如果它就是原定 ID %1 的舵机，请按 s 再按回车。</translation>
-    </message>
-    <message>
         <source>Enter: go on; a and Enter: set it aside.</source>
         <translation>回车：继续；a 加回车：剔除。</translation>
     </message>
@@ -4111,6 +4119,18 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>On the command line the option %1 is your consent.</source>
         <translation>在命令行中，用选项 %1 表示同意。</translation>
+    </message>
+    <message>
+        <source>A servo of this kind was left unfinished; it was to have ID %1. If this is that servo, press s and Enter; otherwise it is set up as a new one.</source>
+        <translation>有一个同型号的舵机未完成，它应得到 ID %1。如果就是这一个，请按 s 再按回车；否则按新舵机设置。</translation>
+    </message>
+    <message>
+        <source>Unfinished: %1 that was to have ID %2. Connect it and run the same command again to finish it; &quot;recover&quot; shows what is open.</source>
+        <translation>未完成：%1，应得到 ID %2。接上它并再次运行同一命令即可完成；“recover”可显示尚未结束的更改。</translation>
+    </message>
+    <message>
+        <source>No setting was changed; %1 has been removed again.</source>
+        <translation>没有更改任何设置；已将 %1 删除。</translation>
     </message>
 </context>
 <context>
@@ -6832,6 +6852,18 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Dangerous rows of the template too</source>
         <translation>同时写入模板中的危险项</translation>
     </message>
+    <message>
+        <source>%1 for ID %2</source>
+        <translation>%1（ID %2）</translation>
+    </message>
+    <message>
+        <source>Unfinished: %1. Connect the servo and start the same batch again to finish it.</source>
+        <translation>未完成：%1。接上该舵机，再次开始同一批次即可完成。</translation>
+    </message>
+    <message>
+        <source>A servo of this kind was left unfinished; it was to have ID %1. If this is that servo, click &quot;%2&quot;; otherwise it is set up as a new one.</source>
+        <translation>有一个同型号的舵机未完成，它应得到 ID %1。如果就是这一个，请点“%2”；否则按新舵机设置。</translation>
+    </message>
 </context>
 <context>
     <name>ui::CompareDialog</name>
@@ -7571,6 +7603,10 @@ Asked more than once: %9</source>
         <source>Written and read back.</source>
         <translation>已写入并回读确认。</translation>
     </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>撤销：%1</translation>
+    </message>
 </context>
 <context>
     <name>ui::HistoryPage</name>
@@ -7822,12 +7858,12 @@ Asked more than once: %9</source>
         <translation>本舵机记录</translation>
     </message>
     <message>
-        <source>Nothing has been written to a servo of this model and ID yet.</source>
-        <translation>还没有向这个型号和 ID 的舵机写入过。</translation>
+        <source>No write to this servo is known. Servos are told by model, firmware and ID.</source>
+        <translation>没有这个舵机的写入记录。舵机凭型号、固件和 ID 区分。</translation>
     </message>
     <message>
-        <source>Writes to a servo of this model, firmware and ID, newest first</source>
-        <translation>向这个型号、固件和 ID 的舵机写入的记录，最新的在前</translation>
+        <source>Writes to this servo, newest first, also under its earlier IDs</source>
+        <translation>对这个舵机的写入，最新的在前，包括它以前的 ID</translation>
     </message>
 </context>
 <context>
@@ -9512,6 +9548,10 @@ Asked more than once: %9</source>
         <source>Space ticks a row; what is ticked is written</source>
         <translation>按空格键勾选一行；勾选的行会被写入</translation>
     </message>
+    <message>
+        <source>≠ %1 not restored</source>
+        <translation>≠ %1 项不恢复</translation>
+    </message>
 </context>
 <context>
     <name>ui::SnapshotShelf</name>
@@ -9526,10 +9566,6 @@ Asked more than once: %9</source>
     <message>
         <source>with all servos</source>
         <translation>整组保存</translation>
-    </message>
-    <message>
-        <source>when set up</source>
-        <translation>设置完成时</translation>
     </message>
     <message>
         <source>Snapshots</source>
@@ -9586,6 +9622,10 @@ Asked more than once: %9</source>
     <message>
         <source>The current one is compared and restored; hold Ctrl to compare more</source>
         <translation>比较和恢复的是当前项；按住 Ctrl 可多选比较</translation>
+    </message>
+    <message>
+        <source>before commissioning</source>
+        <translation>批量设置前</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@ constexpr std::array kindNames{
     KindName{IntentKind::Restore, QLatin1String("restore")},
     KindName{IntentKind::Identify, QLatin1String("identify")},
     KindName{IntentKind::Trial, QLatin1String("trial")},
+    KindName{IntentKind::Undo, QLatin1String("undo")},
 };
 
 bool concerns(const Intent& intent, const ServoIdentity& who)

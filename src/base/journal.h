@@ -55,6 +55,7 @@ enum class IntentKind {
     Restore,
     Identify, ///< the LED was made to blink: whatever became of it, the old value is wanted
     Trial,    ///< set for the length of a task: likewise
+    Undo,     ///< a write that puts back what an earlier one has changed
 };
 
 /// "write", "set-id" … as files have it.

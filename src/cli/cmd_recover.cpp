@@ -33,6 +33,8 @@ QString kindName(const base::Intent& intent)
         return QStringLiteral("identify");
     case base::IntentKind::Trial:
         return QStringLiteral("trial");
+    case base::IntentKind::Undo:
+        return QStringLiteral("undo");
     }
     return {};
 }

@@ -40,6 +40,7 @@ Exit runCommand(const Parsed& parsed, Console& console, const base::Stop& stop)
     if (done)
         return *done;
     console.print(run.takeNotices());
+    run.dropUnusedSnapshots();
     return report(done.error(), console);
 }
 } // namespace

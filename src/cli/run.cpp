@@ -208,6 +208,18 @@ base::Result<void> Run::saveFirstAndSay(device::Servo& servo)
     return saved;
 }
 
+void Run::dropUnusedSnapshots()
+{
+    if (m_saved.empty() || session().journal().begun() > 0)
+        return;
+    for (const auto& [id, file] : m_saved) {
+        session::dropSafetySnapshot(file);
+        m_console.remark(
+            translate("cli", "No setting was changed; %1 has been removed again.").arg(file));
+    }
+    m_saved.clear();
+}
+
 /// "snapshot" of the only one, else "snapshots".
 void Run::addSaved(Json& document) const
 {

@@ -45,6 +45,8 @@ public:
     /// For commands whose document is a file of its own: said on stderr in JSON mode too.
     base::Result<void> saveFirstAndSay(device::Servo& servo);
     base::Result<void> saveFirst(const device::Context& context, device::Servo& servo);
+    /// For a command that has failed: what was saved is taken away again if no change was begun.
+    void dropUnusedSnapshots();
 
     /// Shows the result: the document with the notices in JSON mode, else the text and the notices.
     void finish(Json document, const QString& text);

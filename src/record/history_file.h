@@ -41,6 +41,9 @@ public:
     /// begins by reading could not wait for another writer.
     virtual base::Result<void> together(const std::function<base::Result<void>()>& work) const;
 
+    /// A condition to append where two rows must come from one bench; here all do.
+    virtual QString sameBench(const QString& one, const QString& other) const;
+
     const QString& path() const { return m_path; }
 
 protected:

@@ -76,7 +76,7 @@ base::Result<void> endWrites(const HistoryFile& file, std::int64_t intent,
     return {};
 }
 
-/// The label goes with the servo to its new ID.
+/// The label goes with the servo to its new ID; whoever answers to the old one is another.
 base::Result<void> followLabel(const HistoryFile& file, std::int64_t intent)
 {
     const auto moved = file.run(
@@ -90,8 +90,12 @@ base::Result<void> followLabel(const HistoryFile& file, std::int64_t intent)
     if (moved->rows.empty())
         return {};
     HistoryServo servo = servoIn(moved->rows.front());
-    servo.who.id = moved->rows.front().value(servoColumnCount).toInt();
     servo.who.port = moved->rows.front().value(servoColumnCount + 1).toString();
+    if (servo.who.id == moved->rows.front().value(servoColumnCount).toInt())
+        return {};
+    if (const auto nobody = preferServo(file, servo.who, {}); !nobody)
+        return tl::unexpected(nobody.error());
+    servo.who.id = moved->rows.front().value(servoColumnCount).toInt();
     const auto there = preferServo(file, servo.who, servo.label);
     return there ? base::Result<void>() : tl::unexpected(there.error());
 }

@@ -143,6 +143,7 @@ base::Result<QString> HistoryJournal::begin(const base::Intent& intent)
             file.together([&] { return insertIntent(file, kept, m_worker->program()); });
         if (!done)
             return tl::unexpected(done.error());
+        ++m_begun;
         return kept.uuid;
     });
 }

@@ -14,6 +14,7 @@
 
 #include "base/journal.h"
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 
@@ -37,10 +38,13 @@ public:
                                                                 const QString& name) const override;
 
     const QString& path() const { return m_path; }
+    /// Intents recorded by this object so far. Any thread.
+    std::uint64_t begun() const { return m_begun; }
 
 private:
     class Worker;
     const QString m_path;
+    std::atomic<std::uint64_t> m_begun{0};
     std::unique_ptr<Worker> m_worker;
 };
 } // namespace record

@@ -40,8 +40,16 @@ base::Result<std::optional<std::vector<std::int64_t>>> servosOf(const HistoryFil
                                                                 const HistoryFilter& filter)
 {
     HistoryChoice choice;
+    // A label stays with a servo when its ID changes.
     if (filter.servo)
-        choice.add(QStringLiteral("number = ?"), {qint64(*filter.servo)});
+        choice.add(QStringLiteral("EXISTS (SELECT 1 FROM servos s WHERE s.number = ? AND (s.number "
+                                  "= servos.number OR (s.label <> '' AND s.label = servos.label "
+                                  "AND s.simulated = servos.simulated AND s.protocol = "
+                                  "servos.protocol AND s.model_major = servos.model_major AND "
+                                  "s.model_minor = servos.model_minor AND s.map = servos.map") +
+                       file.sameBench(QStringLiteral("s"), QStringLiteral("servos")) +
+                       QStringLiteral(")))"),
+                   {qint64(*filter.servo)});
     if (filter.id)
         choice.add(QStringLiteral("id = ?"), {*filter.id});
     if (!filter.model.isEmpty())

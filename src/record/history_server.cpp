@@ -268,6 +268,11 @@ base::Result<void> HistoryServer::together(const std::function<base::Result<void
     return done;
 }
 
+QString HistoryServer::sameBench(const QString& one, const QString& other) const
+{
+    return QStringLiteral(" AND %1.bench = %2.bench").arg(one, other);
+}
+
 base::Result<std::vector<HistoryBench>> HistoryServer::benches() const
 {
     const auto found = run(QStringLiteral("SELECT number, uuid, name, sent, (SELECT count(*) FROM "

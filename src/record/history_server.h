@@ -51,6 +51,7 @@ public:
     base::Result<HistoryAnswer> run(const QString& sql,
                                     const QVariantList& values = {}) const override;
     base::Result<void> together(const std::function<base::Result<void>()>& work) const override;
+    QString sameBench(const QString& one, const QString& other) const override;
 
     /// By name.
     base::Result<std::vector<HistoryBench>> benches() const;

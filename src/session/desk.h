@@ -100,7 +100,8 @@ public:
     const UndoStep* nextUndo() const;
     const UndoStep* nextRedo() const;
     void undo();
-    void redo();
+    /// `dangerous`: the user's consent, asked for anew; without it a dangerous row is refused.
+    void redo(bool dangerous = false);
 
     /// Reads this servo's writes from the journal; servoChanged follows.
     void loadHistory(ServoRef ref);
@@ -172,6 +173,7 @@ private:
     std::optional<base::Error> copyServos(Work& work) const;
     base::Result<void> prepare(const device::Context& context, Work& work);
     void runWork(Work& work);
+    void tryWork(Work& work);
     void workEnded(const std::shared_ptr<Work>& work);
     void dropQueue(base::ErrorCode why, bool finishWrites = false);
     void endUnrun(Work& work, base::Error why);

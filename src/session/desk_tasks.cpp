@@ -164,8 +164,31 @@ base::Result<void> Desk::prepare(const device::Context& context, Work& work)
     return saved;
 }
 
+namespace {
+/// A table saved before a write that was refused has nothing to be compared with.
+void dropUnused(QString& savedPath)
+{
+    if (savedPath.isEmpty())
+        return;
+    dropSafetySnapshot(savedPath);
+    savedPath.clear();
+}
+} // namespace
+
 /// On the task thread.
 void Desk::runWork(Work& work)
+{
+    const std::uint64_t begun = m_session.journal().begun();
+    tryWork(work);
+    if (!work.error || m_session.journal().begun() != begun)
+        return;
+    dropUnused(work.own.savedPath);
+    for (Work::Part& other : work.others)
+        dropUnused(other.savedPath);
+}
+
+/// On the task thread.
+void Desk::tryWork(Work& work)
 {
     device::Context context = m_connection->context(work.stop, work.notices);
     context.priority = bus::Priority::Interactive;

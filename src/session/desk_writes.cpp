@@ -117,6 +117,7 @@ void Desk::enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind)
         options.temporary = order.temporary;
         options.dangerous = order.dangerous;
         options.asBefore = kind != WriteKind::New;
+        options.kind = kind == WriteKind::Undo ? base::IntentKind::Undo : base::IntentKind::Write;
         return writeInOrder(task.device, task.servo, order.items, options, *report);
     };
     work->merged = [this, order, kind, report](Work& ended) {
@@ -153,7 +154,6 @@ void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind
             }
         }
         markWrites(*known, ended, order, report);
-        loadHistory(ended.ref);
         Q_EMIT tableChanged(ended.ref);
     }
     remember(ended.ref, order, kind, report);
@@ -162,7 +162,8 @@ void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind
           .error = ended.error,
           .report = report,
           .notices = ended.notices,
-          .undone = kind != WriteKind::New});
+          .undone = kind == WriteKind::Undo,
+          .redone = kind == WriteKind::Redo});
 }
 
 void Desk::markWrites(const ServoEntry& about, const Work& ended, const WriteOrder& order,
@@ -235,13 +236,13 @@ void Desk::undo()
     Q_EMIT undoChanged();
 }
 
-void Desk::redo()
+void Desk::redo(bool dangerous)
 {
     if (nextRedo() == nullptr)
         return;
     m_returning = m_redo.back();
     m_redo.pop_back();
-    enqueueWrite(m_returning->servo, {m_returning->after, m_returning->temporary, true},
+    enqueueWrite(m_returning->servo, {m_returning->after, m_returning->temporary, dangerous},
                  WriteKind::Redo);
     Q_EMIT undoChanged();
 }

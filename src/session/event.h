@@ -53,7 +53,8 @@ struct Event {
     std::optional<base::Error> error{};
     std::optional<device::WriteReport> report{};
     device::Notices notices{};
-    bool undone = false; ///< the write was an undo or redo
+    bool undone = false; ///< the write was an undo
+    bool redone = false; ///< it was a redo
     StopCheck stop{};
 };
 } // namespace session

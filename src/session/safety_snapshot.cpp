@@ -68,6 +68,22 @@ base::Result<QString> saveSafetySnapshot(const device::Context& context, device:
     return path;
 }
 
+void dropSafetySnapshot(const QString& path)
+{
+    QFile::remove(path);
+    const auto history = record::History::open(historyFile());
+    if (!history)
+        return;
+    record::HistoryFilter latest;
+    latest.most = 10;
+    const auto rows = (*history)->log().snapshots(latest);
+    for (const record::HistorySnapshot& row :
+         rows ? *rows : std::vector<record::HistorySnapshot>()) {
+        if (row.file == path)
+            (void)(*history)->log().removeSnapshot(row.number);
+    }
+}
+
 void keepInHistory(const record::Snapshot& snapshot, record::SnapshotReason reason,
                    const QString& file)
 {

@@ -28,6 +28,19 @@ Entries::const_iterator arrivalIn(const Entries& entries, int id)
         });
     return found == entries.rend() ? entries.end() : std::prev(found.base());
 }
+/// After the last servo that had this ID has left it: what is here now came later.
+Entries::const_iterator afterDeparture(const Entries& entries, Entries::const_iterator from, int id)
+{
+    for (auto entry = entries.end(); entry != from;) {
+        --entry;
+        const base::Intent& intent = entry->intent;
+        if (intent.kind == base::IntentKind::SetId && intent.servo.id == id && entry->end &&
+            entry->end->outcome == QLatin1StringView("done") && !intent.items.empty() &&
+            intent.items.front().newRaw != id)
+            return std::next(entry);
+    }
+    return from;
+}
 } // namespace
 
 base::Result<std::vector<base::JournalEntry>>
@@ -44,12 +57,15 @@ servoHistory(const base::Journal& journal, const base::ServoIdentity& servo, int
             return !isSameBus(entry.intent.servo, servo) || (until && entry.intent.at >= *until);
         });
         const auto arrival = arrivalIn(*own, who.id);
-        const bool moved = arrival != own->cend();
+        const bool came = arrival != own->cend();
+        const auto first = came ? arrival : own->cbegin();
+        const auto from = afterDeparture(*own, first, who.id);
+        const bool moved = came && from == first;
         const int before = moved ? arrival->intent.servo.id : who.id;
         if (moved)
             until = arrival->intent.at;
         // What was written to this ID before it came was another servo's.
-        history.insert(history.begin(), moved ? arrival : own->cbegin(), own->cend());
+        history.insert(history.begin(), from, own->cend());
         if (!moved)
             break;
         who.id = before;

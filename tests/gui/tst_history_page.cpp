@@ -2,6 +2,8 @@
 // The history page: what was written at the bench is listed with its outcome, found by servo and
 // register, exported, and leads back to the table as it was. Everything from the real database.
 #include "gui/window_bench.h"
+#include "record/history.h"
+#include "session/paths.h"
 #include "ui/models/compare_model.h"
 #include "ui/pages/history_page.h"
 #include "ui/pages/snapshots_page.h"
@@ -155,6 +157,57 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.cell(0, 5).startsWith(QStringLiteral("✔")));
         // Its name, not its key; a list asked for while the servo was being met is asked for again.
         QTRY_VERIFY2(!bench.cell(0, 2).contains(QLatin1Char('_')), qPrintable(bench.cell(0, 2)));
+    }
+
+    void anUndoIsCalledOneAndValuesHaveUnits()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.write("max_temperature", 61));
+        bench.desk().undo();
+        QVERIFY(bench.settled());
+        QTRY_COMPARE(bench.rows(), 2);
+        QTRY_COMPARE(bench.cell(0, 6), QStringLiteral("undo"));
+        QCOMPARE(bench.cell(1, 6), QStringLiteral("write"));
+        QTRY_COMPARE(bench.cell(1, 4), QStringLiteral("61 · 61 °C"));
+        QCOMPARE(bench.cell(0, 3), QStringLiteral("61 · 61 °C"));
+    }
+
+    /// A label stays with the servo when its ID changes, and so does its list.
+    void aLabelledServoIsOneThroughAChangeOfId()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.write("position_p", 40));
+        const auto servo = record::History::open(session::historyFile())
+                               .value()
+                               ->log()
+                               .of(bench.entry().servo.identity())
+                               .value();
+        QVERIFY(servo);
+        bench.WindowBench::bench.archive.setServoLabel(servo->number, QStringLiteral("Elbow"));
+        QTRY_VERIFY(bench.find<QComboBox>("historyServo")
+                        ->findText(QStringLiteral("Elbow"), Qt::MatchContains) > 0);
+        QVERIFY(bench.write("id", 7));
+        QVERIFY(bench.write("position_p", 41));
+        QTRY_COMPARE(bench.rows(), 3);
+        auto* servos = bench.find<QComboBox>("historyServo");
+        const auto named = [&] {
+            int count = 0;
+            for (int i = 0; i < servos->count(); ++i)
+                count += servos->itemText(i).contains(QStringLiteral("Elbow")) ? 1 : 0;
+            return count;
+        };
+        QTRY_COMPARE(named(), 1);
+        QTRY_VERIFY(servos->findText(QStringLiteral("ID 7 · Elbow"), Qt::MatchContains) > 0);
+        bench.choose("historyServo", QStringLiteral("Elbow"));
+        QTRY_COMPARE(bench.rows(), 3);
+        // The next one that comes to the old ID is not the elbow.
+        base::ServoIdentity next = bench.entry().servo.identity();
+        next.id = 1;
+        const auto there =
+            record::History::open(session::historyFile()).value()->log().of(next).value();
+        QVERIFY(there && there->label.isEmpty());
     }
 
     void filteredByServoRegisterAndTime()

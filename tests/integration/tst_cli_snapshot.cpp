@@ -44,6 +44,7 @@ private Q_SLOTS:
     void cleanup() { m_cli.reset(); }
 
     void savedChangedComparedRestored();
+    void aRefusedWriteLeavesNone();
     void aDryRunWritesNothing();
     void consentIsAsked();
     void limitsOfAnotherModelAreNamed();
@@ -115,6 +116,19 @@ void TestCliSnapshot::savedChangedComparedRestored()
     QCOMPARE(again.json()[text("verdict")].toString(), text("already-so"));
     QVERIFY(!again.json().contains(text("snapshot")));
     QCOMPARE(json("snapshot diff 1 @a.servo.json").json()[text("different")].toInt(-1), 0);
+}
+
+/// The table is saved before the first change, not before one that is refused.
+void TestCliSnapshot::aRefusedWriteLeavesNone()
+{
+    const QDir saved(m_cli->dataFolder() + text("/snapshots"));
+    const Ran refused = m_cli->run("write 1 max_temperature=250");
+    QVERIFY(refused.exit != 0);
+    QCOMPARE(saved.entryList(QDir::Files), QStringList());
+    QVERIFY2(refused.err.contains(text("removed again")), qPrintable(refused.err));
+    QCOMPARE(m_cli->json("history --kind snapshots").json()[text("snapshots")].toArray().size(), 0);
+    QCOMPARE(m_cli->run("write 1 max_temperature=61").exit, 0);
+    QCOMPARE(saved.entryList(QDir::Files).size(), qsizetype(1));
 }
 
 void TestCliSnapshot::aDryRunWritesNothing()

@@ -97,6 +97,8 @@ EventWords written(const Event& event, const session::Desk& desk)
                      .arg(changes.join(QStringLiteral("; ")));
     if (event.undone)
         words.line = text::translate("EventWords", "Taken back: %1").arg(words.line);
+    if (event.redone)
+        words.line = text::translate("EventWords", "Redone: %1").arg(words.line);
     switch (event.report->lock) {
     case device::LockState::Closed:
         words.line += text::translate("EventWords", ", lock closed");

@@ -6,6 +6,7 @@
 #include "ui/app/menus.h"
 #include "ui/app/message_line.h"
 #include "ui/app/message_log.h"
+#include "ui/app/redo.h"
 #include "ui/app/stop_key.h"
 #include "ui/app/theme.h"
 #include "ui/dialogs/about.h"
@@ -120,7 +121,7 @@ void MainWindow::connectCommands()
     on(Command::StopTask, [this] { m_desk.stopTask(); });
     on(Command::ReadTable, [this] { m_desk.readTable(m_selection.current()); });
     on(Command::Undo, [this] { m_desk.undo(); });
-    on(Command::Redo, [this] { m_desk.redo(); });
+    on(Command::Redo, [this] { redo(m_desk, this); });
     on(Command::TorqueOffAll, [this] { m_desk.emergencyStop(); });
     on(Command::ThemeSystem, [this] { m_theme.apply(session::Theme::System); });
     on(Command::ThemeLight, [this] { m_theme.apply(session::Theme::Light); });

@@ -117,6 +117,8 @@ QString intentWord(const base::Intent& intent)
         return translate("ServoTasks", "identify");
     case IntentKind::Trial:
         return translate("ServoTasks", "settings of a test");
+    case IntentKind::Undo:
+        return translate("ServoTasks", "undo");
     }
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/history_lines.h"
 
+#include "catalog/value.h"
 #include "record/factory_snapshot.h"
 #include "text/alarm_words.h"
 #include "text/language.h"
@@ -50,6 +51,8 @@ QString intentWord(base::IntentKind kind, bool temporary, bool same)
         return translate("History", "identify");
     case IntentKind::Trial:
         return translate("History", "trial");
+    case IntentKind::Undo:
+        return translate("History", "undo");
     }
     return {};
 }
@@ -80,7 +83,7 @@ QString snapshotWord(record::SnapshotReason reason)
     case record::SnapshotReason::Bundle:
         return translate("History", "with all servos");
     case record::SnapshotReason::Commission:
-        return translate("History", "when set up");
+        return translate("History", "before commissioning");
     }
     return {};
 }
@@ -210,6 +213,21 @@ QString HistoryWords::registerName(const record::HistoryWrite& row) const
     return reg != nullptr ? reg->name.in(text::inChinese()) : row.key;
 }
 
+/// "85 · 8.5 V": the number, and what it stands for where that says more.
+QString HistoryWords::valueText(const record::HistoryWrite& row, std::int64_t raw) const
+{
+    const QString number = QString::number(qint64(raw));
+    const auto known = m_profiles.find(row.servo);
+    const catalog::Register* reg =
+        known != m_profiles.end() && known->second ? known->second->find(row.key) : nullptr;
+    if (reg == nullptr)
+        return number;
+    const QString words = catalog::formatValue(
+        raw, *reg, catalog::meaningOf(*reg, *known->second, catalog::knowNothing),
+        text::inChinese());
+    return words == number ? number : number + dot + words;
+}
+
 HistoryLine HistoryWords::line(const record::HistoryWrite& row) const
 {
     const bool good = row.good();
@@ -220,18 +238,18 @@ HistoryLine HistoryWords::line(const record::HistoryWrite& row) const
     line.cells = {when(row.at),
                   who(row.model, row.servoId, row.label),
                   registerName(row),
-                  QString::number(qint64(row.oldRaw)),
-                  QString::number(qint64(row.newRaw)),
+                  valueText(row, row.oldRaw),
+                  valueText(row, row.newRaw),
                   sign + endWord(row.outcome),
                   intentWord(row.kind, row.temporary, row.oldRaw == row.newRaw),
                   row.port};
     line.tone = good ? Tone::Good : row.outcome.isEmpty() ? Tone::Warn : Tone::Bad;
-    line.tip =
-        tipOf(HistoryKind::Writes, line.cells,
-              {QStringLiteral("%1 (%2)").arg(row.key).arg(row.address),
-               row.readBack ? translate("History", "read back: %1").arg(qint64(*row.readBack))
-                            : QString(),
-               row.detail, row.program});
+    line.tip = tipOf(HistoryKind::Writes, line.cells,
+                     {QStringLiteral("%1 (%2)").arg(row.key).arg(row.address),
+                      row.readBack
+                          ? translate("History", "read back: %1").arg(valueText(row, *row.readBack))
+                          : QString(),
+                      row.detail, row.program});
     line.label = row.label;
     return line;
 }

@@ -43,6 +43,7 @@ public:
 
 private:
     QString registerName(const record::HistoryWrite& row) const;
+    QString valueText(const record::HistoryWrite& row, std::int64_t raw) const;
 
     const catalog::Catalog& m_catalog;
     std::map<std::int64_t, catalog::ProfilePtr> m_profiles; ///< by number of the servo

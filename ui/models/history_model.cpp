@@ -65,9 +65,10 @@ int HistoryModel::rowCount(const QModelIndex& parent) const
 QString HistoryModel::valueWord(const Line& line, std::int64_t raw) const
 {
     const catalog::Register* reg = m_profile ? m_profile->find(line.item.key) : nullptr;
-    if (reg == nullptr || reg->encoding != catalog::Encoding::Enum)
+    if (reg == nullptr)
         return QString::number(raw);
-    return rawWord(raw, *reg, catalog::meaningOf(*reg, *m_profile, catalog::knowNothing));
+    return catalog::formatValue(
+        raw, *reg, catalog::meaningOf(*reg, *m_profile, catalog::knowNothing), ::text::inChinese());
 }
 
 QString HistoryModel::text(const Line& line) const
@@ -76,9 +77,12 @@ QString HistoryModel::text(const Line& line) const
     const QString name = reg != nullptr ? reg->name.in(::text::inChinese()) : line.item.key;
     const QDateTime at = line.at.toLocalTime();
     const bool today = at.date() == QDate::currentDate();
-    return QStringLiteral("%1  %2 %3 → %4 %5")
+    const QString change =
+        QStringLiteral("%1 %2 → %3")
+            .arg(name, valueWord(line, line.item.oldRaw), valueWord(line, line.item.newRaw));
+    return QStringLiteral("%1  %2 %3")
         .arg(at.toString(today ? QStringLiteral("HH:mm:ss") : QStringLiteral("yyyy-MM-dd HH:mm")),
-             name, QString::number(line.item.oldRaw), QString::number(line.item.newRaw),
+             line.kind == base::IntentKind::Undo ? tr("Undo: %1").arg(change) : change,
              endSign(line.end, line.temporary));
 }
 
@@ -97,9 +101,14 @@ QString HistoryModel::tip(const Line& line) const
         how = tr("Written temporarily: lost at power-off.");
     else
         how = tr("Written and read back.");
+    const auto both = [&](std::int64_t raw) {
+        const QString number = QString::number(qint64(raw));
+        const QString words = valueWord(line, raw);
+        return words == number ? number : QStringLiteral("%1 (%2)").arg(words, number);
+    };
     return QStringLiteral("%1\n%2: %3 → %4\n%5")
         .arg(QLocale().toString(line.at.toLocalTime(), QLocale::LongFormat), line.item.key,
-             valueWord(line, line.item.oldRaw), valueWord(line, line.item.newRaw), how);
+             both(line.item.oldRaw), both(line.item.newRaw), how);
 }
 
 QVariant HistoryModel::data(const QModelIndex& index, int role) const

@@ -17,6 +17,7 @@
 #include <QPushButton>
 #include <QTableView>
 
+#include <algorithm>
 #include <utility>
 
 namespace ui {
@@ -25,6 +26,12 @@ using record::HistoryKind;
 namespace {
 constexpr int mostServos = 2000;
 constexpr int everyBench = -1;
+
+/// One servo under two IDs: its label went with it.
+bool sameLabelled(const record::HistoryServo& one, const record::HistoryServo& other)
+{
+    return !one.label.isEmpty() && one.label == other.label && one.who.sameKind(other.who);
+}
 
 /// Fills a list of choices and keeps what was chosen, where it is still there.
 void refill(QComboBox* box, const std::vector<std::pair<QString, QVariant>>& items)
@@ -150,10 +157,19 @@ void HistoryPage::askChoices()
     archive().servos(
         all, this, [this](const base::Result<std::vector<record::HistoryServo>>& servos) {
             std::vector<std::pair<QString, QVariant>> items{{tr("All servos"), QVariant()}};
+            std::vector<record::HistoryServo> listed;
             for (const record::HistoryServo& one :
-                 servos ? *servos : std::vector<record::HistoryServo>{})
+                 servos ? *servos : std::vector<record::HistoryServo>{}) {
+                const auto same = [&](const record::HistoryServo& other) {
+                    return sameLabelled(one, other);
+                };
+                // Its earlier IDs belong to the entry with its latest one.
+                if (!remote() && std::any_of(listed.begin(), listed.end(), same))
+                    continue;
+                listed.push_back(one);
                 items.push_back({HistoryWords::servoTitle(one),
                                  QVariantList{qlonglong(one.number), one.who.id, one.who.model}});
+            }
             refill(m_servo, items);
         });
     archive().writtenKeys(std::nullopt, this, [this](const base::Result<QStringList>& keys) {

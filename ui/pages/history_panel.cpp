@@ -48,9 +48,10 @@ void HistoryPanel::showWhich()
 void HistoryPanel::retranslate()
 {
     m_title->setText(tr("History of this servo"));
-    m_nothing->setText(tr("Nothing has been written to a servo of this model and ID yet."));
+    m_nothing->setText(
+        tr("No write to this servo is known. Servos are told by model, firmware and ID."));
     m_list->setAccessibleName(m_title->text());
-    m_list->setToolTip(tr("Writes to a servo of this model, firmware and ID, newest first"));
+    m_list->setToolTip(tr("Writes to this servo, newest first, also under its earlier IDs"));
     m_model.retranslate();
     showWhich();
 }

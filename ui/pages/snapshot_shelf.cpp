@@ -40,7 +40,7 @@ QString reasonWord(record::SnapshotReason reason)
     case record::SnapshotReason::Bundle:
         return SnapshotShelf::tr("with all servos");
     case record::SnapshotReason::Commission:
-        return SnapshotShelf::tr("when set up");
+        return SnapshotShelf::tr("before commissioning");
     }
     return {};
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bench behind the window on a simulated bus: everything asked for returns at once and comes
 // back as a signal; what is in the list was really read; writes end in one of the six words.
+#include "record/history.h"
 #include "record/snapshot.h"
+#include "session/drive_tasks.h"
+#include "session/paths.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -303,6 +306,118 @@ private Q_SLOTS:
         QVERIFY(bench.settle());
         QCOMPARE(bench.raw(ref, positionP), std::optional<std::int64_t>(40));
         QVERIFY(bench.desk.nextRedo() == nullptr);
+    }
+
+    /// An undone write to a dangerous register is not done again without consent.
+    void aRedoAsksForConsentAgain()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        const QString condition = QStringLiteral("unload_condition");
+        bench.desk.readTable(ref);
+        QVERIFY(bench.settle());
+        const auto before = bench.raw(ref, condition);
+        QVERIFY(before);
+        std::vector<session::Event> written;
+        connect(&bench.desk, &Desk::happened, &bench.desk, [&](const session::Event& event) {
+            if (event.kind == session::Event::Kind::Written)
+                written.push_back(event);
+        });
+        QVERIFY(bench.write(ref, condition, *before ^ 1));
+        QCOMPARE(bench.raw(ref, condition), std::optional<std::int64_t>(*before ^ 1));
+        bench.desk.undo();
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.raw(ref, condition), before);
+        bench.desk.redo();
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.raw(ref, condition), before);
+        QVERIFY(bench.desk.nextRedo() != nullptr);
+        bench.desk.redo(true);
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.raw(ref, condition), std::optional<std::int64_t>(*before ^ 1));
+        QCOMPARE(written.size(), std::size_t(4));
+        QVERIFY(!written[0].undone && !written[0].redone);
+        QVERIFY(written[1].undone && !written[1].redone);
+        QVERIFY(written[3].redone && !written[3].undone);
+    }
+
+    /// Writes of every task, through a change of ID, and nothing of another simulated bus.
+    void theHistoryFollowsTheServo()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        const auto writes = [&](ServoRef servo) {
+            QStringList all;
+            for (const base::JournalEntry& one : bench.entry(servo).history) {
+                for (const base::JournalItem& item : one.intent.items)
+                    all << item.key;
+            }
+            return all;
+        };
+        QVERIFY(bench.write(ref, positionP, 40));
+        QTRY_COMPARE(writes(ref), QStringList{positionP});
+        bool done = false;
+        session::Task task;
+        task.name = QStringLiteral("mode");
+        task.work = [](session::TaskContext& context) {
+            return session::switchAll(context, {QStringLiteral("speed"), {std::nullopt}});
+        };
+        task.guard = &bench.desk;
+        task.done = [&](const session::TaskEnd& end) { done = !end.error; };
+        bench.desk.perform(ref, std::move(task));
+        QTRY_VERIFY(done);
+        QTRY_VERIFY2(writes(ref).contains(QStringLiteral("operating_mode")),
+                     qPrintable(writes(ref).join(QLatin1Char(' '))));
+        const QStringList before = writes(ref);
+        QVERIFY(bench.write(ref, QStringLiteral("id"), 77));
+        QTRY_COMPARE(writes(ref), before + QStringList{QStringLiteral("id")});
+        QVERIFY(bench.write(ref, positionP, 41));
+        QTRY_COMPARE(writes(ref), before + (QStringList{QStringLiteral("id"), positionP}));
+        QVERIFY(bench.write(ref, QStringLiteral("id"), 1));
+        QTRY_COMPARE(writes(ref).size(), before.size() + 3);
+
+        bench.desk.disconnectFrom();
+        QTRY_COMPARE(bench.desk.state(), LinkState::Off);
+        QVERIFY(bench.open(QStringLiteral("sim:sts3215@1")));
+        QVERIFY(bench.search());
+        const ServoRef other = bench.at(1);
+        QVERIFY(other != 0);
+        QVERIFY(bench.write(other, positionP, 50));
+        QTRY_COMPARE(writes(other), QStringList{positionP});
+    }
+
+    void anUndoIsKnownAsOneInTheJournal()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        QVERIFY(bench.write(bench.at(1), positionP, 40));
+        bench.desk.undo();
+        QVERIFY(bench.settle());
+        const auto entries = bench.session.journal().entries().value();
+        QCOMPARE(entries.size(), std::size_t(2));
+        QCOMPARE(int(entries[0].intent.kind), int(base::IntentKind::Write));
+        QCOMPARE(int(entries[1].intent.kind), int(base::IntentKind::Undo));
+    }
+
+    void aRefusedWriteLeavesNoSnapshot()
+    {
+        Bench bench;
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        const QDir folder(bench.place.folder.filePath(QStringLiteral("snapshots")));
+        const auto files = [&] { return folder.entryList(QDir::Files).size(); };
+        QVERIFY(bench.write(ref, QStringLiteral("max_temperature"), 250));
+        QVERIFY(bench.outcome(ref, QStringLiteral("max_temperature")) !=
+                std::optional(device::WriteOutcome::Kept));
+        QCOMPARE(files(), qsizetype(0));
+        QVERIFY(bench.entry(ref).snapshotPath.isEmpty());
+        QVERIFY(bench.write(ref, positionP, 40)); // saved before this one, which is done
+        QCOMPARE(files(), qsizetype(1));
+        QVERIFY(!bench.entry(ref).snapshotPath.isEmpty());
+        const auto history = record::History::open(session::historyFile()).value();
+        QCOMPARE(history->log().snapshots().value().size(), std::size_t(1));
     }
 
     void undoPassesWhatIsSoAlready()
