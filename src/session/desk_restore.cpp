@@ -28,11 +28,11 @@ device::WriteReport reportOf(const jobs::RestoreOutcome& outcome)
     return report;
 }
 
-bool changesRate(const jobs::RestorePlan& plan)
+bool changesPlace(const jobs::RestorePlan& plan)
 {
     const auto writes = jobs::writesOf(plan);
     return std::any_of(writes.begin(), writes.end(), [](const jobs::RestoreWrite& write) {
-        return write.stage == jobs::RestoreStage::Baud;
+        return write.stage == jobs::RestoreStage::Id || write.stage == jobs::RestoreStage::Baud;
     });
 }
 } // namespace
@@ -49,7 +49,7 @@ void Desk::restore(ServoRef ref, const RestoreOrder& order)
     work->task.name = QStringLiteral("restore");
     work->task.savesTable = !writes.items.empty();
     work->task.quiet = true;
-    work->movesRate = changesRate(order.plan);
+    work->movesRate = changesPlace(order.plan);
     work->finishes = true;
     work->task.work = [plan = order.plan, dangerous = order.dangerous, how = order.onFailure,
                        outcome](TaskContext& task) -> base::Result<void> {

@@ -16,9 +16,9 @@ struct Desk::PendingCheck {
 struct Desk::Work {
     ServoRef ref = 0; ///< 0: concerns the whole bus
     Task task;
-    bool readOnly = false;  ///< may run beside a search at the same rate
-    bool movesRate = false; ///< takes the bus to another rate: nobody is polled meanwhile
-    bool finishes = false;  ///< a write: begun or not, it is done before the port closes
+    bool readOnly = false;             ///< may run beside a search at the same rate
+    bool movesRate = false;            ///< to another rate or ID: nobody is polled meanwhile
+    bool finishes = false;             ///< a write: begun or not, it is done before the port closes
     std::function<void(Work&)> merged; ///< main thread, after the servo has been merged
 
     /// A servo it concerns: copied when the work starts, merged when it has ended.

@@ -58,11 +58,13 @@ bool centres(const ServoEntry& entry, const device::WriteResult& result)
     return reg != nullptr && reg->role == catalog::Role::TorqueSwitch && result.newRaw > mostSwitch;
 }
 
-bool changesRate(const ServoEntry& entry, const WriteOrder& order)
+/// Whoever was polled meanwhile would be asked where it is no more.
+bool changesPlace(const ServoEntry& entry, const WriteOrder& order)
 {
     return std::any_of(order.items.begin(), order.items.end(), [&](const device::WriteItem& item) {
         const catalog::Register* reg = registerOf(entry, item.key);
-        return reg != nullptr && reg->role == catalog::Role::BaudRate;
+        return reg != nullptr &&
+               (reg->role == catalog::Role::BaudRate || reg->role == catalog::Role::Id);
     });
 }
 
@@ -110,7 +112,7 @@ void Desk::enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind)
     work->task.savesTable = true;
     work->task.quiet = true;
     work->task.effect = effectOf(*known, order);
-    work->movesRate = changesRate(*known, order);
+    work->movesRate = changesPlace(*known, order);
     work->finishes = true;
     work->task.work = [order, kind, report](TaskContext& task) {
         device::WriteOptions options;

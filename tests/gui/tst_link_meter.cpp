@@ -29,7 +29,15 @@ private Q_SLOTS:
             QCOMPARE(bench.entry().servo.id, id);
         }
         meter.look(statistics(bench), false, std::chrono::seconds(1));
-        QCOMPARE(meter.figures().errors, std::uint64_t(0));
+        QByteArray told;
+        for (const auto& [id, counters] : statistics(bench).byId)
+            told += QStringLiteral("ID %1: %2 lost, %3 damaged, %4 foreign; ")
+                        .arg(id)
+                        .arg(counters.timeOuts)
+                        .arg(counters.badChecks)
+                        .arg(counters.foreign)
+                        .toUtf8();
+        QVERIFY2(meter.figures().errors == 0, told.constData());
     }
 
     void aLostAnswerIsOne()
