@@ -23,6 +23,8 @@ QString errorName(ErrorCode code)
         return QStringLiteral("garbled");
     case ErrorCode::WrongAnswer:
         return QStringLiteral("wrong-answer");
+    case ErrorCode::LineBusy:
+        return QStringLiteral("line-busy");
     case ErrorCode::Uncertain:
         return QStringLiteral("uncertain");
     case ErrorCode::Stopped:

@@ -19,6 +19,7 @@ enum class ErrorCode {
     NoAnswer,    ///< nothing came before the deadline
     Garbled,     ///< bytes came, but no valid reply (checksum, noise, collision)
     WrongAnswer, ///< a valid reply of another shape than the one asked for
+    LineBusy,    ///< something sends without a pause: no reply can be told from it
     Uncertain,   ///< a request that must not be repeated lost its answer
     Stopped,     ///< the user stopped it
     Preempted,   ///< the emergency lane took the wire

@@ -22,7 +22,8 @@
 namespace bus {
 enum class Priority : std::uint8_t { Emergency, Interactive, Job, Poll };
 
-enum class FaultKind : std::uint8_t { TimeOut, BadCheck, Foreign, Late, Noise, WrongShape };
+/// Unrest: the line never fell silent, so what came cannot be told from what was asked for.
+enum class FaultKind : std::uint8_t { TimeOut, BadCheck, Foreign, Late, Noise, WrongShape, Unrest };
 
 /// A trouble that was overcome by repeating, kept on the reply so that nothing is hidden.
 struct Fault {
@@ -106,9 +107,11 @@ class Bus {
 public:
     virtual ~Bus() = default;
 
-    /// NoAnswer, Garbled, WrongAnswer, Uncertain, LinkLost, Stopped, Preempted, BadArgument. Waits
-    /// for servos another thread holds; Held at once when the calling thread holds them itself and
-    /// the transaction does not carry the token.
+    /// NoAnswer, Garbled, WrongAnswer, LineBusy, Uncertain, LinkLost, Stopped, Preempted,
+    /// BadArgument. Where bytes fill the line, or are frames without a pause, nothing is asked:
+    /// LineBusy after no attempt; only a write that may be repeated is still sent, without
+    /// believing what follows it. Waits for servos another thread holds; Held at once when the
+    /// calling thread holds them itself and the transaction does not carry the token.
     virtual base::Result<Outcome> transact(const Transaction& transaction) = 0;
 
     /// Only listens for `span`; valid frames become strays.

@@ -147,6 +147,7 @@ Result<Outcome> BusCore::repeat(const Transaction& transaction, base::ByteView f
     const Interrupt interrupt = interruptBy(transaction.stop);
     const int countedId = request.id <= protocol::maxId ? request.id : -1;
     Outcome outcome;
+    bool refused = false;
     while (outcome.attempts < attempts) {
         if (const auto turn = awaitTurn(transaction, interrupt); !turn)
             return tl::unexpected(described(turn.error(), request, outcome.attempts));
@@ -165,6 +166,7 @@ Result<Outcome> BusCore::repeat(const Transaction& transaction, base::ByteView f
             outcome.parts = partsOf(std::move(attempt->arrivals));
             return outcome;
         }
+        refused = attempt->refused;
         outcome.faults.push_back({*attempt->fault, attempt->endedAt});
         const bool first = outcome.attempts == 1 && attempts > 1 && transaction.patience <= 0us;
         if (first && *attempt->fault == FaultKind::TimeOut) {
@@ -173,11 +175,11 @@ Result<Outcome> BusCore::repeat(const Transaction& transaction, base::ByteView f
         }
     }
     Error error{errorFor(outcome.faults)};
-    if (request.repeat == Repeat::Never) {
+    if (request.repeat == Repeat::Never && !refused) {
         error.detail = base::errorName(error.code);
         error.code = ErrorCode::Uncertain;
     }
-    return tl::unexpected(described(std::move(error), request, outcome.attempts));
+    return tl::unexpected(described(std::move(error), request, refused ? 0 : outcome.attempts));
 }
 
 /// On a link that has shown nothing yet silence says nothing either: its adapter may be slower than

@@ -14,6 +14,10 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr std::size_t longestFrame = 256;
+/// No decision needs more: the longest frame, and what may begin inside it.
+constexpr std::size_t scanWindow = 1024;
+/// What answers a raw request is kept up to this much.
+constexpr std::size_t maxRawReply = 65'536;
 
 bool has(const std::vector<int>& ids, int id)
 {
@@ -30,6 +34,8 @@ int countedId(int id)
 int rank(FaultKind kind)
 {
     switch (kind) {
+    case FaultKind::Unrest:
+        return 5;
     case FaultKind::BadCheck:
         return 4;
     case FaultKind::WrongShape:
@@ -38,6 +44,23 @@ int rank(FaultKind kind)
         return 2;
     default:
         return 1;
+    }
+}
+
+/// What must reach the servo as far as the wire allows: a lock that is to be closed, torque that is
+/// to go off. Reading tells later what became of it.
+bool sentAllTheSame(const protocol::Request& request)
+{
+    switch (request.op) {
+    case protocol::Op::Write:
+    case protocol::Op::RegWrite:
+    case protocol::Op::SyncWrite:
+    case protocol::Op::Halt:
+        return request.repeat == protocol::Repeat::Safe;
+    case protocol::Op::Raw:
+        return true;
+    default:
+        return false;
     }
 }
 } // namespace
@@ -50,6 +73,8 @@ base::ErrorCode errorFor(FaultKind kind)
         return base::ErrorCode::Garbled;
     case FaultKind::WrongShape:
         return base::ErrorCode::WrongAnswer;
+    case FaultKind::Unrest:
+        return base::ErrorCode::LineBusy;
     default:
         return base::ErrorCode::NoAnswer;
     }
@@ -101,13 +126,18 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
     Wait wait;
     const protocol::Codec& codec = protocol::codecFor(request.protocol);
     // Nothing is sent yet, so stop may end this even if the request must not be repeated.
-    if (const auto silent = keepSilence(codec, interrupt); !silent)
-        return tl::unexpected(silent.error());
+    if (unrest() == Unrest::None) {
+        if (const auto silent = keepSilence(codec, interrupt); !silent)
+            return tl::unexpected(silent.error());
+    }
+    const Unrest before = unrest();
     m_codec = &codec;
     m_language = request.protocol;
     m_trace.speak(request.protocol);
     wait.expected = m_codec->expect(request);
     wait.asksWhoIsThere = request.op == protocol::Op::Ping;
+    if (before == Unrest::Deaf && !sentAllTheSame(request))
+        return refused(wait, interrupt);
     const std::size_t replies = wait.expected.ids.size();
     // An emergency that came while the line was looked at goes first.
     if (const auto reason = interrupt.due())
@@ -128,16 +158,28 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
     wait.deadline = wait.onTime + (patience > 0us ? patience : m_guard.patience());
     m_repliesUntil = wait.onTime;
     m_unsettled = true;
+    return receiveFor(request, wait, before, interrupt);
+}
 
+Result<Attempt> Exchange::receiveFor(const protocol::Request& request, Wait& wait, Unrest before,
+                                     const Interrupt& interrupt)
+{
+    const bool raw = request.op == protocol::Op::Raw;
+    const std::size_t replies = wait.expected.ids.size();
     Interrupt early = interrupt;
     if (request.repeat == protocol::Repeat::Never)
         early.caller = nullptr;
-    const auto received = raw           ? receiveRaw(wait, early)
-                          : replies > 0 ? receiveReplies(wait, early)
-                                        : listenUntil(m_line.freeAt(), {});
+    const bool believed = raw || before != Unrest::Deaf;
+    const auto received = raw                       ? receiveRaw(wait, early)
+                          : believed && replies > 0 ? receiveReplies(wait, early)
+                                                    : listenUntil(m_line.freeAt(), {});
     if (!received)
         return tl::unexpected(received.error());
     wait.attempt.endedAt = m_clock.now();
+    if (!believed)
+        giveUp(wait, true);
+    if (before != Unrest::None && !wait.attempt.missing.empty())
+        wait.trouble(FaultKind::Unrest);
     // Nobody was to answer, but the link has died under it: it may not have got through.
     if (replies == 0 && m_line.away())
         wait.trouble(FaultKind::TimeOut);
@@ -163,6 +205,45 @@ void Exchange::countSilence(const Wait& wait, int id)
 {
     if (!wait.asksWhoIsThere)
         m_statistics.count(Event::TimeOut, countedId(id));
+}
+
+Duration Exchange::tolerance() const
+{
+    return mostUnrest + m_line.wireTime(longestUnrest);
+}
+
+bool Exchange::overloaded() const
+{
+    return m_unrest.overloaded(tolerance(), m_clock.now());
+}
+
+void Exchange::unasked(std::size_t bytes, bool frame)
+{
+    // Forgotten soon after it has ended, however much it was.
+    const Duration most = tolerance() + waitSlice;
+    m_unrest.heard(m_line.wireTime(bytes), frame, m_line.lastByteAt(), most);
+}
+
+Exchange::Unrest Exchange::unrest() const
+{
+    if (overloaded() || (m_neverSilent && m_unrest.framesHeard()))
+        return Unrest::Deaf;
+    return m_neverSilent ? Unrest::Noisy : Unrest::None;
+}
+
+/// Whatever came now might be taken for the reply, so nothing is asked.
+Result<Attempt> Exchange::refused(Wait& wait, const Interrupt& interrupt)
+{
+    wait.attempt.sentAt = m_clock.now();
+    m_trace.note(wait.attempt.sentAt, QStringLiteral("line busy"));
+    // Nobody goes round at the speed of the processor.
+    if (const auto heard = listenUntil(wait.attempt.sentAt + waitSlice, interrupt); !heard)
+        return tl::unexpected(heard.error());
+    wait.attempt.endedAt = m_clock.now();
+    wait.attempt.missing = wait.expected.ids;
+    wait.attempt.refused = true;
+    wait.trouble(FaultKind::Unrest);
+    return std::move(wait.attempt);
 }
 
 void Exchange::countSent(const protocol::Request& request, const Expectation& expected)
@@ -225,7 +306,8 @@ Result<void> Exchange::receiveReplies(Wait& wait, const Interrupt& interrupt)
 
 Result<void> Exchange::receiveRaw(Wait& wait, const Interrupt& interrupt)
 {
-    const auto received = receiveUntil(wait, interrupt, [] { return false; });
+    const auto received =
+        receiveUntil(wait, interrupt, [this] { return m_line.received() >= maxRawReply; });
     // Nobody knows whom the bytes spoke to, nor whether all answers are in.
     m_guard.quietAll(m_clock.now());
     m_line.giveUpEcho();
@@ -255,10 +337,16 @@ void Exchange::giveUp(Wait& wait, bool interrupted)
 void Exchange::digest(Wait& wait, bool atDeadline)
 {
     while (!m_line.pending().empty()) {
-        protocol::ScanResult result = m_codec->scan(m_line.pending(), wait.expected, atDeadline);
+        // However much waits, the work for each byte is the same.
+        const base::ByteView all = m_line.pending();
+        const base::ByteView window = all.first(std::min(all.size(), scanWindow));
+        const bool more = window.size() < all.size();
+        protocol::ScanResult result = m_codec->scan(window, wait.expected, atDeadline);
+        if (result.kind == ScanKind::Incomplete && more)
+            result = m_codec->scan(window, wait.expected, true);
         if (result.kind == ScanKind::Incomplete)
             return;
-        const base::ByteView bytes = m_line.pending().first(result.consumed);
+        const base::ByteView bytes = window.first(result.consumed);
         switch (result.kind) {
         case ScanKind::Reply:
             m_trace.add(m_line.lastByteAt(), TraceKind::Received, bytes);
@@ -268,11 +356,13 @@ void Exchange::digest(Wait& wait, bool atDeadline)
             takeForeign(wait, std::move(result.part), bytes);
             break;
         case ScanKind::BadCheck:
+            unasked(bytes.size(), false);
             m_trace.add(m_line.lastByteAt(), TraceKind::BadCheck, bytes);
             takeBadCheck(wait, result.part.id);
             break;
         case ScanKind::Noise:
         case ScanKind::Incomplete:
+            unasked(bytes.size(), false);
             m_trace.add(m_line.lastByteAt(), TraceKind::Noise, bytes);
             m_statistics.noise(wait.blamed(), bytes.size());
             wait.trouble(FaultKind::Noise);
@@ -312,6 +402,7 @@ void Exchange::takeForeign(Wait& wait, Part part, base::ByteView frame)
         m_statistics.count(Event::Late, id);
         m_trace.add(at, TraceKind::Late, frame);
     } else {
+        unasked(frame.size(), true);
         m_statistics.count(Event::Foreign, id);
         m_trace.add(at, TraceKind::Foreign, frame);
         if (wait.asks(part.id))
@@ -325,6 +416,8 @@ void Exchange::takeBadCheck(Wait& wait, int id)
 {
     m_statistics.count(Event::BadCheck, countedId(id));
     wait.trouble(FaultKind::BadCheck);
-    wait.broken.push_back(wait.asks(id) ? id : wait.blamed());
+    const int blamed = wait.asks(id) ? id : wait.blamed();
+    if (!has(wait.broken, blamed))
+        wait.broken.push_back(blamed);
 }
 } // namespace bus

@@ -9,12 +9,17 @@
 #include "bus/late_guard.h"
 #include "bus/line.h"
 #include "bus/stray_list.h"
+#include "bus/unrest_meter.h"
 #include "protocol/codec.h"
 
 #include <atomic>
 #include <optional>
 
 namespace bus {
+/// A line that never falls silent is judged after this and the time of the longest frames.
+constexpr base::Duration mostUnrest = std::chrono::milliseconds(20);
+constexpr std::size_t longestUnrest = 512;
+
 struct Arrival {
     protocol::Part part;
     base::Duration at{}; ///< when its last byte had come
@@ -28,6 +33,7 @@ struct Attempt {
     std::vector<Arrival> arrivals;
     std::vector<int> missing;       ///< asked, but not answered
     std::optional<FaultKind> fault; ///< the most telling trouble, if something is missing
+    bool refused = false;           ///< not sent, because of the unrest on the line
     base::Duration sentAt{};
     base::Duration endedAt{};
 };
@@ -45,11 +51,12 @@ public:
     /// Only listens; frames become strays. At least looks once.
     base::Result<void> listenUntil(base::Duration instant, const Interrupt& interrupt);
 
-    /// Waits for the end of a reply that is still running.
+    /// Waits for the end of a reply that is still running; not for ever where bytes never end.
     base::Result<void> awaitSilence(const Interrupt& interrupt);
 
     /// Sends ready-made frames with room for the replies nobody waits for. Begins at the computed
-    /// end of the reply that is running, at 115200 and above 30 ms after the call at the latest.
+    /// end of the reply that is running, at 115200 and above 30 ms after the call at the latest, at
+    /// slower rates when the longest frame would have ended, however much comes.
     base::Result<void> sendStopFrames(const std::vector<StopFrame>& frames,
                                       base::Duration replyDelay);
 
@@ -67,6 +74,18 @@ private:
     void countSilence(const Wait& wait, int id);
     void countSent(const protocol::Request& request, const protocol::Expectation& expected);
     base::Result<Attempt> unheard(Wait& wait, const Interrupt& interrupt);
+    enum class Unrest : std::uint8_t {
+        None,
+        Noisy, ///< bytes never end, but a reply could be told from them by its checksum
+        Deaf,  ///< they fill the line, or are frames: no reply could be told
+    };
+    Unrest unrest() const;
+    base::Duration tolerance() const;
+    bool overloaded() const;
+    void unasked(std::size_t bytes, bool frame);
+    base::Result<Attempt> receiveFor(const protocol::Request& request, Wait& wait, Unrest before,
+                                     const Interrupt& interrupt);
+    base::Result<Attempt> refused(Wait& wait, const Interrupt& interrupt);
     void digest(Wait& wait, bool atDeadline);
     void digestStrays(bool atDeadline);
     void takeReply(Wait& wait, protocol::Part part);
@@ -88,5 +107,7 @@ private:
     std::atomic<base::Duration::rep> m_silence{-1}; ///< replaces the protocols' own
     base::Duration m_repliesUntil{}; ///< when the wire is free of the replies asked for
     bool m_unsettled = true;         ///< the last exchange did not end with its reply's last byte
+    UnrestMeter m_unrest;
+    bool m_neverSilent = false; ///< the last wait for silence ended without any
 };
 } // namespace bus

@@ -11,10 +11,11 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr int probeTries = 3;
+constexpr std::size_t maxProbeReply = 4096;
 constexpr int silentTries = 2; ///< the first transaction after opening may be lost
 
-/// A line that is never silent is spoken on all the same after this and the longest frames.
-constexpr Duration mostUnrest = 20ms;
+/// Where it has not fallen silent before, or more comes than a line could carry.
+constexpr Duration shortWait = 5ms;
 
 /// Room for the shortest reply after a stop frame, and for a servo that is slow to begin.
 constexpr std::size_t shortestReply = 6;
@@ -22,7 +23,8 @@ constexpr Duration stopFrameMargin = 500us;
 constexpr int fastestModbus = 256'000;
 
 /// From this rate on nothing that was asked for keeps stop frames waiting for longer than this. A
-/// slower wire is busy for as long as it is: a frame that falls into a reply is lost.
+/// slower wire is busy for as long as the replies that were asked for, and the longest frame, take:
+/// a frame that falls into a reply is lost.
 constexpr int promptRate = 115'200;
 constexpr Duration mostStopDelay = 30ms;
 } // namespace
@@ -45,7 +47,8 @@ Result<void> Exchange::listenUntil(Duration instant, const Interrupt& interrupt)
 
 Result<void> Exchange::awaitSilence(const Interrupt& interrupt)
 {
-    const Duration limit = m_clock.now() + mostUnrest + m_line.wireTime(512);
+    const Duration start = m_clock.now();
+    const Duration limit = start + (m_neverSilent ? shortWait : tolerance());
     Duration span{};
     for (;;) {
         if (const auto reason = interrupt.due())
@@ -58,10 +61,14 @@ Result<void> Exchange::awaitSilence(const Interrupt& interrupt)
             m_unsettled = true;
         }
         const Duration now = m_clock.now();
-        const Duration silentAt = std::min(m_line.lastByteAt() + m_line.silence(), limit);
+        const Duration quietFrom = m_line.lastByteAt() + m_line.silence();
+        const Duration patience = overloaded() ? start + shortWait : limit;
+        const Duration silentAt = std::min({quietFrom, limit, patience});
         const bool frameOpen = !m_line.pending().empty();
-        if ((!m_unsettled && !frameOpen) || now >= silentAt)
+        if ((!m_unsettled && !frameOpen) || now >= silentAt) {
+            m_neverSilent = m_unsettled && now < quietFrom;
             break;
+        }
         span = std::min(silentAt - now, waitSlice);
     }
     digestStrays(true);
@@ -79,8 +86,12 @@ Result<void> Exchange::sendStopFrames(const std::vector<StopFrame>& frames, Dura
     if (m_line.baud() <= fastestModbus)
         gap = std::min(silenceOf(modbus), modbus.silence(m_line.baud()));
     // A frame that falls into a running reply is lost, but stopping must not wait for long either.
+    const Duration now = m_clock.now();
     const Duration limit =
-        m_line.baud() >= promptRate ? m_clock.now() + mostStopDelay : Duration::max();
+        now + mostStopDelay +
+        (m_line.baud() >= promptRate
+             ? Duration{}
+             : std::max(m_repliesUntil - now, Duration{}) + m_line.wireTime(longestUnrest));
     const Duration spokenUntil = std::max(m_line.lastByteAt(), m_line.freeAt());
     Duration clearAt = std::max(m_repliesUntil, spokenUntil + gap);
     while (m_clock.now() < std::min(clearAt, limit)) {
@@ -125,7 +136,7 @@ Result<void> Exchange::keepSilence(const protocol::Codec& next, const Interrupt&
         return std::max(before, m_line.freeAt() + silenceOf(*m_codec));
     };
     Duration from = silentFrom();
-    const Duration limit = from + mostUnrest + m_line.wireTime(512);
+    const Duration limit = from + tolerance();
     while (m_clock.now() < from) {
         const Duration last = m_line.lastByteAt();
         if (const auto heard = listenUntil(from, interrupt); !heard)
@@ -168,14 +179,19 @@ Result<bool> Exchange::echoedOnce(base::ByteView probe, bool& heard, const Inter
     for (Duration now = m_clock.now(); now < deadline; now = m_clock.now()) {
         if (const auto reason = interrupt.due())
             return base::fail(*reason);
+        const std::size_t before = m_line.received();
         const auto came = m_line.receive(std::min(deadline - now, waitSlice));
         if (!came)
             return came;
+        if (*came)
+            unasked(m_line.received() - before, false);
         const base::ByteView seen = m_line.pending();
         if (std::search(seen.begin(), seen.end(), probe.begin(), probe.end()) != seen.end()) {
             m_trace.add(m_line.lastByteAt(), TraceKind::Echo, m_line.takePending());
             return true;
         }
+        if (seen.size() > maxProbeReply)
+            m_line.consumeAllBut(probe.size());
     }
     heard = m_line.received() > 0;
     return false;

@@ -11,6 +11,9 @@ using namespace std::chrono_literals;
 /// An adapter that was taken for an echoing one and returns nothing must not fill the memory.
 constexpr std::size_t mostEchoOwed = 4096;
 
+/// Nor must what comes in place of the echo.
+constexpr std::size_t maxBeforeEcho = 4096;
+
 /// A link that is away is tried this often.
 constexpr Duration tryEvery = 200ms;
 } // namespace
@@ -53,6 +56,7 @@ tl::unexpected<base::Error> Line::loss(const base::Error& error)
     m_awayUntil = m_awayUntil.value_or(now + patience);
     m_nextTry = now + tryEvery;
     m_buffer.clear();
+    m_taken = 0;
     m_echo.clear();
     m_away.store(true);
     m_trace.note(now, QStringLiteral("link away"));
@@ -140,6 +144,7 @@ base::Result<bool> Line::receive(Duration span)
         return gone(ready.error());
     if (!*ready)
         return false;
+    dropTaken();
     const auto count = m_link->read(m_buffer);
     if (!count)
         return gone(count.error());
@@ -157,8 +162,11 @@ void Line::stripEcho()
     if (m_echo.empty())
         return;
     const auto found = std::search(m_buffer.begin(), m_buffer.end(), m_echo.begin(), m_echo.end());
-    if (found == m_buffer.end())
+    if (found == m_buffer.end()) {
+        if (m_buffer.size() > m_echo.size() + maxBeforeEcho)
+            giveUpEcho();
         return;
+    }
     m_trace.add(m_lastByteAt, TraceKind::Echo, m_echo);
     m_buffer.erase(found, found + static_cast<std::ptrdiff_t>(m_echo.size()));
     m_echo.clear();
@@ -168,19 +176,28 @@ void Line::giveUpEcho()
 {
     if (m_echo.empty())
         return;
-    const std::size_t count = std::min(m_echo.size(), m_buffer.size());
-    m_trace.add(m_lastByteAt, TraceKind::Echo, base::ByteView(m_buffer).first(count));
+    const std::size_t count = std::min(m_echo.size(), received());
+    m_trace.add(m_lastByteAt, TraceKind::Echo, waiting().first(count));
     m_echo.clear();
     consume(count);
 }
 
-void Line::consume(std::size_t bytes)
+void Line::consumeAllBut(std::size_t kept)
 {
-    m_buffer.erase(m_buffer.begin(), m_buffer.begin() + static_cast<std::ptrdiff_t>(bytes));
+    if (received() > kept)
+        consume(received() - kept);
+}
+
+/// Once an arrival, not once a frame: what is left is at most the beginning of a frame.
+void Line::dropTaken()
+{
+    m_buffer.erase(m_buffer.begin(), m_buffer.begin() + static_cast<std::ptrdiff_t>(m_taken));
+    m_taken = 0;
 }
 
 base::Bytes Line::takePending()
 {
+    dropTaken();
     return std::exchange(m_buffer, {});
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The link with what it lacks: the time bytes take on the wire, the echo of what was sent, and the
-// bytes that have come but are not understood yet. Counts and traces what it sends. Bus thread
-// only, but for the plain values. The first error of the link is final, LinkLost from then on,
+// bytes that have come but are not understood yet. Counts and traces what it sends. What it keeps
+// is bounded, and dropping what was understood costs nothing, however much comes. Bus thread only,
+// but for the plain values. The first error of the link is final, LinkLost from then on,
 // unless its return is awaited: then the line is silent and nothing can be sent, until the link is
 // open again or the patience is over.
 #pragma once
@@ -35,9 +36,11 @@ public:
     base::Result<bool> receive(base::Duration span);
 
     /// Bytes not understood yet, without echo. Empty while an echo is still being received.
-    base::ByteView pending() const { return m_echo.empty() ? m_buffer : base::ByteView{}; }
-    std::size_t received() const { return m_buffer.size(); } ///< echo included
-    void consume(std::size_t bytes);
+    base::ByteView pending() const { return m_echo.empty() ? waiting() : base::ByteView{}; }
+    std::size_t received() const { return waiting().size(); } ///< echo included
+    void consume(std::size_t bytes) { m_taken += bytes; }
+    /// All but the latest `kept` pending bytes are dropped.
+    void consumeAllBut(std::size_t kept);
     base::Bytes takePending();
     /// The echo did not come as it was sent: as many bytes as were sent are dropped.
     void giveUpEcho();
@@ -66,6 +69,8 @@ private:
     base::Result<bool> lookForReturn(base::Duration span);
     bool comesBack();
     void stripEcho();
+    base::ByteView waiting() const { return base::ByteView(m_buffer).subspan(m_taken); }
+    void dropTaken();
 
     std::unique_ptr<transport::Link> m_link;
     base::Clock& m_clock;
@@ -83,7 +88,8 @@ private:
     std::optional<base::Duration> m_awayUntil; ///< none since a byte has come
     base::Duration m_nextTry{};
     base::Bytes m_buffer;
-    base::Bytes m_echo; ///< sent, and still to come back
+    std::size_t m_taken = 0; ///< bytes at the front of the buffer that are understood
+    base::Bytes m_echo;      ///< sent, and still to come back
     base::Duration m_freeAt{};
     base::Duration m_lastByteAt{};
 };

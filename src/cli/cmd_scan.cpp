@@ -42,6 +42,9 @@ Json jsonReport(const jobs::ScanReport& report)
     Json::Array refused(report.ratesRefused.begin(), report.ratesRefused.end());
     if (!refused.empty())
         json.add("rates_refused", std::move(refused));
+    Json::Array busy(report.ratesBusy.begin(), report.ratesBusy.end());
+    if (!busy.empty())
+        json.add("rates_busy", std::move(busy));
     if (report.slowPassAdvised)
         json.add("slow_pass_advised", true);
     if (report.stopped)
@@ -98,6 +101,10 @@ QString remarks(const jobs::ScanReport& report)
                                   "try again with --slow.");
     for (const int rate : report.ratesRefused)
         lines << translate("cli", "This adapter cannot run at %1 baud.").arg(rate);
+    for (const int rate : report.ratesBusy)
+        lines << translate("cli", "At %1 baud the line never falls silent: something sends "
+                                  "continuously. Servos may have been missed.")
+                     .arg(rate);
     if (report.stopped)
         lines << translate("cli", "Stopped before the end.");
     return lines.isEmpty() ? QString() : lines.join(QLatin1Char('\n')) + QLatin1Char('\n');

@@ -18,6 +18,7 @@ Exit exitCode(base::ErrorCode code)
     case ErrorCode::NoAnswer:
     case ErrorCode::Garbled:
     case ErrorCode::WrongAnswer:
+    case ErrorCode::LineBusy:
     case ErrorCode::Uncertain:
         return Exit::NoAnswer;
     case ErrorCode::BadArgument:

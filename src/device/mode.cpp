@@ -95,8 +95,10 @@ base::Result<void> torqueOff(const Context& context, Servo& servo)
     if (torque == nullptr)
         return {};
     const auto present = readRegister(context, servo, *torque);
-    if (!present)
+    if (!present) {
+        writeUnproven(context, servo, *torque, 0, present.error());
         return tl::unexpected(present.error());
+    }
     if (*present == 0)
         return {};
     auto off = writeVerified(context, servo, *torque, 0);

@@ -151,7 +151,8 @@ base::Result<Servo> askBriefly(const Context& context, int id, Protocol protocol
 {
     auto servo = identifyTrying(context, id, protocol, 0);
     const bool heard = !servo && (servo.error().code == ErrorCode::Garbled ||
-                                  servo.error().code == ErrorCode::WrongAnswer);
+                                  servo.error().code == ErrorCode::WrongAnswer ||
+                                  servo.error().code == ErrorCode::LineBusy);
     return heard ? identify(context, id, protocol) : servo;
 }
 
@@ -173,7 +174,8 @@ base::Result<Servo> identifyBy(int id, const std::vector<Protocol>& protocols, A
             found = std::move(*servo);
         } else if (!concernsServo(servo.error().code)) {
             return servo;
-        } else if (failure.code == ErrorCode::NoAnswer) {
+        } else if (failure.code == ErrorCode::NoAnswer ||
+                   servo.error().code == ErrorCode::LineBusy) {
             failure = servo.error();
         }
     }

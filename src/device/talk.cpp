@@ -125,6 +125,14 @@ base::Result<void> writeBlock(const Context& context, Servo& servo, const Patch&
     return {};
 }
 
+void writeUnproven(const Context& context, Servo& servo, const catalog::Register& reg,
+                   std::int64_t raw, const base::Error& readFailed)
+{
+    if (readFailed.code != ErrorCode::LineBusy || reg.block)
+        return;
+    (void)writeBlock(context, servo, patchOf(servo, {{&reg, raw}}), protocol::Repeat::Safe);
+}
+
 bool answerLost(const base::Error& error)
 {
     switch (error.code) {

@@ -53,6 +53,11 @@ base::Result<Patch> freshPatch(const Context& context, Servo& servo, const Regis
 base::Result<void> writeBlock(const Context& context, Servo& servo, const Patch& patch,
                               protocol::Repeat repeat);
 
+/// For what makes a servo safe (torque off, a closed lock) where reading has just failed because
+/// the line never falls silent: the write goes out all the same, and nothing proves it.
+void writeUnproven(const Context& context, Servo& servo, const catalog::Register& reg,
+                   std::int64_t raw, const base::Error& readFailed);
+
 /// True when a request went out and only its answer is missing: reading tells what happened.
 bool answerLost(const base::Error& error);
 

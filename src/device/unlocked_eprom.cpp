@@ -74,7 +74,11 @@ LockState closeLock(const Context& context, Servo& servo)
         if (!flag) {
             if (flag.error().code == ErrorCode::LinkLost)
                 break;
-            continue;
+            if (flag.error().code != ErrorCode::LineBusy)
+                continue;
+            // The bus says it as often as any write; a second round would prove no more.
+            writeUnproven(context, servo, *lock, lockClosed, flag.error());
+            break;
         }
         if (!isOpen(*flag))
             return LockState::Closed;

@@ -25,6 +25,7 @@ bool concernsServo(ErrorCode code)
     case ErrorCode::NoAnswer:
     case ErrorCode::Garbled:
     case ErrorCode::WrongAnswer:
+    case ErrorCode::LineBusy:
     case ErrorCode::Refused:
     case ErrorCode::UnknownModel:
         return true;
@@ -78,6 +79,8 @@ public:
         if (!restored)
             return tl::unexpected(restored.error());
         m_report.stopped = !searched;
+        if (searched && m_report.found.empty() && !m_report.ratesBusy.empty())
+            return base::fail(ErrorCode::LineBusy, QStringLiteral("scan"));
         finishList();
         m_report.slowPassAdvised = m_report.lateReplies > 1 && !m_spec.slowPass;
         m_report.elapsed = m_context.bus.clock().now() - start;
@@ -104,7 +107,7 @@ private:
             if (!set)
                 return set;
             m_report.rates.push_back(baud);
-            if (const auto done = searchRate(); !done)
+            if (const auto done = orBusy(searchRate()); !done)
                 return done;
         }
         return {};
@@ -139,11 +142,29 @@ private:
             return a.sweep.protocol() == Protocol::Lx && b.sweep.protocol() != Protocol::Lx;
         });
         for (Search& search : m_slow) {
-            const auto done = setBaud(search.baud).and_then([&] { return sweepIds(search); });
+            const auto done =
+                setBaud(search.baud).and_then([&] { return orBusy(sweepIds(search)); });
             if (!done)
                 return done;
         }
         return {};
+    }
+
+    /// Such a rate is left, and said; the others are searched.
+    base::Result<void> orBusy(base::Result<void> searched)
+    {
+        if (searched || searched.error().code != ErrorCode::LineBusy)
+            return searched;
+        noteBusy();
+        return {};
+    }
+
+    void noteBusy()
+    {
+        const int baud = m_context.bus.baud();
+        auto& busy = m_report.ratesBusy;
+        if (std::find(busy.begin(), busy.end(), baud) == busy.end())
+            busy.push_back(baud);
     }
 
     Search newSearch(Protocol protocol)
@@ -198,6 +219,8 @@ private:
         m_meter.startSearch(search.baud, search.sweep.protocol());
         const auto swept = search.sweep.run();
         m_report.lateReplies += search.sweep.lateReplies();
+        if (search.sweep.lineBusy())
+            noteBusy();
         m_report.garbledHeard = m_report.garbledHeard || search.sweep.garbledUnexplained();
         const bool stopped = !swept && swept.error().code == ErrorCode::Stopped;
         if (!swept && !stopped)

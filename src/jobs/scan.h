@@ -39,14 +39,16 @@ struct ScanReport {
     bool stopped = false;
     std::vector<int> rates;        ///< searched
     std::vector<int> ratesRefused; ///< the adapter cannot
+    std::vector<int> ratesBusy;    ///< the line never fell silent, so servos may have been missed
 };
 
 /// Duration of a scan that finds nothing, for telling the user before it starts.
 base::Duration scanEstimate(const device::Context& context, const ScanSpec& spec);
 
-/// `onFound` comes for each servo as soon as it is known, and again when more is known about it
-/// (twins, late answers). The report may hold fewer: one that was heard at a rate
-/// a few per cent off as well (256000 and 250000) is kept at its own rate only.
+/// LineBusy where that is why nothing was found. `onFound` comes for each servo as soon as it is
+/// known, and again when more is known about it (twins, late answers). The report may hold fewer:
+/// one that was heard at a rate a few per cent off as well (256000 and 250000) is kept at its own
+/// rate only.
 base::Result<ScanReport> scan(const device::Context& context, const ScanSpec& spec,
                               const ProgressFn& progress = {},
                               const std::function<void(const Found&)>& onFound = {});

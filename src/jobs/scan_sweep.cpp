@@ -77,6 +77,8 @@ base::Result<std::optional<int>> RateSweep::askAll()
             alone = outcome->parts.front().id;
         } else if (unreadable(outcome.error().code)) {
             m_heardSomebody = true;
+        } else if (outcome.error().code == base::ErrorCode::LineBusy) {
+            m_heardSomebody = true; // the search itself decides
         } else if (outcome.error().code != base::ErrorCode::NoAnswer) {
             return tl::unexpected(outcome.error());
         }
@@ -237,10 +239,22 @@ base::Result<void> RateSweep::ask(int id, base::Duration patience)
         ++contact.replies; // who refuses is there
     } else if (unreadable(outcome.error().code)) {
         ++contact.garbled;
+    } else if (outcome.error().code == base::ErrorCode::LineBusy) {
+        return noteBusy(contact, outcome.error());
     } else if (outcome.error().code != base::ErrorCode::NoAnswer) {
         return tl::unexpected(outcome.error());
     }
     collectStrays();
+    return {};
+}
+
+/// Through noise that leaves room a servo may still be heard; otherwise the bus does not even ask.
+base::Result<void> RateSweep::noteBusy(Contact& contact, const base::Error& error)
+{
+    m_lineBusy = true;
+    if (error.attempts == 0)
+        return tl::unexpected(error);
+    ++contact.garbled;
     return {};
 }
 

@@ -45,12 +45,15 @@ public:
     /// Somebody answered the question to all, however badly: the sweep is worth while.
     bool heardSomebody() const { return m_heardSomebody; }
 
-    /// Stopped, LinkLost, Preempted, Held.
+    /// Stopped, LinkLost, Preempted, Held; LineBusy where bytes that nobody asked for leave no
+    /// room for a reply.
     base::Result<void> run();
 
     base::Protocol protocol() const { return m_protocol; }
     const std::map<int, Contact>& contacts() const { return m_contacts; }
     int lateReplies() const { return m_lateReplies; }
+    /// The line never fell silent while IDs were asked.
+    bool lineBusy() const { return m_lineBusy; }
     bool garbledUnexplained() const { return m_garbledUnexplained; }
 
 private:
@@ -68,6 +71,7 @@ private:
     base::Result<void> ask(int id, base::Duration patience);
     base::Result<bus::Outcome> question(int id, base::Duration patience);
     base::Result<void> listen(base::Duration span);
+    base::Result<void> noteBusy(Contact& contact, const base::Error& error);
     void collectStrays();
     void tell(base::Duration planned) const;
 
@@ -83,5 +87,6 @@ private:
     int m_lateReplies = 0;
     bool m_garbledUnexplained = false;
     bool m_heardSomebody = false;
+    bool m_lineBusy = false;
 };
 } // namespace jobs

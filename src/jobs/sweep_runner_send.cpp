@@ -28,6 +28,7 @@ base::Result<void> SweepRunner::send(std::vector<double> targets)
         case ErrorCode::NoAnswer:
         case ErrorCode::Garbled:
         case ErrorCode::WrongAnswer:
+        case ErrorCode::LineBusy:
         case ErrorCode::Uncertain: // a place to go to may be named twice
             break;
         case ErrorCode::Stopped:

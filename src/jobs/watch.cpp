@@ -9,6 +9,8 @@ namespace jobs {
 namespace {
 constexpr base::Duration drainInterval = std::chrono::milliseconds(50);
 constexpr base::Duration quietTime = std::chrono::milliseconds(150);
+/// A line that is busy for so long will not fall silent by being watched.
+constexpr base::Duration busyPatience = std::chrono::seconds(3);
 
 using OnRow = std::function<base::Result<void>(const WatchRow&)>;
 
@@ -63,6 +65,12 @@ private:
         const auto samples = m_context.bus.takeSamples(m_poll);
         for (const bus::Sample& sample : samples) {
             m_report.missed += sample.answered ? 0 : 1;
+            if (sample.answered || sample.error != base::ErrorCode::LineBusy)
+                m_busyFrom.reset();
+            else if (sample.at - m_busyFrom.value_or(sample.at) > busyPatience)
+                return base::fail(base::ErrorCode::LineBusy, QStringLiteral("watch"));
+            else
+                m_busyFrom = m_busyFrom.value_or(sample.at);
             if (const auto handed = hand(m_decoder.add(sample)); !handed)
                 return handed;
         }
@@ -92,6 +100,7 @@ private:
     WatchDecoder m_decoder;
     const OnRow& m_onRow;
     bus::PollId m_poll = 0;
+    std::optional<base::Duration> m_busyFrom; ///< since then only that has been heard
     WatchReport m_report;
 };
 } // namespace

@@ -22,9 +22,9 @@ struct Look {
     template <typename Fits>
     std::size_t findReply(std::size_t from, std::size_t end, Fits&& fits) const
     {
-        while (from < end && !fits(replyAt(from).fit))
+        while (from < end && expected.any() && !fits(replyAt(from).fit))
             ++from;
-        return from;
+        return expected.any() ? from : end;
     }
 
     /// Where the next frame may begin. At the deadline half frames will not become whole any more.

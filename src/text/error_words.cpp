@@ -69,6 +69,13 @@ constexpr std::array wireEntries{
                                     "ID."),
           QT_TRANSLATE_NOOP("text", "Close other programs that use the bus, and connect this servo "
                                     "alone.")},
+    Entry{ErrorCode::LineBusy,
+          QT_TRANSLATE_NOOP("text", "the line never falls silent: something sends continuously"),
+          QT_TRANSLATE_NOOP("text", "A device that sends on its own, a second master on the bus, "
+                                    "an adapter or bridge set to another purpose, or noise on an "
+                                    "open line."),
+          QT_TRANSLATE_NOOP("text", "Disconnect everything but one servo, check the leads, and "
+                                    "choose the right port.")},
     Entry{ErrorCode::Uncertain,
           QT_TRANSLATE_NOOP("text", "the acknowledgement was lost, so it is not known whether the "
                                     "servo did it"),

@@ -17,6 +17,9 @@ public:
     QString name() const override { return m_name; }
 
 protected:
+    /// The most that Qt keeps of what has come; the rest waits in the system, whoever sends.
+    static constexpr qint64 readBuffer = 16'384;
+
     IoLink(QIODevice& device, QString name);
     tl::unexpected<base::Error> lost(const QString& operation) const;
     bool isLost() const { return m_lost; }

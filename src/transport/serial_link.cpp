@@ -80,7 +80,9 @@ public:
         : IoLink(*port, std::move(path))
         , m_port(std::move(port))
         , m_lease(std::move(lease))
-    {}
+    {
+        m_port->setReadBufferSize(readBuffer);
+    }
 
     base::Result<void> setBaud(int baud) override
     {

@@ -16,7 +16,9 @@ public:
         : IoLink(*socket, std::move(name))
         , m_socket(std::move(socket))
         , m_baud(baud)
-    {}
+    {
+        m_socket->setReadBufferSize(readBuffer);
+    }
 
     // Only remembered: deadlines are computed from it.
     base::Result<void> setBaud(int baud) override

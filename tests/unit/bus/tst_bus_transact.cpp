@@ -431,7 +431,7 @@ private Q_SLOTS:
             bench.script.deliver(now + Duration(50 * i), {0x55});
         const auto outcome = bench.transact(Request::read(9, 56, 2), 0);
         QVERIFY(!outcome);
-        QCOMPARE(outcome.error().code, ErrorCode::Garbled);
+        QCOMPARE(outcome.error().code, ErrorCode::LineBusy);
         QVERIFY(bench.script.clock.now() - now < 100ms);
     }
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How much of the line is taken up by bytes that nobody asked for. Told of each of them; says when
+// they are more than a line with pauses could carry, and whether they are valid frames, among which
+// a reply could not be told. Bus thread only.
+#pragma once
+
+#include "base/clock.h"
+
+namespace bus {
+class UnrestMeter {
+public:
+    /// Bytes that would occupy the line for `wireTime`; `frame`: they are a valid frame. Never more
+    /// than `most` is remembered.
+    void heard(base::Duration wireTime, bool frame, base::Duration now, base::Duration most);
+
+    /// More than `allowed` has come beyond what the passing time accounts for.
+    bool overloaded(base::Duration allowed, base::Duration now) const;
+    /// Valid frames are coming without a pause, not only noise.
+    bool framesHeard() const { return m_frames >= minFrames; }
+
+private:
+    base::Duration levelAt(base::Duration now) const;
+
+    /// One may be a late reply.
+    static constexpr int minFrames = 2;
+
+    base::Duration m_level{}; ///< wire time beyond what the clock accounts for
+    base::Duration m_lastAt{};
+    int m_frames = 0; ///< since the last pause
+};
+} // namespace bus

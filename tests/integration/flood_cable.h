@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A cable between a program and the simulator's terminal, as a terminal or a TCP port of its own,
+// that can be told to send without end: bytes at a rate, mixed into whatever the servos say. Knows
+// bytes only. A thread of its own; flood() from the test's. POSIX only.
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+
+#include <algorithm>
+#include <arpa/inet.h>
+#include <atomic>
+#include <chrono>
+#include <fcntl.h>
+#include <mutex>
+#include <poll.h>
+#include <random>
+#include <stdlib.h>
+#include <sys/socket.h>
+#include <termios.h>
+#include <thread>
+#include <unistd.h>
+
+namespace support {
+class FloodCable {
+public:
+    enum class Front { Terminal, Tcp };
+
+    /// `terminal` empty: no servos behind it.
+    FloodCable(Front front, const QString& terminal)
+    {
+        if (!terminal.isEmpty()) {
+            m_back = open(qPrintable(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
+            makeRaw(m_back);
+        }
+        if (front == Front::Terminal)
+            openTerminal();
+        else
+            listenOnTcp();
+        m_thread = std::thread([this] { serve(); });
+    }
+    ~FloodCable()
+    {
+        m_over = true;
+        m_thread.join();
+        for (const int side : {m_back, m_front, m_slave, m_listener}) {
+            if (side >= 0)
+                close(side);
+        }
+    }
+    FloodCable(const FloodCable&) = delete;
+    FloodCable& operator=(const FloodCable&) = delete;
+
+    QString port() const { return m_port; }
+
+    /// `unit` again and again, so many bytes a second; 0: no more.
+    void flood(const QByteArray& unit, double bytesPerSecond)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_unit = unit;
+        m_rate = bytesPerSecond;
+        m_sent = 0;
+        m_from = Clock::now();
+    }
+    /// Begins by itself with the first frame of the program that contains these bytes.
+    void floodAt(const QByteArray& trigger, const QByteArray& unit, double bytesPerSecond)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_trigger = trigger;
+        m_nextUnit = unit;
+        m_nextRate = bytesPerSecond;
+    }
+    /// TCP: hangs up at the first frame that contains these bytes, before the servo has heard it.
+    void cutAt(const QByteArray& trigger)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_cutTrigger = trigger;
+    }
+    bool flooding()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_rate > 0;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    static void makeRaw(int terminal)
+    {
+        termios settings{};
+        tcgetattr(terminal, &settings);
+        cfmakeraw(&settings);
+        tcsetattr(terminal, TCSANOW, &settings);
+    }
+
+    void openTerminal()
+    {
+        m_front = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
+        grantpt(m_front);
+        unlockpt(m_front);
+        m_port = QString::fromLocal8Bit(ptsname(m_front));
+        // Held open, so that nobody's leaving hangs it up.
+        m_slave = open(qPrintable(m_port), O_RDWR | O_NOCTTY | O_CLOEXEC);
+        makeRaw(m_slave);
+    }
+
+    void listenOnTcp()
+    {
+        m_listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        bind(m_listener, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+        listen(m_listener, 1);
+        socklen_t size = sizeof address;
+        getsockname(m_listener, reinterpret_cast<sockaddr*>(&address), &size);
+        m_port = QStringLiteral("tcp://127.0.0.1:%1").arg(ntohs(address.sin_port));
+    }
+
+    void serve()
+    {
+        while (!m_over) {
+            pollfd states[3] = {{m_front, POLLIN, 0}, {m_back, POLLIN, 0}, {m_listener, POLLIN, 0}};
+            poll(states, 3, 1);
+            if ((states[2].revents & POLLIN) != 0)
+                accept();
+            if ((states[0].revents & (POLLIN | POLLHUP)) != 0)
+                fromHost();
+            if ((states[1].revents & POLLIN) != 0)
+                fromServos();
+            sendFlood();
+        }
+    }
+
+    void accept()
+    {
+        const int came = accept4(m_listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+        if (came < 0)
+            return;
+        if (m_front >= 0)
+            close(m_front);
+        m_front = came;
+        const std::lock_guard lock(m_mutex);
+        m_sent = 0; // for this one from its beginning
+        m_from = Clock::now();
+    }
+
+    void fromHost()
+    {
+        char chunk[4096];
+        const ssize_t got = read(m_front, chunk, sizeof chunk);
+        if (got == 0 && m_listener >= 0) { // hung up
+            close(std::exchange(m_front, -1));
+            return;
+        }
+        if (got <= 0)
+            return;
+        if (isCut(QByteArray(chunk, int(got)))) {
+            close(std::exchange(m_front, -1));
+            return;
+        }
+        if (m_back >= 0 && write(m_back, chunk, std::size_t(got)) != got)
+            return;
+        const std::lock_guard lock(m_mutex);
+        if (m_trigger.isEmpty() || !QByteArray(chunk, int(got)).contains(m_trigger))
+            return;
+        m_trigger.clear();
+        m_unit = m_nextUnit;
+        m_rate = m_nextRate;
+        m_sent = 0;
+        m_from = Clock::now();
+    }
+
+    bool isCut(const QByteArray& said)
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_cutTrigger.isEmpty() || !said.contains(m_cutTrigger))
+            return false;
+        m_cutTrigger.clear();
+        return true;
+    }
+
+    void fromServos()
+    {
+        char chunk[4096];
+        const ssize_t got = read(m_back, chunk, sizeof chunk);
+        if (got > 0 && m_front >= 0)
+            put(chunk, std::size_t(got));
+    }
+
+    void sendFlood()
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_rate <= 0 || m_front < 0)
+            return;
+        const double passed = std::chrono::duration<double>(Clock::now() - m_from).count();
+        const double due = passed * m_rate;
+        while (m_sent < due) {
+            const auto size =
+                std::min<std::size_t>(std::size_t(m_unit.size()), std::size_t(due - m_sent) + 1);
+            const ssize_t done = put(m_unit.constData(), size);
+            if (done <= 0) { // it takes no more: nothing is saved up
+                m_sent = due;
+                return;
+            }
+            m_sent += double(done);
+        }
+    }
+
+    ssize_t put(const char* bytes, std::size_t size)
+    {
+        return m_listener >= 0 ? send(m_front, bytes, size, MSG_NOSIGNAL)
+                               : write(m_front, bytes, size);
+    }
+
+    int m_back = -1;
+    int m_front = -1;
+    int m_slave = -1;
+    int m_listener = -1;
+    QString m_port;
+    std::atomic<bool> m_over{false};
+    std::mutex m_mutex;
+    QByteArray m_unit;
+    double m_rate = 0;
+    double m_sent = 0;
+    Clock::time_point m_from;
+    QByteArray m_trigger;
+    QByteArray m_cutTrigger;
+    QByteArray m_nextUnit;
+    double m_nextRate = 0;
+    std::thread m_thread;
+};
+
+/// A valid status packet of servo `id`, which nobody has asked for.
+inline QByteArray statusPacket(int id, const QByteArray& data = {})
+{
+    QByteArray frame = QByteArray::fromHex("ffff");
+    frame += char(id);
+    frame += char(data.size() + 2);
+    frame += '\0';
+    frame += data;
+    int sum = 0;
+    for (int i = 2; i < frame.size(); ++i)
+        sum += static_cast<unsigned char>(frame[i]);
+    return frame + char(~sum);
+}
+
+inline QByteArray garbage(int size)
+{
+    std::minstd_rand random(7);
+    QByteArray bytes(size, '\0');
+    for (char& byte : bytes)
+        byte = char(random() >> 8);
+    return bytes;
+}
+} // namespace support

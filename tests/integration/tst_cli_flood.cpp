@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The built command line at a line that never falls silent: valid frames or garbage at 1 MB/s, or
+// with room, a byte each millisecond. Every command ends by itself and names the cause; Ctrl-C ends
+// it; torque is off and the lock closed as far as the wire carries it; the memory stays as it is.
+#include "support/cli_program.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <QTest>
+
+#include "flood_cable.h"
+#include <csignal>
+
+using support::CliProgram;
+using support::FloodCable;
+using support::Ran;
+using support::SimProgram;
+using support::words;
+
+Q_DECLARE_METATYPE(FloodCable::Front)
+
+namespace {
+constexpr double megabyte = 1e6;
+
+QByteArray frames()
+{
+    return support::statusPacket(1).repeated(100);
+}
+
+const QString neverSilent = QStringLiteral("never falls silent");
+
+/// The most memory the program has had, in KiB.
+int peakMemory(qint64 pid)
+{
+    QFile file(QStringLiteral("/proc/%1/status").arg(pid));
+    if (!file.open(QIODevice::ReadOnly))
+        return -1;
+    for (const QByteArray& line : file.readAll().split('\n')) {
+        if (line.startsWith("VmHWM:"))
+            return line.simplified().split(' ').value(1).toInt();
+    }
+    return -1;
+}
+} // namespace
+
+class TestCliFlood : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void everyCommandEndsWithTheCause_data();
+    void everyCommandEndsWithTheCause();
+    void aSlowStreamIsNoise();
+    void ctrlCEndsAWriteAndTheLockIsClosed_data();
+    void ctrlCEndsAWriteAndTheLockIsClosed();
+    void aFloodDuringASweepLeavesTorqueOff();
+    void watchEndsByItselfInFlatMemory();
+    void aScanTellsServosFromTheFlood();
+};
+
+void TestCliFlood::everyCommandEndsWithTheCause_data()
+{
+    QTest::addColumn<FloodCable::Front>("front");
+    QTest::addColumn<QByteArray>("unit");
+    QTest::addColumn<QString>("line");
+    const std::pair<const char*, FloodCable::Front> fronts[] = {
+        {"terminal", FloodCable::Front::Terminal}, {"TCP", FloodCable::Front::Tcp}};
+    for (const auto& [name, front] : fronts) {
+        for (const char* line : {"scan", "read 1 id", "write 1 max_temperature=60", "torque 1 on",
+                                 "watch 1", "set-id 1 9", "move 1=2048",
+                                 "sweep 1 --from 1000 --to 2000 --delay 500 --cycles 1"}) {
+            QTest::addRow("frames, %s, %s", name, line)
+                << front << frames() << QString::fromLatin1(line);
+            QTest::addRow("garbage, %s, %s", name, line)
+                << front << support::garbage(4096) << QString::fromLatin1(line);
+        }
+    }
+}
+
+void TestCliFlood::everyCommandEndsWithTheCause()
+{
+    QFETCH(const FloodCable::Front, front);
+    QFETCH(const QByteArray, unit);
+    QFETCH(const QString, line);
+    FloodCable cable(front, {});
+    CliProgram cli;
+    cli.setPort(cable.port());
+    cable.flood(unit, megabyte);
+    const Ran ran = cli.run(words(qPrintable(line)));
+    QVERIFY2(ran.err.contains(neverSilent), qPrintable(ran.out + ran.err));
+    QCOMPARE(ran.exit, 4);
+    QVERIFY2(!ran.out.contains(QStringLiteral("Found on")), qPrintable(ran.out));
+}
+
+void TestCliFlood::aSlowStreamIsNoise()
+{
+    FloodCable cable(FloodCable::Front::Terminal, {});
+    CliProgram cli;
+    cli.setPort(cable.port());
+    cable.flood(QByteArray(1, 'U'), 1000);
+    const Ran ran = cli.run("read 1 id");
+    QVERIFY2(ran.err.contains(QStringLiteral("nothing readable came")),
+             qPrintable(ran.out + ran.err));
+    QCOMPARE(ran.exit, 4);
+}
+
+void TestCliFlood::ctrlCEndsAWriteAndTheLockIsClosed_data()
+{
+    QTest::addColumn<QByteArray>("unit");
+    QTest::addColumn<double>("rate");
+    QTest::newRow("frames") << frames() << megabyte;
+    QTest::newRow("garbage") << support::garbage(4096) << megabyte;
+    QTest::newRow("a byte each millisecond") << QByteArray(1, 'U') << 1000.0;
+}
+
+void TestCliFlood::ctrlCEndsAWriteAndTheLockIsClosed()
+{
+    QFETCH(const QByteArray, unit);
+    QFETCH(const double, rate);
+    SimProgram sim(words("--servos sts3215@1"));
+    FloodCable cable(FloodCable::Front::Terminal, sim.port());
+    CliProgram cli;
+    cli.setPort(cable.port());
+    // WRITE 55 := 0: from here on the lock is open.
+    cable.floodAt(QByteArray::fromHex("033700"), unit, rate);
+    cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 speed_p=20 "
+                    "overload_torque=70 --json"));
+    QTRY_VERIFY_WITH_TIMEOUT(cable.flooding() || cli.process().state() == QProcess::NotRunning,
+                             60'000);
+    QElapsedTimer timer;
+    timer.start();
+    cli.signal(SIGINT);
+    const Ran ran = cli.finish();
+    qInfo("ended %lld ms after Ctrl-C", timer.elapsed());
+    QVERIFY2(ran.exit > 0, qPrintable(ran.out + ran.err));
+    cable.flood({}, 0);
+    // What the program said on the wire has reached the servo: its lock is closed.
+    const Ran after = cli.json("read 1 lock");
+    QCOMPARE(after.json()[QLatin1String("registers")][0][QLatin1String("raw")].toInt(-1), 1);
+    QCOMPARE(cli.run("recover --undo").exit, 0);
+    QVERIFY(cli.json("recover").json()[QLatin1String("intents")].toArray().isEmpty());
+}
+
+void TestCliFlood::aFloodDuringASweepLeavesTorqueOff()
+{
+    SimProgram sim(words("--servos sts3215@1"));
+    FloodCable cable(FloodCable::Front::Terminal, sim.port());
+    CliProgram cli;
+    cli.setPort(cable.port());
+    cli.start(words("sweep 1 --from 1000 --to 3000 --delay 800 --cycles 50 --release"));
+    QTest::qWait(1500); // somewhere in the test, however slow the computer is
+    cable.flood(frames(), megabyte);
+    cli.signal(SIGINT);
+    const Ran ran = cli.finish();
+    QVERIFY2(ran.exit > 0, qPrintable(ran.out + ran.err));
+    cable.flood({}, 0);
+    const Ran after = cli.json("read 1 torque_switch");
+    QCOMPARE(after.json()[QLatin1String("registers")][0][QLatin1String("raw")].toInt(-1), 0);
+}
+
+void TestCliFlood::watchEndsByItselfInFlatMemory()
+{
+    SimProgram sim(words("--servos sts3215@1"));
+    FloodCable cable(FloodCable::Front::Tcp, sim.port());
+    CliProgram cli;
+    cli.setPort(cable.port());
+    cli.start(words("watch 1"));
+    QVERIFY(cli.waitForOutput("0.5"));
+    const int before = peakMemory(cli.process().processId());
+    cable.flood(frames(), 20 * megabyte);
+    int during = before;
+    while (!cli.process().waitForFinished(100))
+        during = std::max(during, peakMemory(cli.process().processId()));
+    const Ran ran = cli.finish();
+    QCOMPARE(ran.exit, 4);
+    QVERIFY2(ran.err.contains(neverSilent), qPrintable(ran.out + ran.err));
+    constexpr int buffers = 8 * 1024; // KiB: what a line, its trace and its strays may take
+    qInfo("peak %d KiB before the flood, %d KiB in it", before, during);
+    QVERIFY2(before > 0 && during < before + buffers, qPrintable(QString::number(during)));
+}
+
+void TestCliFlood::aScanTellsServosFromTheFlood()
+{
+    SimProgram sim(words("--servos sts3215@1,sts3215@7"));
+    FloodCable cable(FloodCable::Front::Terminal, sim.port());
+    CliProgram cli;
+    cli.setPort(cable.port());
+    // Noise that leaves room: what answers is found, and the noise is named.
+    cable.flood(QByteArray(1, 'U'), 1000);
+    const Ran ran = cli.json("scan --ids 0-20 --slow");
+    const QJsonArray found = ran.json()[QLatin1String("found")].toArray();
+    QCOMPARE(found.size(), 2);
+    QCOMPARE(found[0][QLatin1String("id")].toInt(), 1);
+    QCOMPARE(found[1][QLatin1String("id")].toInt(), 7);
+    // Packets of a servo that is not there are not taken for answers.
+    cable.flood(frames(), megabyte);
+    const Ran busy = cli.run("scan --ids 0-20");
+    QCOMPARE(busy.exit, 4);
+    QVERIFY2(busy.err.contains(neverSilent), qPrintable(busy.out + busy.err));
+}
+
+QTEST_GUILESS_MAIN(TestCliFlood)
+#include "tst_cli_flood.moc"
