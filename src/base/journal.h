@@ -31,6 +31,9 @@ struct ServoIdentity {
     Protocol protocol = Protocol::Feetech;
     QString model{}; ///< its name for people, "STS3215"; may be unknown, proves nothing
 
+    /// By its port: what is done to a simulated servo says nothing about a real one.
+    bool isSimulated() const { return port.startsWith(QLatin1String("sim:")); }
+
     bool sameKind(const ServoIdentity& other) const
     {
         return protocol == other.protocol && modelMajor == other.modelMajor &&
@@ -72,11 +75,12 @@ struct Intent {
     std::vector<JournalItem> items;
 };
 
-/// An item's end: kept, temporary, mismatch, refused, no-answer, unknown, or undone (put back).
+/// An item's end: kept, temporary, mismatch, refused, not-sent, no-answer, unknown, or undone (put
+/// back).
 struct ItemEnd {
     QString key;
     std::optional<std::int64_t> readBack{};
-    QString outcome{}; ///< one of these words, as device::outcomeName() has the first six
+    QString outcome{}; ///< one of these words, as device::outcomeName() has all but the last
 };
 
 struct IntentEnd {

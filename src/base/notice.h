@@ -49,6 +49,7 @@ enum class NoticeCode : std::uint8_t {
     DerivedVoltage,       ///< key, a = reading, b = the limit it is beyond
     FamiliesMixed,        ///< SCS beside STS or SMS on one line
     LedNotPutBack,        ///< key: still as it was made to blink; it is in the journal
+    NotRecorded,          ///< key = why: the end of a change that was made is not in the journal
     SettingNotPutBack,    ///< key, a = value before: still as a test had set it; in the journal
 };
 

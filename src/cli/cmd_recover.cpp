@@ -61,9 +61,8 @@ FindingWord findingWord(jobs::Finding finding)
     return {"", ""};
 }
 
-Json jsonRecovered(const jobs::Recovered& one)
+Json jsonIntent(const base::Intent& intent)
 {
-    const base::Intent& intent = one.before.intent;
     Json::Array items;
     for (const base::JournalItem& item : intent.items) {
         items.push_back(Json::object()
@@ -79,8 +78,14 @@ Json jsonRecovered(const jobs::Recovered& one)
         .add("id", intent.servo.id)
         .add("port", intent.servo.port)
         .add("baud", intent.servo.baud)
-        .add("items", std::move(items))
-        .add("finding", QString::fromLatin1(findingWord(one.before.finding).name))
+        .add("items", std::move(items));
+    return json;
+}
+
+Json jsonRecovered(const jobs::Recovered& one)
+{
+    Json json = jsonIntent(one.before.intent);
+    json.add("finding", QString::fromLatin1(findingWord(one.before.finding).name))
         .add("found_id", one.before.foundId >= 0 ? Json(one.before.foundId) : Json())
         .add("found_baud", one.before.foundBaud > 0 ? Json(one.before.foundBaud) : Json())
         .add("lock_open", one.before.lockOpen)
@@ -136,13 +141,65 @@ Table recoveredTable(const std::vector<jobs::Recovered>& all, jobs::RecoverActio
     return table;
 }
 
-void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
+/// Where changes are open that were begun on other ports, and how to look at them.
+struct Elsewhere {
+    std::vector<base::Intent> intents{};
+    QString port{}; ///< of this run; empty where none was opened
+
+    /// On this port: the adapter may only have another name now.
+    QString command() const
+    {
+        const bool here = !port.isEmpty() && !port.startsWith(QLatin1String("sim:"));
+        const QString on = here ? port : QStringLiteral("PORT");
+        return QStringLiteral("servodesk-cli recover --any-port --port %1").arg(on);
+    }
+    Json json() const
+    {
+        Json::Array all;
+        for (const base::Intent& intent : intents)
+            all.push_back(jsonIntent(intent));
+        return all;
+    }
+    QString text() const;
+};
+
+QString Elsewhere::text() const
+{
+    if (intents.empty())
+        return {};
+    Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
+                 translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Port")});
+    table.right({2});
+    for (const base::Intent& intent : intents) {
+        table.add({intent.uuid.left(shownUuid),
+                   intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
+                   QString::number(intent.servo.id), kindName(intent), changesOf(intent),
+                   intent.servo.port});
+    }
+    QString lines = translate("cli", "Changes that were begun on other ports are open:") +
+                    QLatin1Char('\n') + table.text() +
+                    translate("cli", "An adapter that is plugged in again may have another name. "
+                                     "Where the servo is connected now, look at them with: %1")
+                        .arg(command()) +
+                    QLatin1Char('\n');
+    return lines;
+}
+
+QString nothingOpen(const Elsewhere& elsewhere)
+{
+    return elsewhere.intents.empty()
+               ? translate("cli", "No change was left open.") + QLatin1Char('\n')
+               : translate("cli", "No change was left open on %1.").arg(elsewhere.port) +
+                     QLatin1Char('\n');
+}
+
+void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction action,
+          const Elsewhere& elsewhere)
 {
     Json::Array intents;
     for (const jobs::Recovered& one : all)
         intents.push_back(jsonRecovered(one));
-    QString text = all.empty() ? translate("cli", "No change was left open.") + QLatin1Char('\n')
-                               : recoveredTable(all, action).text();
+    QString text = all.empty() ? nothingOpen(elsewhere) : recoveredTable(all, action).text();
     for (const jobs::Recovered& one : all) {
         if (one.error)
             text += text::describe(*one.error).what + QLatin1Char('\n');
@@ -152,7 +209,29 @@ void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction
                                  "puts the old values back, --forget gives up a change whose servo "
                                  "will not come back.") +
                 QLatin1Char('\n');
-    run.finish(Json::object().add("intents", std::move(intents)), text);
+    Json document = Json::object().add("intents", std::move(intents));
+    if (!elsewhere.intents.empty())
+        document.add("elsewhere", elsewhere.json()).add("try", elsewhere.command());
+    run.finish(std::move(document), text + elsewhere.text());
+}
+
+/// The port cannot be opened: what is open is named all the same.
+base::Result<Exit> showWithoutPort(Run& run, const std::vector<base::Intent>& open,
+                                   const base::Error& why)
+{
+    const Elsewhere elsewhere{jobs::begunElsewhere(open, {}), {}};
+    if (elsewhere.intents.empty())
+        return tl::unexpected(why);
+    if (!run.console().json()) {
+        run.console().print(elsewhere.text());
+        return tl::unexpected(why);
+    }
+    run.finish(Json::object()
+                   .add("elsewhere", elsewhere.json())
+                   .add("try", elsewhere.command())
+                   .add("error", jsonError(why)),
+               {});
+    return exitCode(why.code);
 }
 
 Exit exitOf(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
@@ -201,12 +280,12 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (const auto which = values.option("--forget"))
         return forget(run, *open, *which);
     if (open->empty()) {
-        show(run, {}, action);
+        show(run, {}, action, {});
         return Exit::Done;
     }
     const auto context = run.context();
     if (!context)
-        return tl::unexpected(context.error());
+        return showWithoutPort(run, *open, context.error());
     const auto recovered = jobs::recover(
         *context, action,
         {values.has("--any-port"), {}, [&run](const device::Context& inner, device::Servo& servo) {
@@ -214,8 +293,14 @@ base::Result<Exit> run(Run& run, const Values& values)
          }});
     if (!recovered)
         return tl::unexpected(recovered.error());
-    show(run, *recovered, action);
-    return exitOf(*recovered, action);
+    Elsewhere elsewhere{{}, context->bus.portName()};
+    base::ServoIdentity here;
+    here.port = elsewhere.port;
+    if (!values.has("--any-port") || here.isSimulated())
+        elsewhere.intents = jobs::begunElsewhere(*open, elsewhere.port);
+    show(run, *recovered, action, elsewhere);
+    const Exit exit = exitOf(*recovered, action);
+    return exit == Exit::Done && !elsewhere.intents.empty() ? Exit::NotDone : exit;
 }
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "cli/parser.h"
 #include "cli/report_words.h"
 #include "cli/translate.h"
+#include "record/journal_takeover.h"
 #include "text/language.h"
 
 #include <cerrno>
@@ -37,8 +38,11 @@ Exit runCommand(const Parsed& parsed, Console& console, const base::Stop& stop)
 {
     Run run(parsed.globals, console, stop);
     const auto done = parsed.command->run(run, parsed.values);
+    for (const base::Error& journal : record::takeUnreadableJournals())
+        console.say(errorText(journal) + QLatin1Char('\n') +
+                    translate("cli", "  File, and how many lines: %1").arg(journal.detail));
     if (done)
-        return *done;
+        return *done == Exit::Done && run.notRecorded() ? Exit::File : *done;
     console.print(run.takeNotices());
     run.dropUnusedSnapshots();
     return report(done.error(), console);

@@ -233,6 +233,11 @@ void Run::addSaved(Json& document) const
     document.add("snapshots", std::move(all));
 }
 
+bool Run::notRecorded() const
+{
+    return m_notRecorded;
+}
+
 /// Steps of one task may say the same thing.
 void Run::dropRepeatedNotices()
 {
@@ -240,6 +245,7 @@ void Run::dropRepeatedNotices()
     for (const device::Notice& notice : m_notices) {
         if (std::find(once.begin(), once.end(), notice) == once.end())
             once.push_back(notice);
+        m_notRecorded |= notice.code == device::NoticeCode::NotRecorded;
     }
     m_notices = std::move(once);
 }

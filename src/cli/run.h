@@ -55,6 +55,9 @@ public:
     /// Only used by commands that write their document piece by piece.
     Json takeNoticesAsJson();
 
+    /// A change was made whose end the history could not take.
+    bool notRecorded() const;
+
     /// For commands whose port is not the user's choice (tour).
     void setDefaultPort(const QString& port);
 
@@ -72,5 +75,6 @@ private:
     std::unique_ptr<session::Session> m_session;
     std::unique_ptr<session::Connection> m_connection; ///< goes before the session
     bool m_rateFound = false;
+    bool m_notRecorded = false; ///< said by notices that were taken
 };
 } // namespace cli

@@ -37,6 +37,16 @@ struct Context {
     {
         notices.push_back({code, id, std::move(key), a, b});
     }
+
+    /// Ends the intent of a change that was made. Where that cannot be recorded the change is
+    /// reported all the same, with a notice, and the intent stays open. False then.
+    bool record(const QString& uuid, int id, const base::IntentEnd& end) const
+    {
+        const auto ended = journal.end(uuid, end);
+        if (!ended)
+            note(NoticeCode::NotRecorded, id, ended.error().detail);
+        return ended.has_value();
+    }
 };
 
 /// A context that owns its servos, and the hold that makes it so. A manoeuvre inside another one

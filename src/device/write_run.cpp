@@ -79,7 +79,7 @@ void WriteRun::refuseRest(std::size_t first, const base::Error& why)
 {
     for (std::size_t i = first; i < m_report.writes.size(); ++i) {
         WriteResult& result = m_report.writes[i];
-        result.outcome = WriteOutcome::Refused;
+        result.outcome = outcomeBeforeSending(why);
         result.readBack.reset();
         result.error = why;
     }
@@ -130,7 +130,7 @@ void WriteRun::settle()
         m_report.writes.back().error = settled.error();
 }
 
-/// False when the rest was refused.
+/// False when the rest was not sent.
 bool WriteRun::writeStretch(std::size_t first, std::size_t last)
 {
     const std::size_t locked = nextLocked(first);
@@ -180,7 +180,7 @@ void WriteRun::denyKept(std::size_t first, std::size_t last)
     }
 }
 
-/// False when the rest was refused.
+/// False when the rest was not sent.
 bool WriteRun::writeRange(std::size_t first, std::size_t last)
 {
     const bool whole = writeGroups(first, last);
@@ -189,7 +189,7 @@ bool WriteRun::writeRange(std::size_t first, std::size_t last)
     return whole;
 }
 
-/// False when the user stopped it, or the wire did; the rest is refused then.
+/// False when the user stopped it, or the wire did; the rest is not sent then.
 bool WriteRun::writeGroups(std::size_t first, std::size_t last)
 {
     while (first < last) {

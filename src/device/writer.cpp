@@ -20,12 +20,19 @@ QString outcomeName(WriteOutcome outcome)
         return QStringLiteral("mismatch");
     case WriteOutcome::Refused:
         return QStringLiteral("refused");
+    case WriteOutcome::NotSent:
+        return QStringLiteral("not-sent");
     case WriteOutcome::NoAnswer:
         return QStringLiteral("no-answer");
     case WriteOutcome::Unknown:
         return QStringLiteral("unknown");
     }
     return {};
+}
+
+WriteOutcome outcomeBeforeSending(const base::Error& why)
+{
+    return why.code == ErrorCode::Refused ? WriteOutcome::Refused : WriteOutcome::NotSent;
 }
 
 QString lockName(LockState lock)
@@ -161,8 +168,8 @@ base::Result<WriteReport> write(const Context& outer, Servo& servo,
         return report;
     }
     const QString outcome = report.allGood() ? QStringLiteral("done") : QStringLiteral("failed");
-    if (const auto ended = context.journal.end(*uuid, {outcome, {}, report.itemEnds()}); !ended)
-        return tl::unexpected(ended.error());
+    if (!context.record(*uuid, servo.id, {outcome, {}, report.itemEnds()}))
+        report.openIntent = *uuid;
     return report;
 }
 } // namespace device

@@ -9,9 +9,26 @@
 #include "device/reader.h"
 
 namespace device {
-/// The six words for how a register ended, everywhere.
-enum class WriteOutcome : std::uint8_t { Kept, Temporary, Mismatch, Refused, NoAnswer, Unknown };
+/// The words for how a register ended, everywhere. NotSent: its turn never came, so the servo was
+/// not asked; Refused: it was, and did not take it.
+enum class WriteOutcome : std::uint8_t {
+    Kept,
+    Temporary,
+    Mismatch,
+    Refused,
+    NotSent,
+    NoAnswer,
+    Unknown
+};
 QString outcomeName(WriteOutcome outcome); ///< "kept", "temporary", … "no-answer", "unknown"
+/// Of a register that was not written because of `why`: Refused only where the servo itself
+/// refused what had to come first.
+WriteOutcome outcomeBeforeSending(const base::Error& why);
+/// The servo holds what it held before.
+inline bool isUntouched(WriteOutcome outcome)
+{
+    return outcome == WriteOutcome::Refused || outcome == WriteOutcome::NotSent;
+}
 
 enum class LockState : std::uint8_t { Closed, Open, Unknown, None };
 QString lockName(LockState lock); ///< "closed", "open", "unknown", "none"
@@ -35,7 +52,7 @@ struct WriteReport {
     int id = -1;
     std::vector<WriteResult> writes;
     LockState lock = LockState::None;
-    QString openIntent;   ///< uuid of the intent that stays open; empty: it has ended
+    QString openIntent;   ///< uuid of the intent that stays open; empty: its end is recorded
     bool allGood() const; ///< every outcome is kept or temporary, and the lock is not open
     std::vector<base::ItemEnd> itemEnds() const; ///< as the journal keeps it
 };
@@ -53,7 +70,7 @@ struct WriteOptions {
     /// The items go out as given, not by address; neighbours in the list share a frame all the
     /// same, and the lock is opened once for each run of items of one area.
     bool inOrder = false;
-    /// At the first register that does not take its value; the rest is refused ("after-failure").
+    /// At the first register that does not take its value; the rest is not sent ("after-failure").
     bool stopAtFailure = false;
 };
 

@@ -178,8 +178,7 @@ base::Result<BlinkReport> blink(const device::Context& context, device::Servo& s
     BlinkReport report{led->reg->key, led->before};
     const auto blinked = blinkUntil(context, servo, *led, time, progress, report);
     const auto back = putBack(context, servo, *led);
-    if (const auto ended = endIntent(context, *uuid, back.has_value(), blinked.has_value()); !ended)
-        return tl::unexpected(ended.error());
+    endIntent(context, *uuid, servo.id, back.has_value(), blinked.has_value());
     if (!blinked)
         return tl::unexpected(blinked.error());
     if (!back)

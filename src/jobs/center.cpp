@@ -158,8 +158,7 @@ base::Result<CenterReport> center(const device::Context& outer, device::Servo& s
         return tl::unexpected(uuid.error());
     bool certain = false;
     auto report = centerUnlocked(context, servo, *before, certain);
-    if (const auto ended = endIntent(context, *uuid, certain, report.has_value()); !ended)
-        return tl::unexpected(ended.error());
+    endIntent(context, *uuid, servo.id, certain, report.has_value());
     if (report)
         context.note(NoticeCode::TorqueStaysOff, servo.id);
     return report;

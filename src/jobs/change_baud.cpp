@@ -99,7 +99,7 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
     const int oldBaud = context.bus.baud();
     auto eprom = device::UnlockedEprom::open(context, servo, reg);
     if (!eprom) {
-        result.outcome = WriteOutcome::Refused;
+        result.outcome = device::outcomeBeforeSending(eprom.error());
         result.error = eprom.error();
         report.lock = device::closeLock(context, servo);
     } else {
@@ -162,8 +162,7 @@ base::Result<device::WriteReport> changeBaud(const device::Context& outer, devic
     if (!uuid)
         return tl::unexpected(uuid.error());
     const device::WriteReport report = changeUnlocked(context, servo, *code, newBaud);
-    if (const auto ended = endIntent(context, *uuid, report); !ended)
-        return tl::unexpected(ended.error());
+    endIntent(context, *uuid, report);
     return report;
 }
 } // namespace jobs

@@ -113,7 +113,7 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
     const int oldId = servo.id;
     auto eprom = device::UnlockedEprom::open(context, servo, reg);
     if (!eprom) {
-        result.outcome = WriteOutcome::Refused;
+        result.outcome = device::outcomeBeforeSending(eprom.error());
         result.error = eprom.error();
         report.lock = device::closeLock(context, servo);
     } else {
@@ -179,8 +179,7 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
     if (!uuid)
         return tl::unexpected(uuid.error());
     const device::WriteReport report = changeUnlocked(context, servo, newId);
-    if (const auto ended = endIntent(context, *uuid, report); !ended)
-        return tl::unexpected(ended.error());
+    endIntent(context, *uuid, report);
     return report;
 }
 } // namespace jobs

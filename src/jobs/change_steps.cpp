@@ -82,23 +82,21 @@ base::Result<QString> journalIntent(const device::Context& context, const device
     return context.journal.begin(intent);
 }
 
-base::Result<void> endIntent(const device::Context& context, const QString& uuid, bool certain,
-                             bool good)
+void endIntent(const device::Context& context, const QString& uuid, int id, bool certain, bool good)
 {
-    if (!certain)
-        return {};
-    return context.journal.end(
-        uuid, {good ? QStringLiteral("done") : QStringLiteral("failed"), QString()});
+    if (certain)
+        context.record(uuid, id,
+                       {good ? QStringLiteral("done") : QStringLiteral("failed"), QString()});
 }
 
-base::Result<void> endIntent(const device::Context& context, const QString& uuid,
-                             const device::WriteReport& report)
+void endIntent(const device::Context& context, const QString& uuid,
+               const device::WriteReport& report)
 {
     if (!certainEnd(report))
-        return {};
-    return context.journal.end(
-        uuid, {report.allGood() ? QStringLiteral("done") : QStringLiteral("failed"), QString(),
-               report.itemEnds()});
+        return;
+    context.record(uuid, report.id,
+                   {report.allGood() ? QStringLiteral("done") : QStringLiteral("failed"), QString(),
+                    report.itemEnds()});
 }
 
 base::Result<void> requireSayable(const device::Servo& servo, const protocol::Request& request,

@@ -28,11 +28,12 @@ base::Result<QString> journalIntent(const device::Context& context, const device
                                     base::IntentKind kind, std::vector<base::JournalItem> items);
 
 /// Ends the intent as "done" or "failed" if nothing is open any more; leaves it open otherwise.
-base::Result<void> endIntent(const device::Context& context, const QString& uuid, bool certain,
-                             bool good);
+/// What cannot be recorded is noted.
+void endIntent(const device::Context& context, const QString& uuid, int id, bool certain,
+               bool good);
 /// The same with the outcome of each item.
-base::Result<void> endIntent(const device::Context& context, const QString& uuid,
-                             const device::WriteReport& report);
+void endIntent(const device::Context& context, const QString& uuid,
+               const device::WriteReport& report);
 
 /// NotSupported with this detail when the servo's language has no words for the request. Before
 /// the first byte.

@@ -128,12 +128,18 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
     const QString word = action == RecoverAction::Finish && intent.kind != IntentKind::Trial
                              ? QStringLiteral("done")
                              : QStringLiteral("undone");
-    if (const auto ended =
-            context.journal.end(intent.uuid, {word, {}, itemEnds(intent, recovered, word)});
-        !ended)
-        return tl::unexpected(ended.error());
+    context.record(intent.uuid, servo.id, {word, {}, itemEnds(intent, recovered, word)});
     recovered.done = true;
     return recovered;
+}
+
+std::vector<base::Intent> begunElsewhere(const std::vector<base::Intent>& open, const QString& port)
+{
+    std::vector<base::Intent> elsewhere;
+    std::copy_if(open.begin(), open.end(), std::back_inserter(elsewhere), [&](const auto& intent) {
+        return intent.servo.port != port && !intent.servo.isSimulated();
+    });
+    return elsewhere;
 }
 
 base::Result<std::vector<Recovered>> recover(const device::Context& outer, RecoverAction action,
@@ -144,9 +150,12 @@ base::Result<std::vector<Recovered>> recover(const device::Context& outer, Recov
         return tl::unexpected(open.error());
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
+    base::ServoIdentity here;
+    here.port = context.bus.portName();
     std::vector<base::Intent> asked;
     std::copy_if(open->begin(), open->end(), std::back_inserter(asked), [&](const auto& intent) {
-        return (options.anyPort || intent.servo.port == context.bus.portName()) &&
+        const bool sameSort = intent.servo.isSimulated() == here.isSimulated();
+        return ((options.anyPort && sameSort) || intent.servo.port == here.port) &&
                (options.uuid.isEmpty() || intent.uuid == options.uuid);
     });
     std::vector<Recovered> all;

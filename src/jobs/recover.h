@@ -39,11 +39,16 @@ struct Recovered {
 };
 
 struct RecoverOptions {
-    bool anyPort = false; ///< intents of this port only, unless so
+    bool anyPort = false; ///< intents of this port only, unless so; never simulated with real ones
     QString uuid{};       ///< only this one
     /// Before a servo is written to; its error leaves that intent open.
     BeforeWrite beforeWrite{};
 };
+
+/// Intents of real servos that were begun on other ports than this one: an adapter that is plugged
+/// in again may have been given another name.
+std::vector<base::Intent> begunElsewhere(const std::vector<base::Intent>& open,
+                                         const QString& port);
 
 /// Finishes from the oldest on, undoes from the latest on. Where both a restore and its way back
 /// were broken off, the way back is finished and the restore undone, unless one is named by `uuid`.

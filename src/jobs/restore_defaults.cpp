@@ -161,8 +161,7 @@ base::Result<RestoreReport> restoreDefaults(const device::Context& outer, device
     report.newId = servo.id;
     report.newBaud = context.bus.baud();
     const bool certain = done.has_value() && report.lock == device::LockState::Closed;
-    if (const auto ended = endIntent(context, *uuid, certain, done.has_value()); !ended)
-        return tl::unexpected(ended.error());
+    endIntent(context, *uuid, servo.id, certain, done.has_value());
     if (!done)
         return tl::unexpected(done.error());
     return report;

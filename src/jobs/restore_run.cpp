@@ -141,8 +141,13 @@ base::Result<device::WriteReport> Restorer::change(const RestoreWrite& write)
 
 void Restorer::refuse(const RestoreWrite& write, const base::Error& why)
 {
-    m_outcome.rows.push_back(
-        {{write.key, write.address, write.from, write.to, {}, WriteOutcome::Refused, why}});
+    m_outcome.rows.push_back({{write.key,
+                               write.address,
+                               write.from,
+                               write.to,
+                               {},
+                               device::outcomeBeforeSending(why),
+                               why}});
 }
 
 base::Error Restorer::afterFailure(const QString& key) const
@@ -261,7 +266,7 @@ std::vector<device::WriteItem> Restorer::itemsBefore() const
     std::vector<device::WriteItem> items;
     for (const RestoreRowResult& row : m_outcome.rows) {
         const WriteResult& result = row.write;
-        const bool untouched = result.outcome == WriteOutcome::Refused;
+        const bool untouched = device::isUntouched(result.outcome);
         const catalog::Register* reg = m_servo.profile->find(result.key);
         if (!untouched && result.oldRaw && reg != nullptr && !reg->identity)
             items.push_back({result.key, *result.oldRaw});
@@ -310,6 +315,6 @@ void Restorer::rollBack()
         return;
     m_outcome.verdict = RestoreVerdict::RolledBack;
     for (const QString& uuid : std::as_const(m_openIntents))
-        (void)m_context.journal.end(uuid, {QStringLiteral("undone"), {}, endsUndone()});
+        m_context.record(uuid, m_servo.id, {QStringLiteral("undone"), {}, endsUndone()});
 }
 } // namespace jobs

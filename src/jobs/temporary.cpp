@@ -244,6 +244,7 @@ base::Result<void> TemporarySettings::putBack()
     }
     if (m_mode)
         m_context.note(NoticeCode::TorqueStaysOff, m_servo.id);
-    return m_context.journal.end(uuid, {QStringLiteral("undone"), {}});
+    m_context.record(uuid, m_servo.id, {QStringLiteral("undone"), {}});
+    return {};
 }
 } // namespace jobs

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "record/history_log.h"
+#include "record/history_patience.h"
 #include "record/step_run.h"
 #include "record/sweep_run.h"
 #include "record/text_file.h"
@@ -75,7 +76,7 @@ class History {
 public:
     /// `patience`: how long it waits for another program that is writing.
     static base::Result<std::unique_ptr<History>>
-    open(const QString& path, std::chrono::milliseconds patience = std::chrono::seconds(5));
+    open(const QString& path, std::chrono::milliseconds patience = historyPatience);
     /// Over one that is open, such as a server's copies.
     explicit History(std::unique_ptr<HistoryFile> file);
     ~History();
@@ -129,7 +130,7 @@ struct KeptRun {
 /// Opens the history, adds the run, closes it. If that cannot be, the run becomes a JSON file
 /// beside it: what was measured is not lost.
 KeptRun keepRun(const QString& historyPath, const SweepRun& run, const QStringList& files = {},
-                std::chrono::milliseconds patience = std::chrono::seconds(5));
+                std::chrono::milliseconds patience = historyPatience);
 KeptRun keepRun(const QString& historyPath, const StepRun& run, const QStringList& files = {},
-                std::chrono::milliseconds patience = std::chrono::seconds(5));
+                std::chrono::milliseconds patience = historyPatience);
 } // namespace record

@@ -44,6 +44,10 @@ base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path
     const QString folder = QFileInfo(path).absolutePath();
     const bool isNew = !QFileInfo::exists(path);
     const QString topmostOld = existingFolder(path);
+    // SQLite would wait for ever for a pipe to say something.
+    if (!isNew && !QFileInfo(path).isFile())
+        return base::fail(base::ErrorCode::FileFormat, operation,
+                          path + QStringLiteral(": not a regular file"));
     if (!QDir().mkpath(folder))
         return base::fail(base::ErrorCode::FileUnwritable, operation,
                           folder + QStringLiteral(": the folder cannot be made"));

@@ -19,7 +19,7 @@ const QString alike = QStringLiteral("id = ? AND simulated = ? AND protocol = ? 
 QVariantList valuesOf(const base::ServoIdentity& who)
 {
     return {who.id,
-            int(isSimulated(who)),
+            int(who.isSimulated()),
             base::protocolName(who.protocol),
             who.modelMajor,
             who.modelMinor,
@@ -124,11 +124,6 @@ std::optional<std::int64_t> numberIn(const QVariant& value)
     return value.isNull() ? std::nullopt : std::optional<std::int64_t>(value.toLongLong());
 }
 } // namespace
-
-bool isSimulated(const base::ServoIdentity& who)
-{
-    return who.port.startsWith(QLatin1String("sim:"));
-}
 
 base::Result<std::int64_t> meetServo(const HistoryFile& file, const base::ServoIdentity& who)
 {

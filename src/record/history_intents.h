@@ -8,9 +8,6 @@
 #include "record/history_rows.h"
 
 namespace record {
-/// By its port: what is done to a simulated servo says nothing about a real one.
-bool isSimulated(const base::ServoIdentity& who);
-
 /// These belong inside HistoryFile::together(), which makes them one with what is around them.
 /// The number of the servo that answers like this, made if it was never met.
 base::Result<std::int64_t> meetServo(const HistoryFile& file, const base::ServoIdentity& who);

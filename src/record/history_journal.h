@@ -13,6 +13,7 @@
 #pragma once
 
 #include "base/journal.h"
+#include "record/history_patience.h"
 
 #include <atomic>
 #include <chrono>
@@ -23,7 +24,7 @@ class HistoryJournal final : public base::Journal {
 public:
     /// Nothing is opened or created here. `program` is written beside every intent.
     HistoryJournal(QString historyPath, QString program,
-                   std::chrono::milliseconds patience = std::chrono::seconds(5));
+                   std::chrono::milliseconds patience = historyPatience);
     ~HistoryJournal() override;
 
     base::Result<QString> begin(const base::Intent& intent) override;

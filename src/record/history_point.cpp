@@ -60,7 +60,7 @@ public:
 
     void take(const Step& step)
     {
-        if (step.outcome == QLatin1String("refused"))
+        if (step.outcome == QLatin1String("refused") || step.outcome == QLatin1String("not-sent"))
             return;
         // Gone with the next power-off, by design; what a test or blinking had set is put back.
         if (step.temporary || step.outcome == QLatin1String("temporary"))

@@ -41,7 +41,7 @@ struct HistoryWrite {
     std::int64_t oldRaw = 0;
     std::int64_t newRaw = 0;
     std::optional<std::int64_t> readBack{};
-    /// The six words of device::outcomeName(); where only the outcome of the whole is known (old
+    /// The words of device::outcomeName(); where only the outcome of the whole is known (old
     /// journals, manoeuvres): "done", "undone", "failed", "abandoned"; empty: interrupted, open.
     QString outcome{};
     QString detail{};

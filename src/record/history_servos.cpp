@@ -74,7 +74,7 @@ base::Result<std::optional<HistoryServo>> HistoryLog::of(const base::ServoIdenti
                  "WHERE s.current = 1 AND s.id = ? AND s.simulated = ? AND s.protocol = ? AND "
                  "s.model_major = ? AND s.model_minor = ? AND s.firmware_major = ? AND "
                  "s.firmware_minor = ? AND s.map = ?"),
-             {who.id, int(isSimulated(who)), base::protocolName(who.protocol), who.modelMajor,
+             {who.id, int(who.isSimulated()), base::protocolName(who.protocol), who.modelMajor,
               who.modelMinor, who.firmwareMajor, who.firmwareMinor, notNull(who.map)});
     if (!found)
         return tl::unexpected(found.error());

@@ -10,6 +10,8 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <mutex>
+
 namespace record {
 namespace {
 const QString operation = QStringLiteral("journal");
@@ -18,6 +20,33 @@ const QString takenMark = QStringLiteral(".taken-");
 tl::unexpected<base::Error> unreadable(const QString& path)
 {
     return base::fail(base::ErrorCode::FileUnreadable, operation, path);
+}
+
+/// What was found in files that were taken over, until it is told. One for the program: whoever
+/// opens the history first does the work, and any part of the program may be that.
+class UnreadableFiles {
+public:
+    void add(const QString& path, int lines)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_found.push_back({base::ErrorCode::FileFormat, operation,
+                           QStringLiteral("%1: %2").arg(path).arg(lines)});
+    }
+    std::vector<base::Error> take()
+    {
+        const std::lock_guard lock(m_mutex);
+        return std::exchange(m_found, {});
+    }
+
+private:
+    std::mutex m_mutex;
+    std::vector<base::Error> m_found;
+};
+
+UnreadableFiles& unreadableFiles()
+{
+    static UnreadableFiles files;
+    return files;
 }
 
 /// Of whichever name: its first line has a time and, mostly, a uuid.
@@ -83,14 +112,13 @@ base::Result<void> takeText(const HistoryFile& file, const QByteArray& text, Tak
     return {};
 }
 
-/// A name that nothing has. Where it cannot be renamed it stays, and its end is known.
-void setAside(const QString& path)
+/// Its new name, which nothing had. Where it cannot be renamed it stays, and its end is known.
+QString setAside(const QString& path)
 {
     for (int n = 1;; ++n) {
         const QString aside = path + takenMark + QString::number(n);
         if (!QFileInfo::exists(aside)) {
-            (void)QFile::rename(path, aside);
-            return;
+            return QFile::rename(path, aside) ? aside : path;
         }
     }
 }
@@ -115,13 +143,15 @@ base::Result<void> takeFile(const HistoryFile& file, const QString& path, bool c
     const auto text = source.read(0, info->size);
     if (!text)
         return unreadable(path);
+    const int before = takeover.unreadable;
     if (!text->isEmpty()) {
         const auto taken = file.together([&] { return takeText(file, *text, takeover); });
         if (!taken)
             return taken;
     }
-    if (current)
-        setAside(path);
+    const QString kept = current ? setAside(path) : path;
+    if (takeover.unreadable > before)
+        unreadableFiles().add(kept, takeover.unreadable - before);
     return {};
 }
 
@@ -144,6 +174,11 @@ base::Result<bool> hasNews(const HistoryFile& file, const QFileInfo& aside)
     return source.readAll().contains('\n');
 }
 } // namespace
+
+std::vector<base::Error> takeUnreadableJournals()
+{
+    return unreadableFiles().take();
+}
 
 QString oldJournalBeside(const QString& historyPath)
 {

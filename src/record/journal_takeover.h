@@ -4,11 +4,13 @@
 // in the middle changes nothing and two programs at once do it once; uuids keep what is there from
 // coming twice. Then the file is renamed (journal.jsonl.taken-N), never deleted. A program of an
 // earlier version that is still running may append to the renamed file or begin a new one: both
-// are looked at again. Lines nobody can read stay in the file and are counted. The thread of the
-// connection. Errors of record/history_file.h, and FileUnreadable.
+// are looked at again. Lines nobody can read stay in the file, and are counted and reported. The
+// thread of the connection. Errors of record/history_file.h, and FileUnreadable.
 #pragma once
 
 #include "record/history_file.h"
+
+#include <vector>
 
 namespace record {
 struct Takeover {
@@ -18,6 +20,10 @@ struct Takeover {
 
 /// "journal.jsonl" beside the database.
 QString oldJournalBeside(const QString& historyPath);
+
+/// FileFormat, "journal", one for each file of which lines could not be read: what this program has
+/// taken over so far and nobody has asked for yet, whichever connection did it. Any thread.
+std::vector<base::Error> takeUnreadableJournals();
 
 /// Cheap where there is nothing to do: one look at the folder.
 base::Result<Takeover> takeOverJournal(const HistoryFile& file);

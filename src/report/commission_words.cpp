@@ -38,6 +38,7 @@ constexpr std::array troubleWords{
                  "扭矩输出曾打开，已关闭"},
     TroubleWords{"row-mismatch", "%1 reads back differently", "%1 回读不一致"},
     TroubleWords{"row-refused", "%1 was refused", "%1 写入被拒绝"},
+    TroubleWords{"row-not-sent", "%1 was not sent", "%1 未发送"},
     TroubleWords{"row-no-answer", "no answer while %1 was written", "写入 %1 时通信超时"},
     TroubleWords{"row-unknown", "what became of %1 is not known", "%1 的写入结果未知"},
     TroubleWords{"no-answer", "it did not answer", "通信超时"},

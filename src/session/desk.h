@@ -113,7 +113,8 @@ public:
 
     // --- interrupted writes of earlier sessions ---
     /// Looks (reads only) and answers with openIntents; asked by itself after the first search.
-    void lookForIntents();
+    /// `anyPort`: also for servos whose change was begun on another port.
+    void lookForIntents(bool anyPort = false);
     void settleIntent(const QString& uuid, jobs::RecoverAction action);
     void forgetIntent(const QString& uuid);
 
@@ -139,8 +140,10 @@ Q_SIGNALS:
     void taskProgress(const jobs::Progress& progress);
     void undoChanged();
     void happened(const session::Event& event);
-    /// Also when empty; after a look that failed there is only the Event.
-    void openIntents(const std::vector<jobs::Recovered>& found);
+    /// Also when empty; after a look that failed there is only the Event. `elsewhere`: open as
+    /// well, but begun on other ports, and not looked at.
+    void openIntents(const std::vector<jobs::Recovered>& found,
+                     const std::vector<base::Intent>& elsewhere);
 
 private:
     struct Work;   ///< one task on its way
@@ -201,7 +204,7 @@ private:
     void tableSaved(int id, const QString& path);
 
     // interrupted writes (desk_intents.cpp)
-    void recoverIntents(jobs::RecoverAction action, const QString& uuid);
+    void recoverIntents(jobs::RecoverAction action, const QString& uuid, bool anyPort);
     void followRecovered(const jobs::Recovered& one);
 
     // feed (desk_feed.cpp)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/journal_takeover.h"
 #include "session/desk_work.h"
 #include "session/safety_snapshot.h"
 
@@ -6,15 +7,36 @@
 
 namespace session {
 namespace {
-/// True when the journal has an open intent of this port: without one nobody need be asked.
-base::Result<bool> anyOpen(const device::Context& context)
+/// What a look has brought.
+struct Look {
+    std::vector<jobs::Recovered> found{};
+    std::vector<base::Intent> elsewhere{};
+};
+
+/// Where the journal has no open intent to look at no servo is asked.
+base::Result<Look> lookOrSettle(const device::Context& context, jobs::RecoverAction action,
+                                const jobs::RecoverOptions& options)
 {
     const auto open = context.journal.open();
     if (!open)
         return tl::unexpected(open.error());
-    const QString port = context.bus.portName();
-    return std::any_of(open->begin(), open->end(),
-                       [&](const base::Intent& intent) { return intent.servo.port == port; });
+    Look look;
+    base::ServoIdentity here;
+    here.port = context.bus.portName();
+    auto elsewhere = jobs::begunElsewhere(*open, here.port);
+    const bool any = std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
+        return intent.servo.port == here.port;
+    });
+    const bool everywhere = options.anyPort && !here.isSimulated();
+    if (any || (everywhere && !elsewhere.empty())) {
+        auto recovered = jobs::recover(context, action, options);
+        if (!recovered)
+            return tl::unexpected(recovered.error());
+        look.found = std::move(*recovered);
+    }
+    if (!everywhere)
+        look.elsewhere = std::move(elsewhere);
+    return look;
 }
 
 /// A table that was saved before an intent was settled.
@@ -52,36 +74,28 @@ std::optional<int> rateAfter(const catalog::Profile& profile, const device::Writ
 }
 } // namespace
 
-void Desk::lookForIntents()
+void Desk::lookForIntents(bool anyPort)
 {
-    recoverIntents(jobs::RecoverAction::Look, {});
+    recoverIntents(jobs::RecoverAction::Look, {}, anyPort);
 }
 
 void Desk::settleIntent(const QString& uuid, jobs::RecoverAction action)
 {
-    recoverIntents(action, uuid);
+    recoverIntents(action, uuid, true); // this one was chosen, wherever it was begun
 }
 
-void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid)
+void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid, bool anyPort)
 {
-    const auto found = std::make_shared<std::vector<jobs::Recovered>>();
+    const auto look = std::make_shared<Look>();
     const auto saved = std::make_shared<std::vector<SavedTable>>();
     const auto work = std::make_shared<Work>();
     work->task.name = QStringLiteral("recover");
     work->task.quiet = action == jobs::RecoverAction::Look;
-    work->task.work = [action, uuid, found, saved](TaskContext& task) -> base::Result<void> {
-        const auto open = anyOpen(task.device);
-        if (!open)
-            return tl::unexpected(open.error());
-        if (!*open)
-            return {};
-        auto recovered = jobs::recover(task.device, action, {false, uuid, saveInto(*saved)});
-        if (!recovered)
-            return tl::unexpected(recovered.error());
-        *found = std::move(*recovered);
-        return {};
+    work->task.work = [action, uuid, anyPort, look, saved](TaskContext& task) {
+        return lookOrSettle(task.device, action, {anyPort, uuid, saveInto(*saved)})
+            .map([&look](Look&& made) { *look = std::move(made); });
     };
-    work->merged = [this, found, saved, action](Work& ended) {
+    work->merged = [this, look, saved, action](Work& ended) {
         for (const SavedTable& table : *saved) {
             const ServoRef ref = find(table.protocol, table.id);
             if (ServoEntry* known = entry(ref))
@@ -90,13 +104,15 @@ void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid)
         }
         if (ended.error)
             tell({.kind = Event::Kind::Failed, .error = ended.error});
+        for (const base::Error& journal : record::takeUnreadableJournals())
+            tell({.kind = Event::Kind::Failed, .error = journal});
         if (ended.error && action == jobs::RecoverAction::Look) {
             m_intentsLooked = false; // nobody knows whether there are none
             return;
         }
-        for (const jobs::Recovered& one : *found)
+        for (const jobs::Recovered& one : look->found)
             followRecovered(one);
-        Q_EMIT openIntents(*found);
+        Q_EMIT openIntents(look->found, look->elsewhere);
     };
     enqueue(work);
 }

@@ -14,8 +14,10 @@ using device::WriteOutcome;
 WriteOutcome outcomeOf(const base::Error& error)
 {
     using base::ErrorCode;
-    const bool silent = error.code == ErrorCode::NoAnswer || error.code == ErrorCode::LinkLost ||
-                        error.code == ErrorCode::Garbled;
+    if (error.code == ErrorCode::LinkLost)
+        return WriteOutcome::NotSent;
+    const bool silent = error.code == ErrorCode::NoAnswer || error.code == ErrorCode::Garbled ||
+                        error.code == ErrorCode::LineBusy;
     return silent ? WriteOutcome::NoAnswer : WriteOutcome::Refused;
 }
 

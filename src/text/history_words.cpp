@@ -38,6 +38,12 @@ constexpr RefusalWords oldJournal{
                               "a servo before it is in the history."),
     QT_TRANSLATE_NOOP("text", "Give yourself the right to read it, or move it away if you know "
                               "that it is of no use.")};
+constexpr RefusalWords brokenJournal{
+    "journal", QT_TRANSLATE_NOOP("text", "lines of an earlier version's journal cannot be read"),
+    QT_TRANSLATE_NOOP("text", "The file was damaged, or a newer program wrote to it. What can be "
+                              "read is in the history now; the file is kept."),
+    QT_TRANSLATE_NOOP("text", "Such a line may tell of an interrupted change: check the EPROM lock "
+                              "and the settings of servos that were in use then.")};
 constexpr RefusalWords labelInUse{
     "label-in-use", QT_TRANSLATE_NOOP("text", "another servo has this label"),
     QT_TRANSLATE_NOOP("text", "It is alike in model, firmware and ID, and only the label tells "
@@ -61,7 +67,9 @@ const RefusalWords* historyWords(const base::Error& error)
 {
     using base::ErrorCode;
     if (error.operation == QLatin1String("journal"))
-        return error.code == ErrorCode::FileUnreadable ? &oldJournal : nullptr;
+        return error.code == ErrorCode::FileUnreadable ? &oldJournal
+               : error.code == ErrorCode::FileFormat   ? &brokenJournal
+                                                       : nullptr;
     if (error.operation != QLatin1String("history"))
         return nullptr;
     switch (error.code) {

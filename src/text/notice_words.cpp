@@ -112,6 +112,10 @@ constexpr std::array entries{
     Entry{NoticeCode::LedNotPutBack, "led-not-put-back",
           QT_TRANSLATE_NOOP("text", "The LED setting (%3) could not be put back; it is noted in "
                                     "the journal. Use recover when the servo answers again.")},
+    Entry{NoticeCode::NotRecorded, "not-recorded",
+          QT_TRANSLATE_NOOP("text", "Not recorded: the change was made, but its result could not "
+                                    "be saved to the history (%3). It stays listed as open; look "
+                                    "at it with recover when the history can be written again.")},
     Entry{NoticeCode::SettingNotPutBack, "setting-not-put-back",
           QT_TRANSLATE_NOOP("text", "%3 could not be put back to %1 after the test; it is noted in "
                                     "the journal. Use recover when the servo answers again. At "
@@ -137,6 +141,7 @@ constexpr std::array outcomes{
     Word{"temporary", QT_TRANSLATE_NOOP("text", "temporary")},
     Word{"mismatch", QT_TRANSLATE_NOOP("text", "mismatch")},
     Word{"refused", QT_TRANSLATE_NOOP("text", "refused")},
+    Word{"not-sent", QT_TRANSLATE_NOOP("text", "not sent")},
     Word{"no-answer", QT_TRANSLATE_NOOP("text", "no answer")},
     Word{"unknown", QT_TRANSLATE_NOOP("text", "unknown")},
 };

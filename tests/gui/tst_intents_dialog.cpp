@@ -2,6 +2,8 @@
 // Interrupted writes in the window: found by reading only, offered, never done unasked; finished,
 // undone, forgotten or left for later, each by itself.
 #include "gui/tasks_bench.h"
+#include "support/cli_program.h"
+#include "ui/app/event_words.h"
 #include "ui/dialogs/intents_dialog.h"
 
 #include <QAbstractItemModelTester>
@@ -54,13 +56,16 @@ bool interrupt(TasksBench& bench)
 }
 
 /// As an earlier session left it: nothing of it was written.
-QString leaveOpen(TasksBench& bench)
+QString leaveOpen(TasksBench& bench, const QString& port = {})
 {
     base::Intent intent;
     intent.kind = base::IntentKind::Write;
     intent.lockOpened = true;
     intent.servo = bench.entry().servo.identity();
-    intent.items = {{text("max_temperature"), 13, bench.raw(1, "max_temperature"), 61}};
+    if (!port.isEmpty())
+        intent.servo.port = port;
+    const auto before = bench.entry().servo.raw(text("max_temperature")).value_or(0);
+    intent.items = {{text("max_temperature"), 13, before, 61}};
     return bench.session.journal().begin(intent).value_or(QString());
 }
 } // namespace
@@ -81,6 +86,9 @@ private Q_SLOTS:
     void theOneChosenIsSettledAlone();
     void nobodyThereCannotBeSettled();
     void nothingOpenSaysSo();
+    void anotherPortIsNamedAtTheFirstConnection();
+    void anAdapterUnderAnotherNameIsLookedAt();
+    void whatCouldNotBeRecordedIsSaid();
 };
 
 void TestIntentsDialog::aCutWriteIsOfferedAndUndone()
@@ -254,6 +262,61 @@ void TestIntentsDialog::nothingOpenSaysSo()
     QVERIFY(!gui::textOf(dialog, "explanation").contains(text("Choose what to do")));
     QCOMPARE(gui::button(dialog, "intentLater")->text(), text("Close"));
     QVERIFY(!gui::button(dialog, "intentForget")->isEnabled());
+}
+
+void TestIntentsDialog::anotherPortIsNamedAtTheFirstConnection()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(!leaveOpen(bench, text("/dev/ttyUSB7")).isEmpty());
+    bench.desk.disconnectFrom();
+    QTRY_COMPARE(bench.desk.state(), session::LinkState::Off);
+    QVERIFY(bench.connectTo("sim:sts3215@1"));
+    QVERIFY(bench.search(1, 1));
+    QDialog* dialog = bench.dialog("intentsDialog");
+    QVERIFY(dialog);
+    QCOMPARE(table(dialog)->model()->rowCount(), 0);
+    const QString named = gui::textOf(dialog, "intentsElsewhere");
+    QVERIFY2(named.contains(text("/dev/ttyUSB7")), qPrintable(named));
+    QVERIFY2(named.contains(text("STS3215")), qPrintable(named));
+    QVERIFY(!gui::resultOf(dialog).contains(text("No change was left open")));
+    // A simulated servo is never the one that was left.
+    QVERIFY(!gui::button(dialog, "intentsLookHere")->isVisible());
+}
+
+void TestIntentsDialog::anAdapterUnderAnotherNameIsLookedAt()
+{
+    TasksBench bench;
+    support::SimProgram sim({text("--servos"), text("sts3215@1")});
+    QVERIFY(bench.connectTo(sim.port()) && bench.search(1, 1) && bench.choose(1));
+    QVERIFY(!leaveOpen(bench, text("/dev/ttyUSB7")).isEmpty());
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QCOMPARE(table(dialog)->model()->rowCount(), 0);
+    gui::click(dialog, "intentsLookHere");
+    QTRY_COMPARE(table(dialog)->model()->rowCount(), 1);
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("nothing of it was written"));
+    QVERIFY(gui::textOf(dialog, "intentsElsewhere").isEmpty());
+    table(dialog)->selectRow(0);
+    gui::click(dialog, "intentFinish");
+    QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
+    QTRY_VERIFY(bench.session.journal().open()->empty());
+}
+
+void TestIntentsDialog::whatCouldNotBeRecordedIsSaid()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    session::Event event;
+    event.kind = session::Event::Kind::Written;
+    event.servo = bench.selection.current();
+    event.report = device::WriteReport{
+        1, {{text("position_p"), 21, 32, 20, 20, device::WriteOutcome::Kept, {}}}};
+    event.notices = {{base::NoticeCode::NotRecorded, 1, text("history.sqlite: disk full")}};
+    const ui::EventWords words = ui::describe(event, bench.desk);
+    QVERIFY2(words.line.contains(text("20, kept")), qPrintable(words.line));
+    QVERIFY2(words.line.contains(text("NOT RECORDED")), qPrintable(words.line));
+    QVERIFY(words.more.join(QLatin1Char('\n')).contains(text("disk full")));
 }
 
 QTEST_MAIN(TestIntentsDialog)

@@ -368,7 +368,7 @@ void TestRestore::aRefusedRowStopsTheRest()
             QCOMPARE(row.write.outcome, device::WriteOutcome::Mismatch);
         else
             QCOMPARE(row.write.outcome,
-                     failed ? device::WriteOutcome::Refused : device::WriteOutcome::Kept);
+                     failed ? device::WriteOutcome::NotSent : device::WriteOutcome::Kept);
         QVERIFY(!row.rolledBack);
         failed |= isBad;
     }
@@ -398,7 +398,7 @@ void TestRestore::aRefusedRowRollsBack()
     QVERIFY(!support::lockIsOpen(bench));
     QVERIFY(bench.journal().open()->empty());
     for (const jobs::RestoreRowResult& row : outcome.rows) {
-        const bool touched = row.write.outcome != device::WriteOutcome::Refused;
+        const bool touched = !device::isUntouched(row.write.outcome);
         QCOMPARE(row.rolledBack, touched);
         if (touched)
             QCOMPARE(row.write.readBack, row.write.oldRaw);
@@ -707,8 +707,8 @@ void TestRestore::whatIsRolledBackIsUndoneInTheJournal()
         const auto item =
             std::find_if(first.intent.items.begin(), first.intent.items.end(),
                          [&](const base::JournalItem& one) { return one.key == end.key; });
-        const bool touched = end.outcome != text("refused");
-        QCOMPARE(end.outcome, touched ? text("undone") : text("refused"));
+        const bool touched = end.outcome != text("not-sent");
+        QCOMPARE(end.outcome, touched ? text("undone") : text("not-sent"));
         if (touched)
             QCOMPARE(end.readBack, std::optional(item->oldRaw));
         undone += touched ? 1 : 0;

@@ -82,7 +82,7 @@ QString lies(SimBench& bench, const jobs::RestoreOutcome& outcome)
     for (const jobs::RestoreRowResult& row : outcome.rows) {
         const std::int64_t now = bench.raw(1, row.write.key);
         const bool claimed = row.write.outcome == WriteOutcome::Kept;
-        const bool denied = row.write.outcome == WriteOutcome::Refused;
+        const bool denied = device::isUntouched(row.write.outcome);
         if ((claimed && now != row.write.newRaw) || (denied && now != row.write.oldRaw))
             return QStringLiteral("%1 %2, but it is %3")
                 .arg(row.write.key, device::outcomeName(row.write.outcome))

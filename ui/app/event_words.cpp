@@ -235,6 +235,11 @@ EventWords describe(const Event& event, const session::Desk& desk)
         const QString about =
             notice.id >= 0 ? text::translate("EventWords", "ID %1: ").arg(notice.id) : QString();
         words.more << about + text::describe(notice);
+        if (notice.code != base::NoticeCode::NotRecorded)
+            continue;
+        words.line += text::translate("EventWords", ", NOT RECORDED");
+        words.sign = QStringLiteral("✗");
+        words.tone = Tone::Bad;
     }
     return words;
 }

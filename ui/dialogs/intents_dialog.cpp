@@ -30,12 +30,15 @@ bool settleable(const Recovered& one)
 }
 } // namespace
 
-IntentsDialog::IntentsDialog(Desk& desk, const std::vector<Recovered>& intents, QWidget* parent)
+IntentsDialog::IntentsDialog(Desk& desk, const std::vector<Recovered>& intents,
+                             const std::vector<base::Intent>& elsewhere, QWidget* parent)
     : QDialog(parent)
     , m_desk(desk)
     , m_model(new IntentsModel(desk.catalog(), this))
     , m_explanation(new QLabel(this))
     , m_table(new QTableView(this))
+    , m_elsewhereText(new QLabel(this))
+    , m_lookHere(new QPushButton(this))
     , m_result(new TaskResult(startWidth - margin, this))
     , m_finish(new QPushButton(this))
     , m_undo(new QPushButton(this))
@@ -54,7 +57,12 @@ IntentsDialog::IntentsDialog(Desk& desk, const std::vector<Recovered>& intents, 
     connect(m_undo, &QPushButton::clicked, this, [this] { settle(RecoverAction::Undo); });
     connect(m_forget, &QPushButton::clicked, this, &IntentsDialog::forget);
     connect(m_later, &QPushButton::clicked, this, &QDialog::reject);
-    found(intents);
+    connect(m_lookHere, &QPushButton::clicked, this, [this] {
+        m_anyPort = true;
+        m_lookHere->setEnabled(false);
+        m_desk.lookForIntents(true);
+    });
+    found(intents, elsewhere);
 }
 
 void IntentsDialog::build()
@@ -69,10 +77,17 @@ void IntentsDialog::build()
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setTabKeyNavigation(false);
+    m_elsewhereText->setObjectName(QStringLiteral("intentsElsewhere"));
+    m_elsewhereText->setWordWrap(true);
+    m_elsewhereText->setTextFormat(Qt::PlainText);
+    auto* other = new QHBoxLayout;
+    other->addWidget(m_elsewhereText, 1);
+    other->addWidget(m_lookHere, 0, Qt::AlignTop);
     auto* row = new QHBoxLayout;
     const std::pair<QPushButton*, const char*> buttons[] = {{m_finish, "intentFinish"},
                                                             {m_undo, "intentUndo"},
                                                             {m_forget, "intentForget"},
+                                                            {m_lookHere, "intentsLookHere"},
                                                             {m_later, "intentLater"}};
     for (const auto& [button, name] : buttons) {
         button->setObjectName(QLatin1String(name));
@@ -90,6 +105,7 @@ void IntentsDialog::build()
     column->setSpacing(12);
     column->addWidget(m_explanation);
     column->addWidget(m_table, 1);
+    column->addLayout(other);
     column->addWidget(m_result);
     column->addLayout(row);
     setMinimumSize(startWidth, startHeight);
@@ -123,6 +139,10 @@ void IntentsDialog::retranslate()
         translate("ServoTasks", "Strike it from the journal; the servo is left as it is"));
     say(m_later, none ? translate("ServoTasks", "Close") : translate("ServoTasks", "Later"),
         translate("ServoTasks", "Close this list; nothing is written"));
+    say(m_lookHere, translate("ServoTasks", "Look on this port"),
+        translate("ServoTasks", "Read the servos on this port and compare them with these changes; "
+                                "nothing is written"));
+    nameElsewhere();
     m_table->setAccessibleName(translate("ServoTasks", "Interrupted writes"));
     m_table->setToolTip(translate("ServoTasks", "Writes without an end in the journal"));
     m_model->retranslate();
@@ -173,19 +193,21 @@ void IntentsDialog::forget()
 }
 
 /// Of a look all that is open; of a settlement the one that was worked on.
-void IntentsDialog::found(const std::vector<Recovered>& all)
+void IntentsDialog::found(const std::vector<Recovered>& all,
+                          const std::vector<base::Intent>& elsewhere)
 {
     if (!m_settling.isEmpty()) {
         settled(all);
         return;
     }
+    m_elsewhere = elsewhere;
     m_model->setIntents(all);
     retranslate();
     if (!all.empty())
         m_table->selectRow(0);
     for (int column = 0; column < m_model->columnCount() - 1; ++column)
         m_table->resizeColumnToContents(column);
-    if (all.empty() && !m_result->isVisibleTo(this))
+    if (all.empty() && elsewhere.empty() && !m_result->isVisibleTo(this))
         m_result->tell([] {
             return TaskWords{Tone::Good, translate("ServoTasks", "No change was left open.")};
         });
@@ -213,8 +235,25 @@ void IntentsDialog::settled(const std::vector<Recovered>& one)
         m_model->remove(uuid);
     retranslate();
     // What else is open now is a matter of looking.
-    m_desk.lookForIntents();
+    m_desk.lookForIntents(m_anyPort);
     updateButtons();
+}
+
+/// Which servo, what and where.
+void IntentsDialog::nameElsewhere()
+{
+    QStringList lines{translate("ServoTasks", "Changes that were begun on other ports are open. If "
+                                              "the adapter has another name now, look for them "
+                                              "here:")};
+    for (const base::Intent& intent : m_elsewhere)
+        lines << m_model->line(intent);
+    const bool any = !m_elsewhere.empty();
+    m_elsewhereText->setText(lines.join(QLatin1Char('\n')));
+    m_elsewhereText->setVisible(any);
+    // A simulated servo is never the one that was left.
+    const session::Connection* connection = m_desk.connection();
+    m_lookHere->setVisible(any && connection != nullptr && !connection->simulated());
+    m_lookHere->setEnabled(any && m_desk.state() == session::LinkState::Open);
 }
 
 void IntentsDialog::happened(const Event& event)

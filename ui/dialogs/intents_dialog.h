@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Interrupted writes of earlier sessions, each to be finished, undone, forgotten or left for later.
-// Nothing is done unasked. Follows Desk::openIntents as long as it is open. Main thread.
+// Those that were begun on other ports are named, and looked for on this one when asked to: an
+// adapter may have come back under another name. Nothing is done unasked. Follows Desk::openIntents
+// as long as it is open. Main thread.
 #pragma once
 
 #include "session/desk.h"
@@ -18,7 +20,8 @@ class IntentsDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    IntentsDialog(session::Desk& desk, const std::vector<jobs::Recovered>& found, QWidget* parent);
+    IntentsDialog(session::Desk& desk, const std::vector<jobs::Recovered>& found,
+                  const std::vector<base::Intent>& elsewhere, QWidget* parent);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -30,7 +33,8 @@ private:
     const jobs::Recovered* current() const;
     void settle(jobs::RecoverAction action);
     void forget();
-    void found(const std::vector<jobs::Recovered>& all);
+    void found(const std::vector<jobs::Recovered>& all, const std::vector<base::Intent>& elsewhere);
+    void nameElsewhere();
     void settled(const std::vector<jobs::Recovered>& one);
     void happened(const session::Event& event);
 
@@ -38,6 +42,10 @@ private:
     IntentsModel* m_model;
     QLabel* m_explanation;
     QTableView* m_table;
+    QLabel* m_elsewhereText;
+    QPushButton* m_lookHere;
+    std::vector<base::Intent> m_elsewhere;
+    bool m_anyPort = false; ///< those begun elsewhere have been looked for here
     TaskResult* m_result;
     QPushButton* m_finish;
     QPushButton* m_undo;

@@ -86,6 +86,18 @@ QString IntentsModel::cell(const jobs::Recovered& one, IntentColumn column) cons
     return {};
 }
 
+QString IntentsModel::line(const base::Intent& intent) const
+{
+    constexpr int enough = 160;
+    const catalog::ProfilePtr profile = profileOf(m_catalog, intent.servo);
+    QString changes = changesWord(intent, *profile);
+    if (changes.size() > enough)
+        changes = changes.left(enough) + QStringLiteral("…");
+    return translate("ServoTasks", "%1, %2: %3, on %4, %5")
+        .arg(servoWord(intent, *profile), intentWord(intent), changes, intent.servo.port,
+             whenWord(intent));
+}
+
 QString IntentsModel::everything(const jobs::Recovered& one) const
 {
     QStringList lines;

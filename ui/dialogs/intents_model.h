@@ -21,6 +21,8 @@ public:
     void remove(const QString& uuid);
     const jobs::Recovered* at(int row) const; ///< null: no such row
     void retranslate();
+    /// One that is not in the table: "ID 1 · STS3215, write: …, on /dev/ttyUSB0, 2026-01-31 …".
+    QString line(const base::Intent& intent) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

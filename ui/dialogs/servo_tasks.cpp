@@ -55,7 +55,8 @@ void ServoTasks::lookForIntents()
     m_desk.lookForIntents();
 }
 
-void ServoTasks::intentsFound(const std::vector<jobs::Recovered>& found)
+void ServoTasks::intentsFound(const std::vector<jobs::Recovered>& found,
+                              const std::vector<base::Intent>& elsewhere)
 {
     const bool asked = std::exchange(m_asked, false);
     if (m_intents)
@@ -63,11 +64,16 @@ void ServoTasks::intentsFound(const std::vector<jobs::Recovered>& found)
     const bool news = std::any_of(found.begin(), found.end(), [this](const auto& one) {
         return !m_shown.contains(one.before.intent.uuid);
     });
-    if (!asked && !news)
+    const bool newsElsewhere =
+        std::any_of(elsewhere.begin(), elsewhere.end(),
+                    [this](const base::Intent& intent) { return !m_shown.contains(intent.uuid); });
+    if (!asked && !news && !newsElsewhere)
         return;
+    for (const base::Intent& intent : elsewhere)
+        m_shown.insert(intent.uuid);
     for (const jobs::Recovered& one : found)
         m_shown.insert(one.before.intent.uuid);
-    m_intents = new IntentsDialog(m_desk, found, m_window);
+    m_intents = new IntentsDialog(m_desk, found, elsewhere, m_window);
     m_intents->open();
 }
 } // namespace ui

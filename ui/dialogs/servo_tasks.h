@@ -20,7 +20,8 @@ private:
     template <typename Dialog>
     void offer(Command command);
     void lookForIntents();
-    void intentsFound(const std::vector<jobs::Recovered>& found);
+    void intentsFound(const std::vector<jobs::Recovered>& found,
+                      const std::vector<base::Intent>& elsewhere);
 
     session::Desk& m_desk;
     Commands& m_commands;

@@ -40,6 +40,8 @@ RowState stateOf(WriteOutcome outcome)
         return RowState::Mismatch;
     case WriteOutcome::Refused:
         return RowState::Refused;
+    case WriteOutcome::NotSent:
+        return RowState::NotSent;
     case WriteOutcome::NoAnswer:
         return RowState::NoAnswer;
     case WriteOutcome::Unknown:

@@ -18,6 +18,7 @@ enum class RowState : std::uint8_t {
     Refused,
     NoAnswer,
     Unknown,
+    NotSent,    ///< its turn never came: stopped, or the cable was out
     NotWritten, ///< refused before the first byte; error says why
     Superseded, ///< what was written there has changed since
 };

@@ -38,6 +38,8 @@ QString plainState(const MemoryRow& row)
         return QStringLiteral("✗ ") + outcome(WriteOutcome::NoAnswer);
     case RowState::Unknown:
         return QStringLiteral("? ") + outcome(WriteOutcome::Unknown);
+    case RowState::NotSent:
+        return QStringLiteral("✗ ") + outcome(WriteOutcome::NotSent);
     case RowState::NotWritten:
         return QStringLiteral("✗ ") + outcome(WriteOutcome::Refused);
     case RowState::Superseded:
@@ -75,6 +77,7 @@ QString meaningOfState(const MemoryRow& row)
         return translate("MemoryTable",
                          "It is not known what became of writing %1. Read the register again.")
             .arg(row.wanted);
+    case RowState::NotSent:
     case RowState::NotWritten:
         return translate("MemoryTable", "%1 was not written; the servo was not touched.")
             .arg(row.wanted);
@@ -91,7 +94,7 @@ bool tellsError(RowState state)
 {
     return state == RowState::Mismatch || state == RowState::Refused ||
            state == RowState::NoAnswer || state == RowState::Unknown ||
-           state == RowState::NotWritten;
+           state == RowState::NotWritten || state == RowState::NotSent;
 }
 } // namespace
 
@@ -147,6 +150,7 @@ Tone stateTone(RowState state)
     case RowState::Refused:
     case RowState::NoAnswer:
     case RowState::Unknown:
+    case RowState::NotSent:
     case RowState::NotWritten:
         return Tone::Bad;
     case RowState::NotRead:

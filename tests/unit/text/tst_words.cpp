@@ -199,7 +199,8 @@ void TestWords::outcomesAndLocksInBothLanguages_data()
 {
     QTest::addColumn<QString>("name");
     QTest::addColumn<bool>("lock");
-    for (const char* name : {"kept", "temporary", "mismatch", "refused", "no-answer", "unknown"})
+    for (const char* name :
+         {"kept", "temporary", "mismatch", "refused", "not-sent", "no-answer", "unknown"})
         QTest::addRow("outcome %s", name) << QString::fromLatin1(name) << false;
     for (const char* name : {"closed", "open", "unknown", "none"})
         QTest::addRow("lock %s", name) << QString::fromLatin1(name) << true;

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How long whoever needs the history waits for another program that is writing to it. A command
+// needs it twice (the table before a write, then the journal) and shall say within two seconds that
+// it is locked; a transaction of this program takes some milliseconds.
+#pragma once
+
+#include <chrono>
+
+namespace record {
+constexpr std::chrono::milliseconds historyPatience{600};
+} // namespace record

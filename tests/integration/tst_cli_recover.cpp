@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the built command line says of changes that are open or could not be recorded: the adapter
+// has another name now, the disk became full in the middle, the history is locked, the journal of
+// an earlier version is damaged.
+#include "record/history_file.h"
+#include "record/history_journal.h"
+#include "record/history_patience.h"
+#include "support/cli_program.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <QTest>
+
+#include "flood_cable.h"
+#include <csignal>
+#include <sys/resource.h>
+
+using support::CliProgram;
+using support::FloodCable;
+using support::Ran;
+using support::SimProgram;
+using support::words;
+
+namespace {
+QString historyOf(const CliProgram& cli)
+{
+    return cli.dataFolder() + QStringLiteral("/history.sqlite");
+}
+
+bool hasOpenIntent(const CliProgram& cli)
+{
+    const record::HistoryJournal journal(historyOf(cli), {});
+    const auto open = journal.open();
+    return open && !open->empty();
+}
+
+QJsonArray list(const Ran& ran, const char* name)
+{
+    return ran.json()[QLatin1String(name)].toArray();
+}
+
+/// The command that the program says is to be typed, without its name.
+QStringList advised(const Ran& ran)
+{
+    QStringList command = ran.json()[QLatin1String("try")].toString().split(QLatin1Char(' '));
+    command.removeFirst();
+    return command;
+}
+
+constexpr const char* fourRegisters =
+    "write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70";
+} // namespace
+
+class TestCliRecover : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void anAdapterUnderAnotherNameHidesNothing();
+    void withoutAPortOpenChangesAreNamed();
+    void aSimulatedBusSaysNothingOfARealOne();
+    void aFullDiskAtTheEndHidesNoWrite();
+    void aCutCableLeavesTheRestNotSent();
+    void aLockedHistorySaysSo();
+    void aDamagedJournalIsReportedOnce();
+
+private:
+    void killDuringWrite(CliProgram& cli);
+};
+
+void TestCliRecover::killDuringWrite(CliProgram& cli)
+{
+    cli.start(words(fourRegisters));
+    QTRY_VERIFY_WITH_TIMEOUT(hasOpenIntent(cli), 60'000);
+    cli.signal(SIGKILL);
+    QCOMPARE(cli.finish().exit, -1);
+}
+
+void TestCliRecover::anAdapterUnderAnotherNameHidesNothing()
+{
+    CliProgram cli;
+    SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
+    QString before;
+    {
+        const FloodCable cable(FloodCable::Front::Tcp, sim.port());
+        before = cable.port();
+        cli.setPort(before);
+        killDuringWrite(cli);
+        if (QTest::currentTestFailed())
+            return;
+    }
+    const FloodCable cable(FloodCable::Front::Terminal, sim.port());
+    cli.setPort(cable.port());
+    const Ran text = cli.run("recover");
+    QCOMPARE(text.exit, 1);
+    QVERIFY2(text.out.contains(before), qPrintable(text.out));
+    QVERIFY2(!text.out.contains(QStringLiteral("No change was left open.")), qPrintable(text.out));
+
+    const Ran look = cli.json("recover");
+    QCOMPARE(look.exit, 1);
+    QCOMPARE(list(look, "intents").size(), 0);
+    QCOMPARE(list(look, "elsewhere").size(), 1);
+    QCOMPARE(list(look, "elsewhere")[0][QLatin1String("port")].toString(), before);
+    QCOMPARE(list(look, "elsewhere")[0][QLatin1String("items")].toArray().size(), 4);
+    QVERIFY2(text.out.contains(look.json()[QLatin1String("try")].toString()), qPrintable(text.out));
+
+    // As it is advised, to the letter.
+    cli.setPort({});
+    const QStringList command = advised(look);
+    const Ran there = cli.run(QStringList(command) << QStringLiteral("--json"));
+    QCOMPARE(there.exit, 0);
+    QCOMPARE(list(there, "intents").size(), 1);
+    QVERIFY(list(there, "intents")[0][QLatin1String("finding")].toString() !=
+            QStringLiteral("no-answer"));
+    const Ran finished =
+        cli.run(QStringList(command) << QStringLiteral("--finish") << QStringLiteral("--json"));
+    QVERIFY2(finished.exit == 0, qPrintable(finished.out));
+    QCOMPARE(list(finished, "intents")[0][QLatin1String("done")].toBool(), true);
+
+    cli.setPort(cable.port());
+    const Ran after = cli.json("recover");
+    QCOMPARE(after.exit, 0);
+    QVERIFY(list(after, "intents").isEmpty() && list(after, "elsewhere").isEmpty());
+    const QJsonArray rows = list(cli.json("read 1 overload_torque lock"), "registers");
+    QCOMPARE(rows[0][QLatin1String("raw")].toInt(), 70);
+    QCOMPARE(rows[1][QLatin1String("raw")].toInt(), 1);
+}
+
+void TestCliRecover::withoutAPortOpenChangesAreNamed()
+{
+    CliProgram cli;
+    SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
+    cli.setPort(sim.port());
+    killDuringWrite(cli);
+    if (QTest::currentTestFailed())
+        return;
+    cli.setPort(QStringLiteral("/dev/no-such-servo-port"));
+    const Ran ran = cli.json("recover");
+    QCOMPARE(ran.exit, 3);
+    QCOMPARE(ran.json()[QLatin1String("error")][QLatin1String("code")].toString(),
+             QStringLiteral("port-missing"));
+    QCOMPARE(list(ran, "elsewhere")[0][QLatin1String("port")].toString(), sim.port());
+    const Ran text = cli.run("recover");
+    QCOMPARE(text.exit, 3);
+    QVERIFY2(text.out.contains(sim.port()), qPrintable(text.out));
+}
+
+void TestCliRecover::aSimulatedBusSaysNothingOfARealOne()
+{
+    CliProgram cli;
+    cli.setPort(QStringLiteral("sim:sts3215@1"));
+    killDuringWrite(cli);
+    if (QTest::currentTestFailed())
+        return;
+    SimProgram sim(words("--servos sts3215@1"));
+    cli.setPort(sim.port());
+    const Ran ran = cli.json("recover --any-port");
+    QCOMPARE(ran.exit, 0);
+    QVERIFY(list(ran, "intents").isEmpty() && list(ran, "elsewhere").isEmpty());
+}
+
+void TestCliRecover::aFullDiskAtTheEndHidesNoWrite()
+{
+    CliProgram cli;
+    SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
+    cli.setPort(sim.port());
+    cli.start(words(fourRegisters) << QStringLiteral("--json"));
+    QTRY_VERIFY_WITH_TIMEOUT(hasOpenIntent(cli), 60'000);
+    // From here on no file of this program grows any more.
+    const rlimit little{256, 256};
+    QCOMPARE(prlimit(pid_t(cli.process().processId()), RLIMIT_FSIZE, &little, nullptr), 0);
+    const Ran ran = cli.finish();
+    QVERIFY2(ran.exit == 5, qPrintable(ran.out + ran.err));
+    const QJsonArray writes = list(ran, "writes");
+    QCOMPARE(writes.size(), 4);
+    for (const QJsonValue& write : writes)
+        QCOMPARE(write[QLatin1String("outcome")].toString(), QStringLiteral("kept"));
+    QCOMPARE(ran.json()[QLatin1String("lock")].toString(), QStringLiteral("closed"));
+    QStringList notes;
+    for (const QJsonValue& note : list(ran, "notes"))
+        notes << note[QLatin1String("code")].toString();
+    QVERIFY2(notes.contains(QStringLiteral("not-recorded")), qPrintable(ran.out));
+
+    // It is still open, and recovery finds all of it written.
+    const Ran look = cli.json("recover");
+    QCOMPARE(list(look, "intents").size(), 1);
+    QCOMPARE(list(look, "intents")[0][QLatin1String("finding")].toString(),
+             QStringLiteral("all-new"));
+    QCOMPARE(cli.run("recover --finish").exit, 0);
+}
+
+void TestCliRecover::aCutCableLeavesTheRestNotSent()
+{
+    CliProgram cli;
+    SimProgram sim(words("--servos sts3215@1"));
+    FloodCable cable(FloodCable::Front::Tcp, sim.port());
+    cli.setPort(cable.port());
+    cable.cutAt(QByteArray::fromHex("0104030e")); // WRITE 14, the second of the four
+    const Ran ran = cli.run(words(fourRegisters) << QStringLiteral("--json"));
+    QCOMPARE(ran.exit, 3);
+    QStringList outcomes;
+    for (const QJsonValue& write : list(ran, "writes"))
+        outcomes << write[QLatin1String("outcome")].toString();
+    const QString notSent = QStringLiteral("not-sent");
+    QCOMPARE(outcomes.size(), 4);
+    QCOMPARE(outcomes[1], QStringLiteral("unknown"));
+    QCOMPARE(outcomes[2], notSent);
+    QCOMPARE(outcomes[3], notSent);
+    QVERIFY(hasOpenIntent(cli));
+}
+
+void TestCliRecover::aLockedHistorySaysSo()
+{
+    static_assert(2 * record::historyPatience < std::chrono::seconds(2));
+    CliProgram cli;
+    QCOMPARE(cli.run("write 1 max_temperature=61").exit, 0);
+    const auto other = record::HistoryFile::open(historyOf(cli), std::chrono::seconds(5));
+    QVERIFY(other);
+    Ran ran;
+    const auto held = (*other)->together([&]() -> base::Result<void> {
+        QElapsedTimer timer;
+        timer.start();
+        ran = cli.run("write 1 max_temperature=62");
+        qInfo("said after %lld ms", timer.elapsed());
+        return {};
+    });
+    QVERIFY(held);
+    QCOMPARE(ran.exit, 5);
+    QVERIFY2(ran.err.contains(QStringLiteral("he history is in use for too long")),
+             qPrintable(ran.out + ran.err));
+    QCOMPARE(cli.run("write 1 max_temperature=62").exit, 0);
+}
+
+void TestCliRecover::aDamagedJournalIsReportedOnce()
+{
+    CliProgram cli;
+    QFile journal(cli.dataFolder() + QStringLiteral("/journal.jsonl"));
+    QVERIFY(journal.open(QIODevice::WriteOnly));
+    journal.write("{\"begin\": torn\n\x01\x02\x03\n");
+    journal.close();
+    const Ran ran = cli.run("recover");
+    QCOMPARE(ran.exit, 0);
+    QVERIFY2(ran.err.contains(QStringLiteral("earlier version's journal cannot be read")),
+             qPrintable(ran.out + ran.err));
+    QVERIFY2(ran.err.contains(QStringLiteral("journal.jsonl.taken-1: 2")), qPrintable(ran.err));
+    QVERIFY(QFile::exists(journal.fileName() + QStringLiteral(".taken-1")));
+    const Ran again = cli.run("recover");
+    QCOMPARE(again.exit, 0);
+    QVERIFY2(!again.err.contains(QStringLiteral("journal")), qPrintable(again.err));
+}
+
+QTEST_GUILESS_MAIN(TestCliRecover)
+#include "tst_cli_recover.moc"
