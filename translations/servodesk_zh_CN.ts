@@ -636,6 +636,10 @@
         <source>Redone: %1</source>
         <translation>已重做：%1</translation>
     </message>
+    <message>
+        <source>, NOT RECORDED</source>
+        <translation>，未记录</translation>
+    </message>
 </context>
 <context>
     <name>Feedback</name>
@@ -1930,6 +1934,22 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>undo</source>
         <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Look on this port</source>
+        <translation>在此端口查找</translation>
+    </message>
+    <message>
+        <source>Read the servos on this port and compare them with these changes; nothing is written</source>
+        <translation>读取此端口上的舵机并与这些更改对比；不写入任何内容</translation>
+    </message>
+    <message>
+        <source>Changes that were begun on other ports are open. If the adapter has another name now, look for them here:</source>
+        <translation>在其他端口上开始的更改尚未写完。如果适配器的端口名已改变，请在此处查找：</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3, on %4, %5</source>
+        <translation>%1，%2：%3，端口 %4，%5</translation>
     </message>
 </context>
 <context>
@@ -4132,6 +4152,26 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>No setting was changed; %1 has been removed again.</source>
         <translation>没有更改任何设置；已将 %1 删除。</translation>
     </message>
+    <message>
+        <source>Changes that were begun on other ports are open:</source>
+        <translation>在其他端口上开始的更改尚未写完：</translation>
+    </message>
+    <message>
+        <source>An adapter that is plugged in again may have another name. Where the servo is connected now, look at them with: %1</source>
+        <translation>适配器重新插上后端口名可能改变。请在舵机现在所接的端口上查看：%1</translation>
+    </message>
+    <message>
+        <source>No change was left open on %1.</source>
+        <translation>%1 上没有未写完的更改。</translation>
+    </message>
+    <message>
+        <source>At %1 baud the line never falls silent: something sends continuously. Servos may have been missed.</source>
+        <translation>波特率 %1 下线路一直没有静默：有设备在不停发送。可能漏掉了舵机。</translation>
+    </message>
+    <message>
+        <source>  File, and how many lines: %1</source>
+        <translation>  文件及行数：%1</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -6164,6 +6204,38 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Two servos with the same ID are connected. A write would change both, and only one of the old values would be recorded.</source>
         <translation>接有两个 ID 相同的舵机。写入会同时改动两个舵机，而只记录其中一个的原值。</translation>
+    </message>
+    <message>
+        <source>the line never falls silent: something sends continuously</source>
+        <translation>线路一直没有静默：有设备在不停发送</translation>
+    </message>
+    <message>
+        <source>A device that sends on its own, a second master on the bus, an adapter or bridge set to another purpose, or noise on an open line.</source>
+        <translation>有设备主动发送，总线上有另一个主机，适配器或网桥用于其他用途，或线路悬空引入噪声。</translation>
+    </message>
+    <message>
+        <source>Disconnect everything but one servo, check the leads, and choose the right port.</source>
+        <translation>只连接一个舵机，检查连线，并选择正确的端口。</translation>
+    </message>
+    <message>
+        <source>lines of an earlier version&apos;s journal cannot be read</source>
+        <translation>早期版本的写入日志中有无法读取的行</translation>
+    </message>
+    <message>
+        <source>The file was damaged, or a newer program wrote to it. What can be read is in the history now; the file is kept.</source>
+        <translation>文件已损坏，或由更新的程序写入。可读的内容已存入历史记录；文件予以保留。</translation>
+    </message>
+    <message>
+        <source>Such a line may tell of an interrupted change: check the EPROM lock and the settings of servos that were in use then.</source>
+        <translation>这样的行可能记录了中断的更改：请检查当时所用舵机的 EPROM 锁和设置。</translation>
+    </message>
+    <message>
+        <source>Not recorded: the change was made, but its result could not be saved to the history (%3). It stays listed as open; look at it with recover when the history can be written again.</source>
+        <translation>未记录：更改已完成，但结果无法保存到历史记录（%3）。它仍列为未写完；历史记录可写后，请用 recover 查看。</translation>
+    </message>
+    <message>
+        <source>not sent</source>
+        <translation>未发送</translation>
     </message>
 </context>
 <context>

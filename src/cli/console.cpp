@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/console.h"
 
+#include "cli/terminal_text.h"
+
 #include <QtGlobal>
 
 #include <cerrno>
@@ -22,15 +24,38 @@ bool isTerminal(int descriptor)
     return false;
 #endif
 }
+
+const QString clearLine = QStringLiteral("\r\033[K");
+
+void put(const QString& text)
+{
+    const QByteArray bytes = text.toUtf8();
+    std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stderr);
+    std::fflush(stderr);
+}
 } // namespace
 
 void Console::print(const QString& text)
 {
     if (!m_json)
-        write(text.toUtf8());
+        writeBytes(forTerminal(text).toUtf8());
 }
 
 void Console::write(const QByteArray& bytes)
+{
+    writeBytes(resultTerminal() ? forTerminal(QString::fromUtf8(bytes)).toUtf8() : bytes);
+}
+
+void Console::rewrite(int linesAbove, const QStringList& lines)
+{
+    QString screen = linesAbove > 0 ? QStringLiteral("\033[%1A").arg(linesAbove) : QString();
+    for (const QString& line : lines)
+        screen += clearLine + forTerminal(line) + QLatin1Char('\n');
+    if (!m_json)
+        writeBytes(screen.toUtf8());
+}
+
+void Console::writeBytes(const QByteArray& bytes)
 {
     if (m_failure)
         return;
@@ -41,14 +66,12 @@ void Console::write(const QByteArray& bytes)
 
 void Console::say(const QString& line)
 {
-    // What was typed is repeated in complaints; a terminal must not take it for commands.
-    QByteArray bytes = line.toUtf8() + '\n';
-    for (char& byte : bytes) {
-        const auto code = static_cast<unsigned char>(byte);
-        if ((code < 0x20 && byte != '\n') || code == 0x7f)
-            byte = '?';
-    }
-    std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stderr);
+    put(forTerminal(line) + QLatin1Char('\n'));
+}
+
+void Console::status(const QString& line)
+{
+    put(clearLine + forTerminal(line));
 }
 
 void Console::remark(const QString& line)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the program writes: results to stdout, everything else to stderr. UTF-8 whatever the
-// locale. Owned by main; main thread. A failure to write is remembered, not thrown: the command
-// goes on and the exit code tells.
+// locale. What people read passes forTerminal(), so that no file or device commands the terminal.
+// Owned by main; main thread. A failure to write is remembered, not thrown: the command goes on and
+// the exit code tells.
 #pragma once
 
 #include "cli/json.h"
@@ -19,12 +20,17 @@ public:
 
     /// Human result on stdout; nothing in JSON mode.
     void print(const QString& text);
-    /// Bytes on stdout as they are.
+    /// A document on stdout: its bytes as they are, but not on a terminal.
     void write(const QByteArray& bytes);
+    /// Lines in place of those above them, on a terminal.
+    void rewrite(int linesAbove, const QStringList& lines);
     /// A line on stderr.
     void say(const QString& line);
     /// The same, but nothing in JSON mode, where the document says it.
     void remark(const QString& line);
+
+    /// The line that shows how far a task is, in place of the one before; on a terminal.
+    void status(const QString& line);
 
     bool resultTerminal() const; ///< stdout is a terminal
     bool remarkTerminal() const; ///< stderr is a terminal
@@ -34,6 +40,8 @@ public:
     std::optional<int> failure() const { return m_failure; }
 
 private:
+    void writeBytes(const QByteArray& bytes);
+
     bool m_json = false;
     std::optional<int> m_failure;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/json.h"
 
+#include "cli/terminal_text.h"
+
 #include <cmath>
 
 namespace cli {
@@ -10,17 +12,17 @@ constexpr int openLevels = 2;
 
 QByteArray quoted(const QString& text)
 {
-    QByteArray out("\"");
-    for (const char c : text.toUtf8()) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\')
-            out += '\\';
-        if (byte < 0x20 || byte == 0x7f)
-            out += "\\u" + QByteArray::number(byte, 16).rightJustified(4, '0');
-        else
-            out += c;
+    QString out(QLatin1Char('"'));
+    for (const QChar c : text) {
+        if (commandsTerminal(c)) {
+            out += QStringLiteral("\\u%1").arg(int(c.unicode()), 4, 16, QLatin1Char('0'));
+            continue;
+        }
+        if (c == QLatin1Char('"') || c == QLatin1Char('\\'))
+            out += QLatin1Char('\\');
+        out += c;
     }
-    return out + '"';
+    return (out + QLatin1Char('"')).toUtf8();
 }
 
 /// The shortest text that reads back as this number; scales like 0.1 leave dust behind the ninth

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/exit_code.h"
 #include "cli/sim_options.h"
+#include "cli/terminal_text.h"
 #include "cli/utf8_locale.h"
 #include "text/error_words.h"
 
 #include <QCoreApplication>
 
 #include <iostream>
+
+namespace {
+std::string shown(const QString& text)
+{
+    return cli::forTerminal(text).toStdString();
+}
+} // namespace
 
 int main(int argc, char** argv)
 {
@@ -15,17 +23,16 @@ int main(int argc, char** argv)
     QCoreApplication::setApplicationName(QStringLiteral("servodesk"));
     const auto line = cli::parseSimCommandLine(argc, argv);
     if (!line.options) {
-        (line.exitCode == 0 ? std::cout : std::cerr) << line.message;
+        (line.exitCode == 0 ? std::cout : std::cerr) << shown(QString::fromStdString(line.message));
         return line.exitCode;
     }
     const auto announce = [](const QString& path) {
-        std::cout << "port: " << path.toStdString() << std::endl;
+        std::cout << "port: " << shown(path) << std::endl;
     };
-    const auto tell = [](const QString& what) { std::cout << what.toStdString() << std::endl; };
+    const auto tell = [](const QString& what) { std::cout << shown(what) << std::endl; };
     if (const auto run = session::runSimulator(*line.options, announce, tell); !run) {
         const auto words = text::describe(run.error());
-        std::cerr << "servodesk-sim: " << words.what.toStdString() << '\n'
-                  << words.remedy.toStdString() << '\n';
+        std::cerr << "servodesk-sim: " << shown(words.what) << '\n' << shown(words.remedy) << '\n';
         return cli::exitCode(run.error().code);
     }
     return 0;

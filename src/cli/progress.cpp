@@ -4,7 +4,6 @@
 #include "cli/translate.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace cli {
 namespace {
@@ -22,7 +21,7 @@ ProgressLine::ProgressLine(Console& console, QString task)
 ProgressLine::~ProgressLine()
 {
     if (m_shown && m_console.remarkTerminal())
-        std::fputs("\r\033[K", stderr);
+        m_console.status({});
 }
 
 void ProgressLine::update(const jobs::Progress& progress)
@@ -49,8 +48,7 @@ void ProgressLine::show(const QString& state)
         return;
     const QString line = QStringLiteral("%1: %2").arg(m_task, state);
     if (m_console.remarkTerminal()) {
-        std::fputs(("\r\033[K" + line.toUtf8()).constData(), stderr);
-        std::fflush(stderr);
+        m_console.status(line);
         m_next = now + rewriteEvery;
     } else {
         m_console.say(line);

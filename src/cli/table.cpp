@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/table.h"
 
+#include "cli/terminal_text.h"
+
 #include <algorithm>
 #include <array>
 
@@ -59,6 +61,11 @@ QString Table::text() const
 {
     std::vector<QStringList> lines{m_header};
     lines.insert(lines.end(), m_rows.begin(), m_rows.end());
+    // A cell that ended its line would pass for a row of its own.
+    for (QStringList& line : lines) {
+        for (QString& cell : line)
+            cell = forTerminal(cell).replace(QLatin1Char('\n'), QLatin1Char(' '));
+    }
     std::vector<int> widths(static_cast<std::size_t>(m_header.size()), 0);
     for (const QStringList& line : lines) {
         for (std::size_t i = 0; i < widths.size(); ++i)

@@ -125,16 +125,10 @@ void WatchView::remember(const jobs::WatchRow& row)
 void WatchView::redraw()
 {
     const int width = m_console.terminalWidth();
-    QString screen;
-    if (m_drawn > 0)
-        screen += QStringLiteral("\033[%1A").arg(m_drawn);
-    const auto put = [&screen, width](const QString& text) {
-        screen += QStringLiteral("\r\033[K") + shortened(text, width) + QLatin1Char('\n');
-    };
-    put(header());
+    QStringList lines{shortened(header(), width)};
     for (const auto& [id, row] : m_latest)
-        put(line(row));
-    m_console.print(screen);
+        lines << shortened(line(row), width);
+    m_console.rewrite(m_drawn, lines);
     m_drawn = static_cast<int>(m_latest.size()) + 1;
     m_next = Clock::now() + redrawEvery;
 }

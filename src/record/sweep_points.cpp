@@ -2,8 +2,7 @@
 #include "record/sweep_points.h"
 
 #include "record/csv_cells.h"
-
-#include <QFile>
+#include "record/text_file.h"
 
 namespace record {
 using base::ErrorCode;
@@ -59,12 +58,10 @@ base::Result<std::vector<SweepPoint>> decodeSweepPoints(const QByteArray& text)
 
 base::Result<std::vector<SweepPoint>> loadSweepPoints(const QString& path)
 {
-    QFile file(path);
-    if (!file.exists())
-        return base::fail(ErrorCode::FileMissing, operation, path);
-    if (!file.open(QIODevice::ReadOnly))
-        return base::fail(ErrorCode::FileUnreadable, operation,
-                          path + QStringLiteral(": ") + file.errorString());
-    return decodeSweepPoints(file.readAll());
+    constexpr qint64 largestFile = 16 << 20;
+    const auto text = readTextFile(operation, path, largestFile);
+    if (!text)
+        return tl::unexpected(text.error());
+    return decodeSweepPoints(*text);
 }
 } // namespace record

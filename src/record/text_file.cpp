@@ -30,8 +30,12 @@ base::Result<QByteArray> readTextFile(const QString& operation, const QString& p
     const QFileInfo source(path);
     if (!source.exists())
         return base::fail(base::ErrorCode::FileMissing, operation, path);
+    // A pipe would be waited for, and a device may never end.
+    if (!source.isFile())
+        return base::fail(base::ErrorCode::FileUnreadable, operation,
+                          path + QStringLiteral(": not a regular file"));
     QFile file(path);
-    if (source.isDir() || !file.open(QIODevice::ReadOnly))
+    if (!file.open(QIODevice::ReadOnly))
         return base::fail(base::ErrorCode::FileUnreadable, operation,
                           path + QStringLiteral(": ") + file.errorString());
     const QByteArray text = file.read(largest + 1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whole text files that people keep: snapshots, limits, reports. Saving replaces the file in one
 // step: afterwards it is the old one or the new one, never half of one; pipes and devices are
-// written in place. Pure; any thread. Fails with FileMissing, FileUnreadable, FileFormat (larger
-// than it can be), FileUnwritable, DiskFull.
+// written in place. Pure; any thread. Fails with FileMissing, FileUnreadable (pipes and
+// devices, which are not read, too), FileFormat (larger than it can be), FileUnwritable, DiskFull.
 #pragma once
 
 #include "base/error.h"

@@ -2,6 +2,7 @@
 #include "sim/eprom_store.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -92,6 +93,9 @@ base::Result<EpromStore> EpromStore::open(const QString& path, VirtualBus& bus)
 base::Result<void> EpromStore::load()
 {
     QFile file(m_path);
+    if (!QFileInfo(m_path).isFile())
+        return base::fail(base::ErrorCode::FileUnreadable, QStringLiteral("state"),
+                          QStringLiteral("%1: not a regular file").arg(m_path));
     if (!file.open(QIODevice::ReadOnly))
         return base::fail(base::ErrorCode::FileUnreadable, QStringLiteral("state"),
                           QStringLiteral("%1: %2").arg(m_path, file.errorString()));

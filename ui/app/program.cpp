@@ -4,6 +4,7 @@
 #include "report/fonts.h"
 #include "ui/app/language_switch.h"
 #include "ui/app/main_window.h"
+#include "ui/app/plain_texts.h"
 #include "ui/app/theme.h"
 
 #include <QApplication>
@@ -75,6 +76,7 @@ void initProgram()
     initResources();
     QIcon::setThemeSearchPaths(QIcon::themeSearchPaths() << QStringLiteral(":/icons"));
     QIcon::setFallbackThemeName(QStringLiteral("breeze"));
+    PlainTexts::install();
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/servodesk.svg")));
     useOwnFont();
 }

@@ -119,6 +119,7 @@ void SnapshotShelf::build()
     column->setContentsMargins({});
     column->setSpacing(6);
     m_title = new QLabel(this);
+    m_title->setTextFormat(Qt::RichText);
     m_whose = new QComboBox(this);
     m_whose->setObjectName(QStringLiteral("shelfWhose"));
     m_whose->addItems({QString(), QString()});

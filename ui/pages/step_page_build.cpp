@@ -49,6 +49,7 @@ QWidget* StepPage::buildSetup(session::Settings& settings)
     setup->setContentsMargins(0, 0, 4, 0);
     m_form = new StepForm(settings, m_setup);
     m_gainsTitle = new QLabel(m_setup);
+    m_gainsTitle->setTextFormat(Qt::RichText);
     m_gains = new StepGains(m_setup);
     setup->addWidget(m_form);
     setup->addWidget(m_gainsTitle);

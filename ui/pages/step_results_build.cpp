@@ -80,6 +80,7 @@ void StepResults::build()
     auto* advice = new QVBoxLayout(m_adviceBox);
     advice->setContentsMargins(6, 0, 0, 0);
     m_adviceTitle = new QLabel(m_adviceBox);
+    m_adviceTitle->setTextFormat(Qt::RichText);
     advice->addWidget(m_adviceTitle);
     m_advice = new QVBoxLayout;
     advice->addLayout(m_advice, 1);
@@ -95,6 +96,7 @@ void StepResults::build()
         m_reports.push_back(button);
     }
     m_saved = new QLabel(m_adviceBox);
+    m_saved->setTextFormat(Qt::RichText);
     m_saved->setObjectName(QStringLiteral("stepSaved"));
     m_saved->setWordWrap(true);
     m_saved->setOpenExternalLinks(true);
@@ -153,7 +155,7 @@ void StepResults::retranslate()
         m_saved->setText(text::describe(*m_saveError).what.toHtmlEscaped());
     } else if (!m_savedPath.isEmpty()) {
         m_saved->setText(QStringLiteral("<a href=\"%1\">%2</a>")
-                             .arg(QUrl::fromLocalFile(m_savedPath).toString(),
+                             .arg(QUrl::fromLocalFile(m_savedPath).toString(QUrl::FullyEncoded),
                                   QFileInfo(m_savedPath).fileName().toHtmlEscaped()));
     }
 }

@@ -375,7 +375,7 @@ void SweepResults::retranslate()
         m_saved->setText((trouble.what + QLatin1Char(' ') + trouble.remedy).toHtmlEscaped());
     } else {
         const QString link = QStringLiteral("<a href=\"%1\">%2</a>")
-                                 .arg(QUrl::fromLocalFile(m_savedPath).toString(),
+                                 .arg(QUrl::fromLocalFile(m_savedPath).toString(QUrl::FullyEncoded),
                                       QFileInfo(m_savedPath).fileName().toHtmlEscaped());
         m_saved->setText(tr("Saved: %1").arg(link));
     }

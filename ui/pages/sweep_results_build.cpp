@@ -152,6 +152,7 @@ QWidget* SweepResults::buildReport()
     row->addWidget(m_earlier);
     connect(m_earlier, &QPushButton::clicked, this, &SweepResults::earlierWished);
     m_saved = text("sweepSaved");
+    m_saved->setTextFormat(Qt::RichText);
     m_saved->setOpenExternalLinks(true);
     m_saved->setTextInteractionFlags(Qt::TextBrowserInteraction);
     m_saved->hide();

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The built command line and hostile files: what stands in them never commands the terminal, and
+// what is no file is not read.
+#include "support/cli_program.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <algorithm>
+#include <sys/stat.h>
+
+using support::CliProgram;
+using support::Ran;
+using support::words;
+
+namespace {
+/// Clears the screen, sets the title (as C0 and as C1), turns the text round, begins a new row.
+const QString hostile =
+    QStringLiteral("a\033[2J\033]0;owned\007b\u009b2Jc\u202ed\rfaked\n1  STS3215  all is well");
+
+/// None that a terminal takes for a command, but line ends.
+bool isHarmless(const QString& text)
+{
+    return std::all_of(text.begin(), text.end(), [](QChar c) {
+        const char16_t code = c.unicode();
+        return code == '\n' || (code >= 0x20 && !(code >= 0x7f && code < 0xa0) && code != 0x202e);
+    });
+}
+
+QString hostileSnapshot(CliProgram& cli)
+{
+    const QString path = cli.dataFolder() + QStringLiteral("/hostile.servo.json");
+    if (cli.run(words("snapshot save 1") << path).exit != 0)
+        return {};
+    QFile file(path);
+    if (!file.open(QIODevice::ReadWrite))
+        return {};
+    QJsonObject snapshot = QJsonDocument::fromJson(file.readAll()).object();
+    snapshot[QStringLiteral("label")] = hostile;
+    snapshot[QStringLiteral("note")] = hostile;
+    QJsonObject servo = snapshot[QStringLiteral("servo")].toObject();
+    servo[QStringLiteral("model")] = hostile;
+    snapshot[QStringLiteral("servo")] = servo;
+    file.resize(0);
+    file.write(QJsonDocument(snapshot).toJson());
+    return path;
+}
+} // namespace
+
+class TestCliTerminal : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void aFileDoesNotCommandTheTerminal();
+    void anArgumentDoesNotCommandTheTerminal();
+    void whatIsNoFileIsNotRead_data();
+    void whatIsNoFileIsNotRead();
+};
+
+void TestCliTerminal::aFileDoesNotCommandTheTerminal()
+{
+    CliProgram cli;
+    const QString path = hostileSnapshot(cli);
+    QVERIFY(!path.isEmpty());
+    const Ran text = cli.run(QStringList{QStringLiteral("snapshot"), QStringLiteral("show"), path});
+    QCOMPARE(text.exit, 0);
+    QVERIFY(text.out.contains(QStringLiteral("owned")));
+    QVERIFY2(isHarmless(text.out + text.err), qPrintable(text.out));
+
+    const Ran json = cli.run(QStringList{QStringLiteral("snapshot"), QStringLiteral("show"), path,
+                                         QStringLiteral("--json")});
+    QVERIFY2(isHarmless(json.out), qPrintable(json.out));
+    QCOMPARE(json.json()[QLatin1String("label")].toString(), hostile); // and nothing is lost
+
+    const Ran diff = cli.run(
+        QStringList{QStringLiteral("snapshot"), QStringLiteral("diff"), path, QStringLiteral("1")});
+    QVERIFY2(isHarmless(diff.out + diff.err), qPrintable(diff.out + diff.err));
+}
+
+void TestCliTerminal::anArgumentDoesNotCommandTheTerminal()
+{
+    CliProgram cli;
+    const Ran ran = cli.run(QStringList{QStringLiteral("read"), QStringLiteral("1"), hostile});
+    QCOMPARE(ran.exit, 2);
+    QVERIFY2(isHarmless(ran.err), qPrintable(ran.err));
+}
+
+void TestCliTerminal::whatIsNoFileIsNotRead_data()
+{
+    QTest::addColumn<QString>("command");
+    for (const char* command :
+         {"snapshot show %1", "snapshot diff %1 %1", "snapshot restore 1 %1", "template apply %1 1",
+          "bundle restore %1", "sweep 1 --points %1",
+          "sweep 1 --from 1000 --to 2000 --delay 500 --limits %1", "sweep-compare %1 %1"})
+        QTest::newRow(command) << QString::fromLatin1(command);
+}
+
+void TestCliTerminal::whatIsNoFileIsNotRead()
+{
+    QFETCH(const QString, command);
+    CliProgram cli;
+    const QString pipe = cli.dataFolder() + QStringLiteral("/pipe");
+    QCOMPARE(mkfifo(qPrintable(pipe), 0600), 0);
+    const QString huge = cli.dataFolder() + QStringLiteral("/huge");
+    QFile file(huge);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.resize(qint64(1) << 36)); // sparse
+    for (const QString& path : {pipe, QStringLiteral("/dev/zero"), cli.dataFolder(), huge}) {
+        const Ran ran = cli.run(command.arg(path).split(QLatin1Char(' ')));
+        QVERIFY2(ran.exit == 5, qPrintable(path + ran.out + ran.err));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestCliTerminal)
+#include "tst_cli_terminal.moc"

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/plain_texts.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QLabel>
+
+namespace ui {
+void PlainTexts::install()
+{
+    if (qApp->findChild<PlainTexts*>(QString(), Qt::FindDirectChildrenOnly) == nullptr)
+        qApp->installEventFilter(new PlainTexts(qApp));
+}
+
+/// Before a widget is first shown it is polished; tooltips are labels too.
+bool PlainTexts::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Polish) {
+        auto* label = qobject_cast<QLabel*>(watched);
+        if (label != nullptr && label->textFormat() == Qt::AutoText)
+            label->setTextFormat(Qt::PlainText);
+    }
+    return QObject::eventFilter(watched, event);
+}
+} // namespace ui

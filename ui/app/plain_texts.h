@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names, labels and notes from files and devices are shown as they are: a label or tooltip whose
+// text looks like HTML is not taken for HTML. What is meant as rich text says so itself
+// (setTextFormat). One object, owned by the application. Main thread.
+#pragma once
+
+#include <QObject>
+
+namespace ui {
+class PlainTexts final : public QObject {
+    Q_OBJECT
+
+public:
+    /// For all labels from now on; again does nothing.
+    static void install();
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    using QObject::QObject;
+};
+} // namespace ui
