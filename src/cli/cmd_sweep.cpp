@@ -7,6 +7,7 @@
 #include "cli/sweep_input.h"
 #include "cli/table.h"
 #include "cli/translate.h"
+#include "device/write_access.h"
 #include "jobs/sweep.h"
 #include "jobs/sweep_proposal.h"
 #include "record/sweep_json.h"
@@ -126,6 +127,9 @@ base::Result<void> SweepCommand::collect()
         m_order.limits.push_back(*limits ? **limits
                                          : record::builtInSweepLimits(servo->profile->modelName,
                                                                       servo->profile->series));
+        const auto writable = device::requireWritable(*servo, QStringLiteral("sweep"));
+        if (!writable)
+            return writable;
         m_servos.push_back(std::move(*servo));
     }
     m_order.switchMode = m_values.has("--switch-mode");

@@ -70,6 +70,12 @@ public:
         const std::lock_guard lock(m_mutex);
         return m_servos.count(id) > 0;
     }
+    /// As the factory or an accident left it.
+    void setByte(int id, int address, int value)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_servos.at(id)[static_cast<std::size_t>(address)] = static_cast<unsigned char>(value);
+    }
     int byteAt(int id, int address)
     {
         const std::lock_guard lock(m_mutex);
