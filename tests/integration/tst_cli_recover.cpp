@@ -124,7 +124,9 @@ void TestCliRecover::anAdapterUnderAnotherNameHidesNothing()
     const Ran after = cli.json("recover");
     QCOMPARE(after.exit, 0);
     QVERIFY(list(after, "intents").isEmpty() && list(after, "elsewhere").isEmpty());
-    const QJsonArray rows = list(cli.json("read 1 overload_torque lock"), "registers");
+    const Ran read = cli.json("read 1 overload_torque lock");
+    const QJsonArray rows = list(read, "registers");
+    QVERIFY2(rows.size() == 2, qPrintable(read.out + read.err));
     QCOMPARE(rows[0][QLatin1String("raw")].toInt(), 70);
     QCOMPARE(rows[1][QLatin1String("raw")].toInt(), 1);
 }
@@ -198,7 +200,7 @@ void TestCliRecover::aCutCableLeavesTheRestNotSent()
     SimProgram sim(words("--servos sts3215@1"));
     FloodCable cable(FloodCable::Front::Tcp, sim.port());
     cli.setPort(cable.port());
-    cable.cutAt(QByteArray::fromHex("0104030e")); // WRITE 14, the second of the four
+    cable.cutAt(QByteArray::fromHex("01040315")); // WRITE 21; 13 and 14 share a frame before it
     const Ran ran = cli.run(words(fourRegisters) << QStringLiteral("--json"));
     QCOMPARE(ran.exit, 3);
     QStringList outcomes;
@@ -206,8 +208,7 @@ void TestCliRecover::aCutCableLeavesTheRestNotSent()
         outcomes << write[QLatin1String("outcome")].toString();
     const QString notSent = QStringLiteral("not-sent");
     QCOMPARE(outcomes.size(), 4);
-    QCOMPARE(outcomes[1], QStringLiteral("unknown"));
-    QCOMPARE(outcomes[2], notSent);
+    QCOMPARE(outcomes[2], QStringLiteral("unknown"));
     QCOMPARE(outcomes[3], notSent);
     QVERIFY(hasOpenIntent(cli));
 }
