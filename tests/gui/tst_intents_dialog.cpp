@@ -310,8 +310,9 @@ void TestIntentsDialog::whatCouldNotBeRecordedIsSaid()
     session::Event event;
     event.kind = session::Event::Kind::Written;
     event.servo = bench.selection.current();
-    event.report = device::WriteReport{
-        1, {{text("position_p"), 21, 32, 20, 20, device::WriteOutcome::Kept, {}}}};
+    event.report.emplace();
+    event.report->id = 1;
+    event.report->writes = {{text("position_p"), 21, 32, 20, 20, device::WriteOutcome::Kept, {}}};
     event.notices = {{base::NoticeCode::NotRecorded, 1, text("history.sqlite: disk full")}};
     const ui::EventWords words = ui::describe(event, bench.desk);
     QVERIFY2(words.line.contains(text("20, kept")), qPrintable(words.line));
