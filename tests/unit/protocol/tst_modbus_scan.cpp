@@ -78,8 +78,9 @@ private Q_SLOTS:
         row("exception to a write of four", four, framed("01 90 01"),
             {text("reply 1 00 [] exception 1")});
         row("exception of another function", one, text("01 83 02 C0 F1"),
-            {text("foreign 1 00 [02]")});
-        row("exception from elsewhere", read, framed("02 83 02"), {text("foreign 2 00 [02]")});
+            {text("foreign 1 00 [] exception 2")});
+        row("exception from elsewhere", read, framed("02 83 02"),
+            {text("foreign 2 00 [] exception 2")});
         row("exception, bad CRC", read, text("01 83 02 C0 F2"), {text("bad 5")});
         row("noise, exception", read, text("7F 55 01 83 02 C0 F1"),
             {text("noise 2"), text("reply 1 00 [] exception 2")});
@@ -125,7 +126,7 @@ private Q_SLOTS:
             text("01 06 00 81 00 01 18 22 ") + framed("02 06 00 81 00 01"),
             {text("reply 1 00 []"), text("foreign 2 00 [00 81 00 01]")});
         row("nothing expected: frames are foreign", Expectation{}, text("01 83 02 C0 F1 FE"),
-            {text("foreign 1 00 [02]"), text("noise 1")});
+            {text("foreign 1 00 [] exception 2"), text("noise 1")});
         row("half a reply", read, text("01 03 10 00"), {text("wait 4")});
         row("reason 0 is no exception", read, framed("01 83 00") + u' ' + reply,
             {text("noise 5"), feedbackSaid});

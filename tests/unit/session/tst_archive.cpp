@@ -167,7 +167,7 @@ void TestArchive::anUnusableHistoryIsToldWithThePlaceOfTheRun()
     QSignalSpy failed(&archive, &Archive::keepFailed);
     archive.keep(example());
     QTRY_COMPARE(failed.size(), 1);
-    QCOMPARE(failed[0][0].value<base::Error>().code, base::ErrorCode::FileUnwritable);
+    QCOMPARE(failed[0][0].value<base::Error>().code, base::ErrorCode::FileFormat);
     QVERIFY(record::loadSweepRun(failed[0][1].toString()).value() == *example());
 }
 
