@@ -35,9 +35,9 @@ struct RestoreReport {
 base::Result<RestoreReport> restoreDefaults(const device::Context& context, device::Servo& servo,
                                             const ProgressFn& progress = {});
 
-/// 0x08: torque off first; polls PING from 0.7 s on, at most 2 s. Returns milliseconds. A restart is
-/// proven or not claimed: the torque limit, which every start loads from the EPROM, is set one step
-/// off before; families without one must have been silent. Refused: by a Modbus exception,
+/// 0x08: torque off first; polls PING from 0.7 s on, at most 2 s. Returns milliseconds. A restart
+/// is proven or not claimed: the torque limit, which every start loads from the EPROM, is set one
+/// step off before; families without one must have been silent. Refused: by a Modbus exception,
 /// "not-restarted", "restart-acknowledged" (it did not restart either), "restart-unproven".
 base::Result<int> reboot(const device::Context& context, device::Servo& servo);
 } // namespace jobs
