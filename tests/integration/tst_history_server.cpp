@@ -524,8 +524,9 @@ void TestHistoryServer::whatIsWrongIsSaid_data()
     QTest::newRow("no password") << "postgresql://postgres@127.0.0.1:" + port +
                                         "/postgres?passfile=/nowhere"
                                  << "password";
-    QTest::newRow("unknown user")
-        << m_pg.address(utf8("postgres"), utf8("nobody"), utf8("secret99")) << "password";
+    QTest::newRow("unknown user") << m_pg.address(utf8("postgres"), utf8("nobody"),
+                                                  utf8("secret99"))
+                                  << "password";
     QTest::newRow("no such database") << m_pg.address(utf8("no such shop")) << "database";
     QTest::newRow("nobody there") << "host=127.0.0.1 port=1 user=postgres"
                                   << "away";
