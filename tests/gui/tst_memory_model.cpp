@@ -496,7 +496,7 @@ void TestMemoryModel::historyIsNewestFirst()
     model.setEntry(&entry);
     QCOMPARE(model.rowCount(), 2);
     const QString newest = model.index(0).data().toString();
-    QVERIFY2(newest.contains(QStringLiteral("Maximum angle limit 4095 → 3800 ✗")),
+    QVERIFY2(newest.contains(QStringLiteral("Maximum angle limit 359.91° → 333.98° ✗")),
              qPrintable(newest));
     QVERIFY(model.index(1).data().toString().contains(QStringLiteral("Position loop P 32 → 40 ✓")));
     QSignalSpy resets(&model, &QAbstractItemModel::modelReset);
