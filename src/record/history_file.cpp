@@ -46,7 +46,7 @@ base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path
     const QString topmostOld = existingFolder(path);
     // SQLite would wait for ever for a pipe to say something.
     if (!isNew && !QFileInfo(path).isFile())
-        return base::fail(base::ErrorCode::FileFormat, operation,
+        return base::fail(base::ErrorCode::FileUnwritable, operation,
                           path + QStringLiteral(": not a regular file"));
     if (!QDir().mkpath(folder))
         return base::fail(base::ErrorCode::FileUnwritable, operation,

@@ -548,7 +548,7 @@ private Q_SLOTS:
         bench.withWire([](sim::VirtualBus& bus) { bus.cutLink(); });
         QTRY_COMPARE(bench.desk.state(), LinkState::Lost);
         QTRY_VERIFY(!bench.entry(ref).writing());
-        QCOMPARE(bench.outcome(ref, positionP), std::optional(device::WriteOutcome::NoAnswer));
+        QCOMPARE(bench.outcome(ref, positionP), std::optional(device::WriteOutcome::NotSent));
         QVERIFY(bench.open(QStringLiteral("sim:demo"))); // and on it goes
         QVERIFY(bench.search());
         QCOMPARE(bench.at(1), ref);
