@@ -197,7 +197,7 @@ void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle()
     QVERIFY(record::saveCommissionBatch(batch, keys.csv()));
 
     keys.start("commission --first-id 5 --count 1");
-    QVERIFY(keys.asks("to have ID 9, press s and Enter"));
+    QVERIFY(keys.asks("it was to have ID 9. If this is that servo, press s and Enter"));
     keys.press(answer.constData());
     const Ran ran = keys.finish();
     QCOMPARE(ran.exit, unfinished);
