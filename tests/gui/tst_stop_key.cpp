@@ -234,7 +234,8 @@ private Q_SLOTS:
         Stops stops(bench.desk());
         QAbstractSpinBox* box = nullptr;
         QTRY_VERIFY((box = bench.find<QAbstractSpinBox>(qPrintable(field))) != nullptr);
-        QTRY_VERIFY(box->isEnabled() && !box->text().isEmpty());
+        // Shown only once it is filled; until then it has the text it was made with.
+        QTRY_VERIFY(box->isVisible() && box->isEnabled() && !box->text().isEmpty());
         const QString before = box->text();
         box->setFocus();
         box->selectAll();
