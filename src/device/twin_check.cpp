@@ -16,6 +16,7 @@ namespace {
 constexpr int goodRoundsWanted = 2;
 constexpr int signsBelieved = 2;
 constexpr int maxRounds = 10;
+constexpr int maxPasses = 4;
 /// So many unreadable replies, and more than readable ones: no retry would make a write safe.
 constexpr int brokenTooMany = 6;
 
@@ -113,14 +114,11 @@ private:
     {
         Servo seen = m_servo;
         seen.image.clear();
-        bool whole = true;
         const int brokenBefore = m_broken;
-        for (const bus::PollSpan& span : m_spans) {
-            const auto answered = readOnce(seen, span);
-            if (!answered)
-                return tl::unexpected(answered.error());
-            whole = whole && *answered;
-        }
+        const auto missing = readMissing(seen);
+        if (!missing)
+            return tl::unexpected(missing.error());
+        const bool whole = *missing == 0;
         // A second reply may be as late as this link ever was. Only where nothing is out of the
         // ordinary once is enough.
         const bool doubtful = m_broken > brokenBefore || m_secondReplies + m_differences > 0;
@@ -132,6 +130,29 @@ private:
         if (whole)
             compare(std::move(seen));
         return {};
+    }
+
+    /// How many spans could not be read. A map in many pieces would hardly ever be read whole on a
+    /// poor line, so what is missing is asked for again while anything new comes; every broken
+    /// reply counts.
+    base::Result<std::size_t> readMissing(Servo& seen)
+    {
+        std::vector<bus::PollSpan> missing = m_spans;
+        for (int pass = 0; pass < maxPasses; ++pass) {
+            std::vector<bus::PollSpan> still;
+            for (const bus::PollSpan& span : missing) {
+                const auto answered = readOnce(seen, span);
+                if (!answered)
+                    return tl::unexpected(answered.error());
+                if (!*answered)
+                    still.push_back(span);
+            }
+            const bool stuck = still.size() == missing.size();
+            missing = std::move(still);
+            if (missing.empty() || stuck)
+                break;
+        }
+        return missing.size();
     }
 
     /// False: nothing usable came.
@@ -245,14 +266,16 @@ bool couldBeOneServo(const Servo& before, const Servo& after, base::Duration apa
         jump(before, after, Role::PresentVoltage) > maxVoltageJump + jumpSlack)
         return false;
     const double turn = turnOf(after);
-    double moved = std::fmod(jump(before, after, Role::PresentPosition), turn);
-    moved = std::min(moved, turn - moved) * stepsPerTurn / turn; // the seam of a turn is no jump
+    // SCS and LX servos cannot measure a part of the turn, and say either end of the rest there.
+    const double measured = after.profile->angleRangeDeg.value_or(turnDegrees);
+    const double blind = std::max(0.0, turnDegrees - measured) / turnDegrees;
+    const double within = std::fmod(jump(before, after, Role::PresentPosition), turn) / turn;
+    // The seam of a turn is no jump.
+    const double moved = std::min(within, std::max(0.0, 1 - within - blind)) * stepsPerTurn;
     double possible = restJitterSteps;
     if (!resting(before) || !resting(after)) {
         possible += fastestStepsPerSecond * double(apart.count()) / 1e6;
-        // A turning motor of an SCS or LX servo passes the part of a turn it cannot measure.
-        const double measured = after.profile->angleRangeDeg.value_or(turnDegrees);
-        possible += std::max(0.0, turnDegrees - measured) * stepsPerTurn / turnDegrees;
+        possible += blind * stepsPerTurn; // a turning motor passes it unseen
     }
     return moved <= possible;
 }

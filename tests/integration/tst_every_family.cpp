@@ -275,7 +275,7 @@ void TestEveryFamily::twinsAreNotTaken()
     bench.forgetFrames();
     const auto report = device::write(bench.context(), servo, {{other, 900}}, {});
     QVERIFY(!report);
-    QCOMPARE(base::errorName(report.error().code), base::errorName(ErrorCode::Garbled));
+    QCOMPARE(base::errorName(report.error().code), base::errorName(ErrorCode::SeveralServos));
     QVERIFY(bench.onlyAsked());
 }
 

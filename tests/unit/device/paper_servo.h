@@ -111,6 +111,8 @@ struct Servo {
     void powerCycle()
     {
         now = kept;
+        if (has(catalog::Role::TorqueLimit) && has(catalog::Role::MaxTorque))
+            put(catalog::Role::TorqueLimit, raw(catalog::Role::MaxTorque)); // every start loads it
         id = static_cast<int>(raw(catalog::Role::Id));
         takeBaud();
     }
