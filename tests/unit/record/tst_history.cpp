@@ -386,7 +386,7 @@ void TestHistory::aFolderThatCannotBe()
     m_path = m_dir->filePath(text("history.sqlite"));
     QVERIFY(QDir().mkpath(m_path));
     const auto beside = record::keepRun(m_path, sweep_example::run());
-    QCOMPARE(beside.trouble->code, ErrorCode::FileFormat); // not a regular file
+    QCOMPARE(beside.trouble->code, ErrorCode::FileUnwritable);
     QVERIFY(leftBeside(*m_dir, beside.file) == sweep_example::run());
 }
 
