@@ -39,6 +39,7 @@ private Q_SLOTS:
     void noiseIsReportedAndProvesNobody();
     void oneServoCouldSayThis_data();
     void oneServoCouldSayThis();
+    void blindPartOfATurnIsNoJump();
 };
 
 void TestScanTwins::suspectsTwins_data()
@@ -200,6 +201,25 @@ void TestScanTwins::oneServoCouldSayThis()
     a.image.store(56, feedback(before, 30), {});
     b.image.store(56, feedback(after, temperature), {});
     QCOMPARE(device::couldBeOneServo(a, b, milliseconds(4)), possible);
+}
+
+/// An SCS servo at rest where it cannot measure says now one end of its range, now the other.
+void TestScanTwins::blindPartOfATurnIsNoJump()
+{
+    const auto at = [](int position) {
+        device::Servo servo;
+        servo.profile = support::builtInCatalog().resolve({0, 15, 1, 5, 15});
+        base::Bytes feedback(15, 0);
+        feedback[0] = std::uint8_t(position >> 8);
+        feedback[1] = std::uint8_t(position & 0xFF);
+        servo.image.store(56, feedback, {});
+        return servo;
+    };
+    QCOMPARE(at(1023).raw(catalog::Role::PresentPosition), std::optional<std::int64_t>(1023));
+    QVERIFY(device::couldBeOneServo(at(1023), at(0), milliseconds(4)));
+    QVERIFY(device::couldBeOneServo(at(0), at(1023), milliseconds(4)));
+    QVERIFY(!device::couldBeOneServo(at(900), at(100), milliseconds(4)));
+    QVERIFY(!device::couldBeOneServo(at(512), at(540), milliseconds(4)));
 }
 
 QTEST_GUILESS_MAIN(TestScanTwins)
