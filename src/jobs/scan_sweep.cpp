@@ -75,10 +75,9 @@ base::Result<std::optional<int>> RateSweep::askAll()
         if (outcome) {
             m_heardSomebody = true;
             alone = outcome->parts.front().id;
-        } else if (unreadable(outcome.error().code)) {
-            m_heardSomebody = true;
-        } else if (outcome.error().code == base::ErrorCode::LineBusy) {
-            m_heardSomebody = true; // the search itself decides
+        } else if (unreadable(outcome.error().code) ||
+                   outcome.error().code == base::ErrorCode::LineBusy) {
+            m_heardSomebody = true; // the search itself decides about a busy line
         } else if (outcome.error().code != base::ErrorCode::NoAnswer) {
             return tl::unexpected(outcome.error());
         }

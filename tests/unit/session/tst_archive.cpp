@@ -21,7 +21,7 @@ QString text(const char* utf8)
 
 SharedRun example(int day = 0)
 {
-    auto run = std::make_shared<record::SweepRun>(sweep_example::run());
+    auto run = std::make_shared<record::SweepRun>(sweep_example::finishedRun());
     run->at = run->at.addDays(day);
     return run;
 }
@@ -74,7 +74,7 @@ void TestArchive::whatIsKeptIsListedAndLoaded()
     SharedRun loaded;
     archive.load(1, this, [&](const base::Result<SharedRun>& answer) { loaded = answer.value(); });
     QTRY_VERIFY(loaded);
-    QVERIFY(*loaded == sweep_example::run());
+    QVERIFY(*loaded == *example());
     std::optional<base::Error> error;
     archive.load(99, this, [&](const base::Result<SharedRun>& answer) { error = answer.error(); });
     QTRY_VERIFY(error);
@@ -168,7 +168,7 @@ void TestArchive::anUnusableHistoryIsToldWithThePlaceOfTheRun()
     archive.keep(example());
     QTRY_COMPARE(failed.size(), 1);
     QCOMPARE(failed[0][0].value<base::Error>().code, base::ErrorCode::FileUnwritable);
-    QVERIFY(record::loadSweepRun(failed[0][1].toString()).value() == sweep_example::run());
+    QVERIFY(record::loadSweepRun(failed[0][1].toString()).value() == *example());
 }
 
 void TestArchive::workAnswersToo()
