@@ -41,6 +41,7 @@ private Q_SLOTS:
     void editingAsksForAWriteAndChangesNothing();
     void readOnlyCellsCannotBeEdited();
     void unknownFirmwareIsReadOnly();
+    void anUnclearFamilyShowsItsBytes();
     void physicalFirstShowsUnitsInDefaultAndRange();
     void speaksChinese();
     void everyCellHasATooltip();
@@ -345,6 +346,18 @@ void TestMemoryModel::unknownFirmwareIsReadOnly()
     for (int row = 0; row < model.rowCount(); ++row) {
         for (int column = 0; column < ui::memoryColumns; ++column)
             QVERIFY(!(model.index(row, column).flags() & Qt::ItemIsEditable));
+    }
+}
+
+void TestMemoryModel::anUnclearFamilyShowsItsBytes()
+{
+    MemoryModel model;
+    const auto entry = entryOf({3, 25, 1, 9, 3});
+    model.setEntry(&entry, at({}));
+    for (int place = 0; place <= 70; ++place) {
+        QCOMPARE(model.index(place, int(MemoryColumn::Address)).data().toInt(), place);
+        for (int column = 0; column < model.columnCount(); ++column)
+            QVERIFY(!model.index(place, column).flags().testFlag(Qt::ItemIsEditable));
     }
 }
 

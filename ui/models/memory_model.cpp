@@ -26,11 +26,12 @@ QString searchText(const MemoryRow& row)
     return words.join(QLatin1Char('\n'));
 }
 
-/// A servo whose firmware is not known shows who it is and what it measures.
+/// A servo whose firmware is not known shows who it is and what it measures; one of unclear family
+/// every byte, since that is all there is to tell what it may be.
 bool shownFor(const catalog::Profile& profile, const catalog::Register& reg)
 {
     using catalog::Role;
-    if (profile.writable || reg.area == catalog::Area::Feedback || reg.identity)
+    if (profile.writable || profile.conflict || reg.area == catalog::Area::Feedback || reg.identity)
         return true;
     return reg.role == Role::FirmwareMajor || reg.role == Role::FirmwareMinor ||
            reg.role == Role::ByteOrder || reg.role == Role::ModelMajor ||
