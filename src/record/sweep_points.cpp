@@ -4,6 +4,8 @@
 #include "record/csv_cells.h"
 #include "record/text_file.h"
 
+#include <QList>
+
 namespace record {
 using base::ErrorCode;
 
