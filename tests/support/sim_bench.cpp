@@ -70,6 +70,16 @@ sim::FirmwareBehavior benchFirmware()
     return hardest;
 }
 
+// Overloads, not default arguments: GCC 12 takes the members of a default BenchOptions that it
+// destroys inline in a caller for uninitialized.
+SimBench::SimBench(const QString& servos)
+    : SimBench(servos, BenchOptions())
+{}
+
+SimBench::SimBench(const std::vector<sim::ServoRecipe>& servos)
+    : SimBench(servos, BenchOptions())
+{}
+
 SimBench::SimBench(const QString& servos, const BenchOptions& options)
     : SimBench(makeWire(servos, options), options)
 {}

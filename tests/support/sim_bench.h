@@ -48,9 +48,10 @@ struct BenchOptions {
 class SimBench {
 public:
     /// A preset's name or a list "sts3215@1,scs15@2"; the test fails hard if it is neither.
-    explicit SimBench(const QString& servos, const BenchOptions& options = {});
-    explicit SimBench(const std::vector<sim::ServoRecipe>& servos,
-                      const BenchOptions& options = {});
+    explicit SimBench(const QString& servos);
+    SimBench(const QString& servos, const BenchOptions& options);
+    explicit SimBench(const std::vector<sim::ServoRecipe>& servos);
+    SimBench(const std::vector<sim::ServoRecipe>& servos, const BenchOptions& options);
 
     device::Context context();
     bus::BusCore& bus() { return *m_bus; }
