@@ -24,8 +24,9 @@ struct CoreOptions {
 
 class BusCore final : public Bus {
 public:
-    /// Takes the open link and finds out whether it echoes (about 50 ms if it does not), asking in
-    /// the language of `codec`. Requests carry their own.
+    /// Takes the open link and finds out whether it echoes, asking in the language of `codec`:
+    /// about 0.3 s if it does not, since adapters are up to a quarter of a second late. Requests
+    /// carry their own.
     BusCore(std::unique_ptr<transport::Link> link, const protocol::Codec& codec, base::Clock& clock,
             CoreOptions options = {});
 

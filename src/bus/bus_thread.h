@@ -17,7 +17,7 @@ public:
     using Opener = std::function<base::Result<std::unique_ptr<transport::Link>>()>;
     using Done = std::function<void(base::Result<Outcome>)>;
 
-    /// Blocks until the port is open (about 50 ms more to find out about echo) or failed to. The
+    /// Blocks until the port is open (about 0.3 s more to find out about echo) or failed to. The
     /// opener is kept, for awaitReturn().
     static base::Result<std::unique_ptr<BusThread>>
     open(Opener opener, const protocol::Codec& codec, base::Clock& clock, int bitsPerByte = 10);

@@ -62,7 +62,7 @@ public:
 
     void setSilence(base::Duration silence) { m_silence.store(silence.count()); }
 
-    /// Finds out whether the adapter returns what is sent.
+    /// Finds out whether the adapter returns what is sent, and how late.
     base::Result<bool> probeEcho(const Interrupt& interrupt);
 
 private:
@@ -94,7 +94,17 @@ private:
     void giveUp(Wait& wait, bool interrupted);
     base::Duration silenceOf(const protocol::Codec& codec) const;
     base::Result<void> keepSilence(const protocol::Codec& next, const Interrupt& interrupt);
-    base::Result<bool> echoedOnce(base::ByteView probe, bool& heard, const Interrupt& interrupt);
+    struct EchoProbe {
+        base::Bytes probe;
+        int sent = 0;
+        int echoed = 0;
+        base::Duration echoedAt{};    ///< the latest one
+        base::Duration firstOnTime{}; ///< when a prompt adapter would have returned the first one
+        base::Duration lastOnTime{};
+    };
+    base::Result<bool> awaitEcho(EchoProbe& state, base::Duration deadline,
+                                 const Interrupt& interrupt);
+    base::Result<bool> takeEchoes(EchoProbe& state, const Interrupt& interrupt);
 
     Line& m_line;
     const protocol::Codec* m_codec; ///< of the latest request, which names what strays in

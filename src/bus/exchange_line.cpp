@@ -157,26 +157,49 @@ Result<bool> Exchange::probeEcho(const Interrupt& interrupt)
     const auto probe = m_codec->encode(m_codec->echoProbe());
     if (!probe)
         return tl::unexpected(probe.error());
+    EchoProbe state{*probe};
     int silent = 0;
-    for (int tries = 0; tries < probeTries && silent < silentTries; ++tries) {
+    while (state.sent < probeTries && silent < silentTries) {
         if (const auto quiet = awaitSilence(interrupt); !quiet)
             return tl::unexpected(quiet.error());
-        bool heard = false;
-        const auto echoed = echoedOnce(*probe, heard, interrupt);
-        if (!echoed || *echoed)
+        if (const auto sent = m_line.send(*probe); !sent)
+            return tl::unexpected(sent.error());
+        m_unsettled = true;
+        state.lastOnTime = m_line.freeAt();
+        state.firstOnTime = state.sent++ == 0 ? state.lastOnTime : state.firstOnTime;
+        const auto echoed = awaitEcho(state, state.lastOnTime + m_guard.patience(), interrupt);
+        if (!echoed)
             return echoed;
-        silent += heard ? 0 : 1;
+        if (*echoed)
+            return takeEchoes(state, interrupt);
+        silent += m_line.received() > 0 ? 0 : 1;
     }
-    return false;
+    // Nothing has shown yet how late this adapter is. Where bytes fill the line they would show.
+    const Duration limit = state.lastOnTime + m_guard.replyTimeout();
+    const auto echoed = overloaded() ? Result<bool>(false) : awaitEcho(state, limit, interrupt);
+    return echoed && *echoed ? takeEchoes(state, interrupt) : echoed;
 }
 
-Result<bool> Exchange::echoedOnce(base::ByteView probe, bool& heard, const Interrupt& interrupt)
+/// True as soon as the probe has come back.
+Result<bool> Exchange::awaitEcho(EchoProbe& state, Duration deadline, const Interrupt& interrupt)
 {
-    if (const auto sent = m_line.send(probe); !sent)
-        return tl::unexpected(sent.error());
-    m_unsettled = true;
-    const Duration deadline = m_line.freeAt() + m_guard.patience();
-    for (Duration now = m_clock.now(); now < deadline; now = m_clock.now()) {
+    for (;;) {
+        const base::ByteView seen = m_line.pending();
+        const auto found =
+            std::search(seen.begin(), seen.end(), state.probe.begin(), state.probe.end());
+        if (found != seen.end()) {
+            const auto size = std::size_t(found - seen.begin()) + state.probe.size();
+            m_trace.add(m_line.lastByteAt(), TraceKind::Echo, seen.first(size));
+            m_line.consume(size);
+            ++state.echoed;
+            state.echoedAt = m_line.lastByteAt();
+            return true;
+        }
+        if (seen.size() > maxProbeReply)
+            m_line.consumeAllBut(state.probe.size());
+        const Duration now = m_clock.now();
+        if (now >= deadline)
+            return false;
         if (const auto reason = interrupt.due())
             return base::fail(*reason);
         const std::size_t before = m_line.received();
@@ -185,15 +208,24 @@ Result<bool> Exchange::echoedOnce(base::ByteView probe, bool& heard, const Inter
             return came;
         if (*came)
             unasked(m_line.received() - before, false);
-        const base::ByteView seen = m_line.pending();
-        if (std::search(seen.begin(), seen.end(), probe.begin(), probe.end()) != seen.end()) {
-            m_trace.add(m_line.lastByteAt(), TraceKind::Echo, m_line.takePending());
-            return true;
-        }
-        if (seen.size() > maxProbeReply)
-            m_line.consumeAllBut(probe.size());
     }
-    heard = m_line.received() > 0;
-    return false;
+}
+
+/// The echoes of the other probes must not run into what is said next, and they show how late this
+/// adapter is.
+Result<bool> Exchange::takeEchoes(EchoProbe& state, const Interrupt& interrupt)
+{
+    const Duration limit = m_clock.now() + (state.lastOnTime - state.firstOnTime) + waitSlice;
+    bool more = true;
+    while (more && state.echoed < state.sent) {
+        const auto echoed = awaitEcho(state, limit, interrupt);
+        if (!echoed)
+            return echoed;
+        more = *echoed;
+    }
+    // Where one was lost, nobody knows which one this is the echo of.
+    const bool all = state.echoed == state.sent;
+    m_guard.learn(state.echoedAt - (all ? state.lastOnTime : state.firstOnTime));
+    return true;
 }
 } // namespace bus

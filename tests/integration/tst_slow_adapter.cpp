@@ -3,6 +3,7 @@
 // the lock closed; and an ID that is taken is never given away.
 #include "jobs/change.h"
 #include "jobs/free_ids.h"
+#include "support/byte_line.h"
 #include "support/commission_bench.h"
 
 #include <QRegularExpression>
@@ -69,6 +70,8 @@ private Q_SLOTS:
     void lineIsCommissioned();
     void twoOnTheLineAreSeen_data() { links(); }
     void twoOnTheLineAreSeen();
+    void lateEchoIsNoServo_data();
+    void lateEchoIsNoServo();
     void quickLinkStaysQuick();
 
 private:
@@ -207,6 +210,53 @@ void TestSlowAdapter::twoOnTheLineAreSeen()
     QVERIFY(line.run());
     QVERIFY(line.saw(jobs::CommissionObstacle::SeveralServos));
     QVERIFY(line.bench.onlyAsked());
+}
+
+void TestSlowAdapter::lateEchoIsNoServo_data()
+{
+    QTest::addColumn<base::Duration>("latency");
+    QTest::addColumn<bool>("taken");
+    for (const base::Duration latency : {1ms, 20ms, 30ms, 40ms, 60ms, 100ms, 150ms, 240ms}) {
+        for (const bool taken : {false, true})
+            QTest::addRow("%d ms, %s", int(latency / 1ms), taken ? "taken" : "free")
+                << latency << taken;
+    }
+}
+
+/// The echo of PING 9 reads like the reply of a servo 9 with a voltage alarm.
+void TestSlowAdapter::lateEchoIsNoServo()
+{
+    QFETCH(base::Duration, latency);
+    QFETCH(bool, taken);
+    base::ManualClock clock;
+    support::ByteLine line;
+    line.servos = {support::byteSts(1)};
+    if (taken)
+        line.servos.push_back(support::byteSts(9));
+    line.adapterLate = latency;
+    line.echo = true;
+    bus::BusCore bus(support::openByteLine(line, clock), protocol::feetechCodec(), clock);
+    QVERIFY(bus.echoes());
+    QVERIFY2(clock.now() < 600ms, qPrintable(QString::number(clock.now() / 1ms)));
+    support::MemoryJournal journal;
+    base::Stop stop;
+    device::Notices notices;
+    const device::Context context{bus, support::builtInCatalog(), journal, stop, notices};
+    auto servo = device::identify(context, 1);
+    QVERIFY(servo);
+    QCOMPARE(int(servo->status), 0);
+    line.frames.clear();
+    const auto report = jobs::changeId(context, *servo, 9);
+    QCOMPARE(report.has_value(), !taken);
+    QCOMPARE(line.servos[0].id, taken ? 1 : 9);
+    if (taken) {
+        QCOMPARE(report.error().code, ErrorCode::IdInUse);
+        QCOMPARE(line.changingFrames(), 0);
+        return;
+    }
+    QVERIFY(report->allGood());
+    QCOMPARE(line.servos[0].table[55], std::uint8_t(1)); // locked again
+    QCOMPARE(int(bus.statistics().total.late), 0); // the echo has shown how late the adapter is
 }
 
 void TestSlowAdapter::quickLinkStaysQuick()

@@ -36,6 +36,11 @@ public:
     {
         const base::Bytes frame(bytes.begin(), bytes.end());
         m_line.frames.push_back(frame);
+        if (m_line.echo) {
+            base::Duration at = m_clock.now() + m_line.adapterLate;
+            for (const std::uint8_t value : frame)
+                m_coming.push_back({at += byteTime, value});
+        }
         base::Bytes body = frame;
         if (body.size() < 6 || body[0] != 0xFF || body[1] != 0xFF)
             return {};

@@ -27,6 +27,7 @@ struct ByteLine {
     std::vector<ByteServo> servos;
     Replies replies = Replies::Together;
     base::Duration adapterLate{};
+    bool echo = false;                              ///< the adapter returns what the host sends
     base::Duration secondLate{};                    ///< the second reply comes so much later
     std::function<void(int, base::Bytes&)> spoil{}; ///< may change the n-th reply
     std::vector<base::Bytes> frames;                ///< what the host has sent

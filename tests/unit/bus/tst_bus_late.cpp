@@ -275,6 +275,13 @@ private Q_SLOTS:
         QTest::newRow("no echo") << false << 0 << false << Duration{};
         QTest::newRow("echo") << true << 0 << false << Duration{};
         QTest::newRow("echo, 16 ms adapter") << true << 0 << false << Duration(16ms);
+        for (const Duration latency : {40ms, 60ms, 100ms, 150ms, 240ms}) {
+            QTest::addRow("echo, %d ms adapter", int(latency / 1ms))
+                << true << 0 << false << latency;
+        }
+        QTest::newRow("no echo, 60 ms adapter") << false << 0 << false << Duration(60ms);
+        QTest::newRow("echo, first frame lost, 60 ms adapter")
+            << true << 1 << false << Duration(60ms);
         QTest::newRow("echo, first frame lost") << true << 1 << false << Duration{};
         QTest::newRow("echo, first one garbled") << true << 0 << true << Duration{};
         QTest::newRow("no echo, noise at first") << false << 0 << true << Duration{};
@@ -318,7 +325,7 @@ private Q_SLOTS:
     {
         QFETCH(const Request, request);
         QFETCH(const bool, present);
-        for (const Duration latency : {Duration{}, Duration(16ms)}) {
+        for (const Duration latency : {0ms, 16ms, 40ms, 60ms, 150ms}) {
             Bench bench;
             bench.script.echo = true;
             bench.script.latency = latency;
