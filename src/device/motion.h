@@ -87,8 +87,9 @@ base::Result<void> sendMoves(const Context& context, std::vector<MovePlan>& plan
 /// The two halves of Async. holdMoves leaves each goal in its servo; it does not move for it.
 /// NotSupported ("no-async").
 base::Result<void> holdMoves(const Context& context, std::vector<MovePlan>& plans);
-/// Starts what was held: everything on the bus that holds a goal, whoever gave it, and one stored
-/// LX move alone. Before the first byte: Refused ("mode-changed") where a goal now means something
+/// Starts what was held. Several Feetech servos are started by one ACTION for all, which starts
+/// everything on the bus that holds a goal, whoever gave it; one alone and LX servos are addressed.
+/// Before the first byte: Refused ("mode-changed") where a goal now means something
 /// else.
 base::Result<void> startHeld(const Context& context, std::vector<MovePlan>& plans);
 /// Nothing of ours is held any more and nothing has moved. Feetech: torque must be off, and is off

@@ -28,7 +28,7 @@ base::Result<void> holdGoal(const Context& context, MovePlan& plan, const Block&
     auto request = protocol::Request::regWrite(servo.id, block.patch.writeOffset, block.patch.data,
                                                protocol::Repeat::Safe);
     request.acknowledged = servo.answersWrites();
-    const bool told = request.acknowledged;
+    const bool acknowledged = request.acknowledged;
     const auto held = transactPlain(context, std::move(request));
     if (!held && !answerLost(held.error()))
         return held;
@@ -38,7 +38,7 @@ base::Result<void> holdGoal(const Context& context, MovePlan& plan, const Block&
     const auto pending = waits(context, servo);
     if (!pending)
         return tl::unexpected(pending.error());
-    const bool taken = held.has_value() && told;
+    const bool taken = held.has_value() && acknowledged;
     // The flag tells whether it is held, so a lost answer does not matter; unless another goal has
     // been waiting there, of which it speaks just as well.
     if (*pending && (taken || !*before))
@@ -125,21 +125,20 @@ base::Result<void> storeAll(const Context& context, const Plans& plans)
     return {};
 }
 
-/// Nobody answers, so it is said more than once: who has heard it holds nothing any more. One
-/// servo alone is addressed, as others may hold a move that somebody forgot.
+/// There is no answer, so the start is sent more than once; a servo that has started holds nothing
+/// any more. Each servo is addressed, half a millisecond apart: a start for all would also move
+/// servos in which another program holds a goal.
 base::Result<void> startStored(const Context& context, const Plans& plans)
 {
-    if (plans.empty())
-        return {};
-    const Servo& first = *plans.front()->servo;
-    const auto request =
-        plans.size() == 1 ? protocol::Request::action(first.id) : protocol::Request::action();
     constexpr int sends = 3;
     for (int sent = 0; sent < sends; ++sent) {
-        if (const auto acted =
-                transactPlain(context, protocol::Request(request).in(first.protocol));
-            !acted)
-            return acted;
+        for (const MovePlan* plan : plans) {
+            const Servo& servo = *plan->servo;
+            const auto acted =
+                transactPlain(context, protocol::Request::action(servo.id).in(servo.protocol));
+            if (!acted)
+                return acted;
+        }
     }
     return {};
 }
@@ -207,12 +206,13 @@ base::Result<void> startGoals(const Context& context, const Ways& ways)
     return releaseHeld(context, ways.held);
 }
 
-base::Result<void> giveUpHeld(const Context& context, const Ways& ways, base::Error error)
+base::Result<void> giveUpHeld(const Context& context, const Plans& plans, base::Error error)
 {
-    for (MovePlan* plan : ways.held) {
+    for (MovePlan* plan : plans) {
         const auto waiting = dropHeld(context, *plan->servo);
-        // One that is silent here was silent before, and is named by the error already.
-        if (waiting && *waiting)
+        // One that does not answer may hold its goal still, unless it is the one that failed.
+        const bool unknown = !waiting && answerLost(waiting.error()) && plan->servo->id != error.id;
+        if (unknown || (waiting && *waiting))
             error = {ErrorCode::Refused, QStringLiteral("move"), QStringLiteral("forget-held"),
                      plan->servo->id};
     }

@@ -114,6 +114,14 @@ bool canHold(const MovePlan& plan)
                   protocol::Request::regWrite(plan.servo->id, 0, {0}, protocol::Repeat::Safe));
 }
 
+/// Goals are held one after the other, up to the servo that failed.
+Plans askedToHold(const Plans& plans, int failedId)
+{
+    const auto failed = std::find_if(plans.begin(), plans.end(), [failedId](const MovePlan* plan) {
+        return plan->servo->id == failedId;
+    });
+    return failed == plans.end() ? plans : Plans(plans.begin(), std::next(failed));
+}
 } // namespace
 
 base::Result<Ways> sortOut(std::vector<MovePlan>& plans, MoveHow how)
@@ -136,9 +144,9 @@ base::Result<Ways> sortOut(std::vector<MovePlan>& plans, MoveHow how)
 base::Result<void> sendTogether(const Context& context, const Ways& ways)
 {
     if (const auto held = holdGoals(context, ways); !held)
-        return giveUpHeld(context, ways, held.error());
+        return giveUpHeld(context, askedToHold(ways.held, held.error().id), held.error());
     if (const auto started = startGoals(context, ways); !started)
-        return giveUpHeld(context, ways, started.error());
+        return giveUpHeld(context, ways.held, started.error());
     return sendBySync(context, ways.packets);
 }
 } // namespace device

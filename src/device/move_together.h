@@ -26,7 +26,7 @@ base::Result<void> forgetGoals(const Context& context, const Ways& ways);
 /// After a hold or a start that failed and will not be tried again: the next ACTION must not make
 /// the move, whoever sends it, so what waits is taken out, whatever the torque. Fails with `error`,
 /// or with the servo in which a goal may still wait.
-base::Result<void> giveUpHeld(const Context& context, const Ways& ways, base::Error error);
+base::Result<void> giveUpHeld(const Context& context, const Plans& plans, base::Error error);
 
 /// One request whose answer says nothing more than that it came.
 base::Result<void> transactPlain(const Context& context, protocol::Request request);

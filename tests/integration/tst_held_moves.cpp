@@ -240,8 +240,11 @@ void TestHeldMoves::manyLostByChance()
         done += sent ? 1 : 0;
         for (const int id : {1, 2}) {
             QVERIFY2(pair.whole(id) || (!sent && pair.none(id)), story.constData());
+            // A goal that still waits is said to.
             if (flag(pair.bench, id) == 1)
-                QVERIFY2(!sent, story.constData());
+                QVERIFY2(!sent && (sent.error().id == id ||
+                                   sent.error().detail == QLatin1String("forget-held")),
+                         story.constData());
         }
     }
     QVERIFY2(done > (chance < 0.3 ? 10 : 0), qPrintable(QString::number(done)));
