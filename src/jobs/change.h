@@ -36,8 +36,9 @@ base::Result<RestoreReport> restoreDefaults(const device::Context& context, devi
                                             const ProgressFn& progress = {});
 
 /// 0x08: torque off first; polls PING from 0.7 s on, at most 2 s. Returns milliseconds. A restart
-/// is proven or not claimed: the torque limit, which every start loads from the EPROM, is set one
-/// step off before; families without one must have been silent. Refused: by a Modbus exception,
+/// is proven or not claimed: the torque limit, which every start loads from the EPROM, or the
+/// running time, which every start clears, is set one step off before; a servo that takes no such
+/// mark must have been silent. Refused: by a Modbus exception,
 /// "not-restarted", "restart-acknowledged" (it did not restart either), "restart-unproven".
 base::Result<int> reboot(const device::Context& context, device::Servo& servo);
 } // namespace jobs

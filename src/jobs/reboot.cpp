@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/motion.h"
+#include "device/move_limits.h"
 #include "device/talk.h"
 #include "device/write_access.h"
 #include "jobs/change_steps.h"
@@ -25,7 +26,8 @@ constexpr base::Duration askEvery = 25ms;
 constexpr int silencesThatProve = 2;
 
 /// A RAM value that no restart leaves as it is: the torque limit, which every start loads from the
-/// EPROM. One step off, with torque off, it moves nothing.
+/// EPROM, or the running time, which every start sets to its default. One step off, with torque
+/// off, it moves nothing.
 struct Mark {
     const catalog::Register* reg = nullptr; ///< null: this servo has none
     std::int64_t raw = 0;
@@ -40,26 +42,43 @@ bool endsAll(ErrorCode code)
            code == ErrorCode::Preempted;
 }
 
+/// Null: nothing in this servo can be a mark. In motor mode the running time is the motor's output.
+const catalog::Register* markOf(const device::Servo& servo)
+{
+    const catalog::Profile& profile = *servo.profile;
+    if (profile.byRole(Role::TorqueLimit) != nullptr && profile.byRole(Role::MaxTorque) != nullptr)
+        return profile.byRole(Role::TorqueLimit);
+    const catalog::Register* time = profile.byRole(Role::GoalTime);
+    const bool positions = device::goalKind(servo) == device::GoalKind::Position;
+    return time != nullptr && time->defaultRaw && positions ? time : nullptr;
+}
+
+/// What a start leaves in the mark's register.
+std::optional<std::int64_t> loadedAtStart(const device::Servo& servo, const catalog::Register& mark)
+{
+    return mark.role == Role::TorqueLimit ? servo.raw(Role::MaxTorque) : mark.defaultRaw;
+}
+
 /// Without a mark silence has to prove the restart, so a servo that takes none is no error.
 base::Result<Mark> setMark(const device::Context& context, device::Servo& servo)
 {
-    const catalog::Register* limit = servo.profile->byRole(Role::TorqueLimit);
-    if (limit == nullptr || servo.profile->byRole(Role::MaxTorque) == nullptr)
+    const catalog::Register* reg = markOf(servo);
+    if (reg == nullptr)
         return Mark{};
-    const auto read = device::readRoles(context, servo, {Role::TorqueLimit, Role::MaxTorque});
+    const auto read = device::readRoles(context, servo, {reg->role, Role::MaxTorque});
     if (!read && endsAll(read.error().code))
         return tl::unexpected(read.error());
-    const auto now = servo.raw(Role::TorqueLimit);
-    const auto loaded = servo.raw(Role::MaxTorque);
+    const auto now = servo.raw(reg->role);
+    const auto loaded = loadedAtStart(servo, *reg);
     if (!read || !now || !loaded)
         return Mark{};
     if (*now != *loaded)
-        return Mark{limit, *now};
-    const std::int64_t raw = *now > limit->min.value_or(0) ? *now - 1 : *now + 1;
-    auto written = TemporarySettings::set(context, servo, {{limit->key, raw}});
+        return Mark{reg, *now};
+    const std::int64_t raw = *now > reg->min.value_or(0) ? *now - 1 : *now + 1;
+    auto written = TemporarySettings::set(context, servo, {{reg->key, raw}});
     if (!written && endsAll(written.error().code))
         return tl::unexpected(written.error());
-    return written ? Mark{limit, raw, std::move(*written)} : Mark{};
+    return written ? Mark{reg, raw, std::move(*written)} : Mark{};
 }
 
 /// True: it acknowledged a command that has no answer. Listens for as long as nobody may speak.

@@ -51,9 +51,11 @@ private Q_SLOTS:
 
     void restartIsProven_data();
     void restartIsProven();
+    void ignoredCommandIsNoRestart_data();
     void ignoredCommandIsNoRestart();
     void lostCommandIsSentAgain();
     void acknowledgementIsNoRestart();
+    void quickRestartIsProvenByRam_data();
     void quickRestartIsProvenByRam();
     void quickRestartWithoutMarkIsNotClaimed();
     void lostPingIsNoRestart();
@@ -69,9 +71,13 @@ void TestReboot::restartIsProven_data()
     for (const char* servo : {"sts3215@1", "scs15@1:1000000", "sm40blhv@1:1000000"})
         QTest::addRow("%s", servo) << text(servo) << base::Duration(1ms) << base::Duration(25ms);
     for (const base::Duration latency : {1ms, 20ms, 40ms, 60ms, 100ms, 150ms}) {
-        for (const base::Duration timeout : {25ms, 200ms})
-            QTest::addRow("STS, %d ms, time-out %d ms", int(latency / 1ms), int(timeout / 1ms))
-                << text("sts3215@1") << latency << timeout;
+        for (const base::Duration timeout : {25ms, 200ms}) {
+            for (const char* servo : {"sts3215@1", "scs15@1:1000000"}) {
+                QTest::addRow("%s, %d ms, time-out %d ms", servo, int(latency / 1ms),
+                              int(timeout / 1ms))
+                    << text(servo) << latency << timeout;
+            }
+        }
     }
 }
 
@@ -93,9 +99,21 @@ void TestReboot::restartIsProven()
     QCOMPARE(bench.journal().open()->size(), std::size_t(0));
 }
 
+void TestReboot::ignoredCommandIsNoRestart_data()
+{
+    QTest::addColumn<QString>("model");
+    QTest::addColumn<QString>("mark");
+    QTest::addColumn<int>("before");
+    QTest::newRow("STS") << text("sts3215@1") << text("torque_limit") << 1000;
+    QTest::newRow("SCS") << text("scs15@1:1000000") << text("goal_time") << 0;
+}
+
 void TestReboot::ignoredCommandIsNoRestart()
 {
-    SimBench bench(text("sts3215@1"));
+    QFETCH(QString, model);
+    QFETCH(QString, mark);
+    QFETCH(int, before);
+    SimBench bench(model);
     device::Servo one = bench.servo(1);
     int heard = 0;
     replace(bench, restartOf1, {}, heard);
@@ -105,7 +123,7 @@ void TestReboot::ignoredCommandIsNoRestart()
     QCOMPARE(took.error().detail, text("not-restarted"));
     QCOMPARE(heard, 2); // the first one may have been lost: reading proved that nothing happened
     QVERIFY(!noted(bench, device::NoticeCode::RebootedAfter));
-    QCOMPARE(bench.raw(1, text("torque_limit")), 1000); // the mark is taken back
+    QCOMPARE(bench.raw(1, mark), before); // the mark is taken back
     QCOMPARE(bench.journal().open()->size(), std::size_t(0));
 }
 
@@ -137,9 +155,21 @@ void TestReboot::acknowledgementIsNoRestart()
     QCOMPARE(bench.journal().open()->size(), std::size_t(0));
 }
 
+void TestReboot::quickRestartIsProvenByRam_data()
+{
+    QTest::addColumn<QString>("model");
+    QTest::addColumn<QString>("mark");
+    QTest::addColumn<int>("atStart");
+    QTest::newRow("torque limit") << text("sts3215@1") << text("torque_limit") << 1000;
+    QTest::newRow("running time") << text("scs15@1:1000000") << text("goal_time") << 0;
+}
+
 void TestReboot::quickRestartIsProvenByRam()
 {
-    SimBench bench(text("sts3215@1"));
+    QFETCH(QString, model);
+    QFETCH(QString, mark);
+    QFETCH(int, atStart);
+    SimBench bench(model);
     device::Servo one = bench.servo(1);
     bench.tap().answerInstead = [&bench](const Bytes& frame) {
         if (frame != restartOf1)
@@ -149,13 +179,15 @@ void TestReboot::quickRestartIsProvenByRam()
     };
     QVERIFY(jobs::reboot(bench.context(), one));
     QVERIFY(noted(bench, device::NoticeCode::RebootedAfter));
-    QCOMPARE(bench.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(bench.raw(1, mark), atStart);
     QCOMPARE(bench.journal().open()->size(), std::size_t(0));
 }
 
 void TestReboot::quickRestartWithoutMarkIsNotClaimed()
 {
-    SimBench bench(text("scs15@1:1000000")); // has no torque limit
+    SimBench bench(text("scs15@1:1000000")); // in motor mode it has no mark
+    for (const char* limit : {"min_angle_limit", "max_angle_limit"})
+        bench.poke(1, text(limit), 0);
     device::Servo one = bench.servo(1);
     bench.tap().answerInstead = [&bench](const Bytes& frame) {
         if (frame != restartOf1)
