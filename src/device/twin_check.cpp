@@ -13,7 +13,7 @@ using catalog::Role;
 namespace {
 /// A round reads everything that tells servos apart once. Two good ones are enough; each sign of a
 /// second servo asks for two more, and the same sign a second time is believed.
-constexpr int goodRoundsWanted = 2;
+constexpr int minGoodRounds = 2;
 constexpr int signsBelieved = 2;
 constexpr int maxRounds = 10;
 constexpr int maxPasses = 4;
@@ -63,12 +63,12 @@ public:
         : m_context(context)
         , m_servo(servo)
     {
-        std::vector<const catalog::Register*> wanted;
+        std::vector<const catalog::Register*> telling;
         for (const catalog::Register& reg : servo.profile->registers) {
             if (tellsApart(reg, servo.protocol))
-                wanted.push_back(&reg);
+                telling.push_back(&reg);
         }
-        m_spans = planSpans(*servo.profile, wanted);
+        m_spans = planSpans(*servo.profile, telling);
     }
 
     base::Result<TwinFinding> run()
@@ -82,7 +82,8 @@ public:
             if (const auto verdict = judge())
                 return *verdict;
         }
-        if (m_clean == 0 && m_broken == 0)
+        // What is lost on the way does not speak of a second servo.
+        if (m_broken == 0 && m_secondReplies + m_differences == 0)
             return base::fail(ErrorCode::NoAnswer, QStringLiteral("identify"), {}, m_servo.id);
         return finding(TwinSign::BrokenReplies);
     }
@@ -102,8 +103,8 @@ private:
             return finding(TwinSign::SecondReply);
         if (m_differences >= signsBelieved)
             return finding(TwinSign::DifferentValues);
-        const int wanted = goodRoundsWanted * (1 + m_secondReplies + m_differences);
-        if (m_goodRounds >= wanted && m_clean >= 2 * m_broken)
+        const int needed = minGoodRounds * (1 + m_secondReplies + m_differences);
+        if (m_goodRounds >= needed && m_clean >= 2 * m_broken)
             return finding(TwinSign::None);
         if (m_broken >= brokenTooMany && m_broken > m_clean)
             return finding(TwinSign::BrokenReplies);

@@ -25,7 +25,7 @@ struct TwinFinding {
     std::optional<std::int64_t> lock;
 };
 
-/// NoAnswer when it is silent throughout; Stopped, LinkLost, Preempted, Held.
+/// NoAnswer when too little was answered to tell; Stopped, LinkLost, Preempted, Held.
 base::Result<TwinFinding> lookForTwins(const Context& context, const Servo& servo);
 
 /// Could one servo have said both, `apart` from one another?
