@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/reader.h"
+#include "device/write_access.h"
 #include "jobs/commission_line.h"
 #include "jobs/commission_settle.h"
 
@@ -192,14 +193,12 @@ base::Result<void> CommissionLine::begin(CommissionWork& work, CommissionView& v
         if (!concerns)
             return tl::unexpected(concerns.error());
     }
-    const auto twins = m_look.twins(work.servo);
-    if (!twins)
-        return tl::unexpected(twins.error());
-    if (*twins)
-        return base::fail(ErrorCode::IdInUse, operation, QStringLiteral("twins"), work.servo.id);
     CommissionPending* known = pendingOf(work);
     const QString first = known != nullptr && view.halfDone ? known->snapshot : QString();
     if (hasWork(work)) {
+        const auto may = device::beginWriting(m_context, work.servo, operation);
+        if (!may)
+            return may;
         view.step = CommissionStep::Snapshot;
         show(view);
         if (!view.halfDone && work.servo.id == factoryId && m_hooks.meet)

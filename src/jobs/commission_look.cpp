@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/commission_look.h"
 
+#include "device/twin_check.h"
 #include "jobs/scan_manner.h"
-#include "jobs/scan_twins.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -312,15 +312,15 @@ base::Result<std::vector<Found>> CommissionLook::everybody(const Place& first)
     return found;
 }
 
-base::Result<bool> CommissionLook::twins(device::Servo& servo)
+base::Result<bool> CommissionLook::twins(const device::Servo& servo)
 {
-    constexpr int looks = 3;
-    for (int i = 0; i < looks; ++i) {
-        auto suspected = suspectTwins(m_context, servo);
-        if (!suspected || *suspected)
-            return suspected;
-    }
-    return false;
+    const auto found = device::lookForTwins(m_context, servo);
+    if (found)
+        return found->sign != device::TwinSign::None;
+    // One that is not answered has gone; the write looks again.
+    if (found.error().code == ErrorCode::NoAnswer)
+        return false;
+    return tl::unexpected(found.error());
 }
 
 base::Result<bool> CommissionLook::present(const Place& place)

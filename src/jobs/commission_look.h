@@ -28,8 +28,8 @@ public:
     /// the usual ones elsewhere.
     base::Result<std::vector<Found>> everybody(const Place& first);
 
-    /// Twins sound like one servo for a while, so this is asked more often than a search does.
-    base::Result<bool> twins(device::Servo& servo);
+    /// As before every write: more thorough than a search is.
+    base::Result<bool> twins(const device::Servo& servo);
 
     /// Does somebody answer there, with patience? Leaves the bus at that rate.
     base::Result<bool> present(const Place& place);
