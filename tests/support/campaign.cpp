@@ -5,17 +5,23 @@
 #include "support/cli_program.h"
 #include "support/cut_cable.h"
 
+#include <QDir>
 #include <QElapsedTimer>
 #include <QJsonArray>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <random>
 
 namespace support {
 namespace {
 constexpr int lockAddress = 55;
 constexpr int maxTries = 40;
+constexpr int startMs = 10'000; ///< the longest any of them looks before it writes
+constexpr int idleMs = 2000; ///< a command that has written nothing for so long waits for the user
+constexpr int enoughRounds = 10; ///< of one command, to expect that a break meets an open change
 
 struct Command {
     const char* name;
@@ -23,7 +29,18 @@ struct Command {
     QString words;
     const char* first = nullptr; ///< a command before it, not broken
     bool rate = false;           ///< changes the rate, which a TCP bridge cannot follow
-    int lastsMs = 0;             ///< 0: measured; it would wait for the next servo
+};
+
+/// A command that nothing happens to.
+struct Course {
+    int writes = 0;
+    int ms = 0; ///< from its first write
+};
+
+/// Where a command is broken: so long after that many frames that change something.
+struct Moment {
+    int writes = 1;
+    int afterMs = 0;
 };
 
 /// Rows of an STS servo that the claims are held against.
@@ -115,18 +132,23 @@ public:
         must(QStringLiteral("write 1 max_temperature=64 min_voltage=45 position_p=40 position_d=33 "
                             "protection_current=444 overload_torque=70 --dangerous"));
         must(QStringLiteral("snapshot save 1 %1").arg(snapshot()));
+        must(QStringLiteral("bundle save %1 1").arg(bundle()));
         must(QStringLiteral("template make 1 %1 max_temperature position_p position_d "
                             "protection_current")
                  .arg(model()));
     }
     QString snapshot() const { return m_folder.filePath(QStringLiteral("wanted.servo.json")); }
     QString model() const { return m_folder.filePath(QStringLiteral("template.servo.json")); }
+    QString bundle() const { return m_folder.filePath(QStringLiteral("wanted.bundle.json")); }
     QString state() const { return m_folder.filePath(QStringLiteral("eproms")); }
     QString batch() const { return m_folder.filePath(QStringLiteral("batch.csv")); }
     void forget() const
     {
         QFile::remove(state());
-        QFile::remove(batch());
+        // The table and what it is made from.
+        const QDir folder(m_folder.path());
+        for (const QString& name : folder.entryList({QStringLiteral("batch.*")}, QDir::Files))
+            QFile::remove(folder.filePath(name));
     }
 
 private:
@@ -149,8 +171,12 @@ std::vector<Command> commands(const Files& files)
         {"restore-defaults", "sts3215@1", text("restore-defaults 1"), "write 1 position_p=30"},
         {"commission", nullptr,
          text("commission --auto --first-id 9 --count 1 --template ") + files.model() +
-             text(" --batch ") + files.batch(),
-         nullptr, false, 3300},
+             text(" --batch ") + files.batch()},
+        {"bundle restore", "sts3215@1",
+         text("bundle restore ") + files.bundle() + text(" --dangerous")},
+        {"mode", "sts3215@1", text("mode 1 speed")},
+        {"reboot", "sts3215@1", text("reboot 1")},
+        {"identify", "sts3215@1", text("identify 1")},
         {"sweep", "sts3215@1",
          text("sweep 1 --from 1900 --to 2200 --cycles 1 --delay 400 --switch-mode"),
          "mode 1 speed"},
@@ -244,8 +270,9 @@ public:
         int wrong = 0;
         for (const QJsonValue& claim : std::as_const(m_claims)) {
             const QString kind = claim[QLatin1String("kind")].toString();
+            const bool restored = kind == QLatin1String("snapshot-restore");
             if (!claim[QLatin1String("done")].toBool() ||
-                (kind != QLatin1String("write") && kind != QLatin1String("snapshot-restore")))
+                (kind != QLatin1String("write") && kind != QLatin1String("mode") && !restored))
                 continue;
             const bool undone = claim[QLatin1String("action")] == QLatin1String("undo");
             const Found servo{claim[QLatin1String("found_id")].toInt(),
@@ -326,43 +353,109 @@ void judge(Round& round, const Command& command, bool undo, Tally& tally)
     tally.falseWords += round.falseClaims(true);
 }
 
-/// How long the command takes when nothing happens to it.
-int usualMs(const Command& command, const Files& files, bool noisy, std::uint32_t seed)
+/// Waits for frames that change something; false: the program has ended, or wrote nothing more
+/// until patience ended.
+bool awaitWrites(const CutCable& cable, QProcess& process, int count)
 {
-    if (command.lastsMs > 0)
-        return command.lastsMs;
-    files.forget();
-    Round round(command, files, noisy, seed);
-    QElapsedTimer timer;
-    timer.start();
-    (void)round.cli().run(round.line());
-    return int(timer.elapsed());
+    QElapsedTimer idle;
+    idle.start();
+    for (int seen = cable.writes(); seen < count;) {
+        if (process.state() == QProcess::NotRunning || process.waitForFinished(1) ||
+            idle.hasExpired(seen == 0 ? startMs : idleMs))
+            return false;
+        if (const int now = cable.writes(); now > seen) {
+            seen = now;
+            idle.start();
+        }
+    }
+    return true;
 }
 
-void breakOnce(Break how, Round& round, int afterMs, Tally& tally)
+Course courseOf(const Command& command, const Files& files, std::uint32_t seed)
 {
-    std::unique_ptr<CutCable> cable;
-    if (how != Break::Kill) {
-        cable = std::make_unique<CutCable>(round.port(), how == Break::CutTcp);
-        round.cli().setPort(cable->port());
-    }
+    files.forget();
+    Round round(command, files, false, seed);
+    const CutCable cable(round.port(), false);
+    round.cli().setPort(cable.port());
     round.cli().start(round.line());
     QProcess& process = round.cli().process();
-    const bool ended = process.state() == QProcess::NotRunning || process.waitForFinished(afterMs);
-    tally.broken += ended ? 0 : 1;
-    if (how == Break::Kill && !ended)
+    if (!awaitWrites(cable, process, 1))
+        return {};
+    QElapsedTimer timer;
+    timer.start();
+    constexpr int everything = 1'000'000;
+    (void)awaitWrites(cable, process, everything);
+    const qint64 waited = process.state() == QProcess::NotRunning ? 0 : idleMs;
+    const Course course{cable.writes(), int(timer.elapsed() - waited)};
+    round.cli().signal(SIGKILL);
+    (void)round.cli().finish();
+    return course;
+}
+
+Ran breakThrough(CutCable& cable, Break how, Round& round, const Moment& moment, Tally& tally)
+{
+    round.cli().setPort(cable.port());
+    round.cli().start(round.line());
+    QProcess& process = round.cli().process();
+    const bool broken =
+        awaitWrites(cable, process, moment.writes) && !process.waitForFinished(moment.afterMs);
+    tally.broken += broken ? 1 : 0;
+    if (how == Break::Cut)
+        cable.cut();
+    else
         round.cli().signal(SIGKILL);
-    if (cable)
-        cable->cut();
     const Ran ran = round.cli().finish();
     if (process.state() != QProcess::NotRunning) {
         ++tally.hung;
         process.kill();
         process.waitForFinished();
     }
-    cable.reset();
-    if (how != Break::Kill)
+    return ran;
+}
+
+void breakOnce(Break how, Round& round, const Moment& moment, bool tcp, Tally& tally)
+{
+    std::optional<CutCable> cable(std::in_place, round.port(), tcp);
+    const Ran ran = breakThrough(*cable, how, round, moment, tally);
+    cable.reset(); // it would take the replies to the raw frames
+    if (how == Break::Cut)
         tally.falseWords += falseSuccess(round, ran);
+}
+
+Tally breakCommand(Break how, const Command& command, const Files& files, int rounds,
+                   std::mt19937& random)
+{
+    const bool noisy = how == Break::KillInNoise;
+    const Course course = courseOf(command, files, std::uint32_t(random()));
+    Tally tally;
+    if (course.writes == 0) {
+        ++tally.missed;
+        tally.firstTrouble = QStringLiteral("%1 wrote nothing").arg(QLatin1String(command.name));
+        return tally;
+    }
+    const int pauseMs = std::min(course.ms / course.writes, idleMs / 2);
+    for (int i = 0; tally.broken < rounds && i < 2 * rounds; ++i) {
+        files.forget();
+        const auto seed = std::uint32_t(random());
+        const Moment moment{std::uniform_int_distribution<>(1, course.writes)(random),
+                            std::uniform_int_distribution<>(0, pauseMs)(random)};
+        Round round(command, files, noisy, seed);
+        ++tally.rounds;
+        breakOnce(how, round, moment, how == Break::Cut && !command.rate && i % 2 == 0, tally);
+        judge(round, command, random() % 2 == 0, tally);
+        if (!tally.clean() && tally.firstTrouble.isEmpty())
+            tally.firstTrouble = QStringLiteral("%1, seed %2, %3 ms after write %4")
+                                     .arg(QLatin1String(command.name))
+                                     .arg(seed)
+                                     .arg(moment.afterMs)
+                                     .arg(moment.writes);
+    }
+    if (rounds >= enoughRounds && tally.changesOpen == 0) {
+        ++tally.missed;
+        tally.firstTrouble =
+            QStringLiteral("%1: no break met an open change").arg(QLatin1String(command.name));
+    }
+    return tally;
 }
 } // namespace
 
@@ -376,39 +469,29 @@ Tally& Tally::operator+=(const Tally& other)
     falseWords += other.falseWords;
     unrecovered += other.unrecovered;
     hung += other.hung;
+    missed += other.missed;
     if (firstTrouble.isEmpty())
         firstTrouble = other.firstTrouble;
     return *this;
 }
 
-Tally runCampaign(Break how, int rounds, bool noisy, std::uint32_t seed,
-                  void (*line)(const QString& text))
+Tally runCampaign(Break how, int rounds, std::uint32_t seed, const QString& only,
+                  const std::function<void(const QString& text)>& line)
 {
     const Files files;
+    auto all = commands(files);
+    if (!only.isEmpty())
+        std::erase_if(all, [&](const Command& one) { return only != QLatin1String(one.name); });
     std::mt19937 random(seed);
-    Tally all;
-    for (const Command& command : commands(files)) {
-        if (how == Break::CutTcp && command.rate)
+    Tally sum;
+    for (int i = 0; i < int(all.size()); ++i) {
+        const Command& command = all[std::size_t(i)];
+        const int share = rounds / int(all.size()) + (i < rounds % int(all.size()) ? 1 : 0);
+        if (share == 0)
             continue;
-        const int usual = usualMs(command, files, noisy, seed);
-        Tally tally;
-        for (int i = 0; i < rounds; ++i) {
-            files.forget();
-            const auto roundSeed = std::uint32_t(random());
-            // The first third is starting up and looking, which breaks nothing.
-            const int afterMs = std::uniform_int_distribution<>(usual / 3, usual)(random);
-            Round round(command, files, noisy, roundSeed);
-            ++tally.rounds;
-            breakOnce(how, round, afterMs, tally);
-            judge(round, command, i % 2 == 0, tally);
-            if (!tally.clean() && tally.firstTrouble.isEmpty())
-                tally.firstTrouble = QStringLiteral("%1, seed %2, after %3 ms")
-                                         .arg(QLatin1String(command.name))
-                                         .arg(roundSeed)
-                                         .arg(afterMs);
-        }
-        line(QStringLiteral("%1 rounds %2, broken %3, changes open %4; unlocked %5, lost %6, false "
-                            "words %7, unrecovered %8, hung %9")
+        const Tally tally = breakCommand(how, command, files, share, random);
+        line(QStringLiteral("%1 rounds %2, broken off %3, changes open %4; unlocked %5, lost %6, "
+                            "false words %7, unrecovered %8, hung %9")
                  .arg(QLatin1String(command.name), -18)
                  .arg(tally.rounds, 3)
                  .arg(tally.broken, 3)
@@ -418,8 +501,8 @@ Tally runCampaign(Break how, int rounds, bool noisy, std::uint32_t seed,
                  .arg(tally.falseWords)
                  .arg(tally.unrecovered)
                  .arg(tally.hung));
-        all += tally;
+        sum += tally;
     }
-    return all;
+    return sum;
 }
 } // namespace support

@@ -88,7 +88,9 @@ bool CliProgram::waitForRemark(const QByteArray& text)
 
 void CliProgram::signal(int number)
 {
-    ::kill(static_cast<pid_t>(m_process.processId()), number);
+    // 0 is the ID of no program, and would reach the test itself.
+    if (m_process.processId() > 0)
+        ::kill(static_cast<pid_t>(m_process.processId()), number);
 }
 
 Ran CliProgram::finish()

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A cable between a program and the simulator's terminal that can be cut: a terminal of its own,
-// which hangs up, or a TCP bridge, whose link drops. The servos keep their power. A thread of its
-// own; everything else from the test's. POSIX only.
+// which hangs up, or a TCP bridge, whose link drops. The servos keep their power. It counts the
+// Feetech frames of the program that change something. A thread of its own; everything else from
+// the test's. POSIX only.
 #pragma once
 
 #include "transport/tty_speed.h"
@@ -45,6 +46,8 @@ public:
     CutCable& operator=(const CutCable&) = delete;
 
     QString port() const { return m_port; }
+    /// Frames so far that neither ask for a servo nor read.
+    int writes() const { return m_writes; }
 
     void cut()
     {
@@ -127,10 +130,24 @@ private:
         }
         if (got <= 0)
             return;
+        countWrites(reinterpret_cast<const unsigned char*>(chunk), std::size_t(got));
         const auto rate = m_slave >= 0 ? transport::ttySpeed(m_slave) : std::nullopt;
         if (rate && transport::ttySpeed(m_terminal) != rate)
             transport::setTtySpeed(m_terminal, *rate);
         (void)!write(m_terminal, chunk, std::size_t(got));
+    }
+
+    /// A program hands over whole frames.
+    void countWrites(const unsigned char* bytes, std::size_t count)
+    {
+        constexpr std::size_t head = 6;
+        std::size_t at = 0;
+        while (at + head <= count && bytes[at] == 0xFF && bytes[at + 1] == 0xFF) {
+            const int instruction = bytes[at + 4];
+            if (instruction != 0x01 && instruction != 0x02 && instruction != 0x82)
+                ++m_writes;
+            at += std::size_t(bytes[at + 3]) + 4;
+        }
     }
 
     void fromServos()
@@ -152,6 +169,7 @@ private:
     int m_listener = -1;
     QString m_port;
     std::atomic<bool> m_over{false};
+    std::atomic<int> m_writes{0};
     std::thread m_thread;
 };
 } // namespace support
