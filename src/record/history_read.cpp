@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record/history.h"
 #include "record/history_file.h"
+#include "record/run_text.h"
 #include "record/step_json.h"
 #include "record/sweep_json.h"
 #include "record/sweep_verdict.h"
@@ -176,11 +177,11 @@ base::Result<TestRun> History::run(std::int64_t number) const
     return found->front();
 }
 
-base::Result<QByteArray> History::text(std::int64_t number) const
+base::Result<QByteArray> runText(const HistoryFile& file, std::int64_t number)
 {
-    const auto rows = m_file->run(QStringLiteral("SELECT data FROM run_texts WHERE run = ? "
-                                                 "ORDER BY part"),
-                                  {qint64(number)});
+    const auto rows = file.run(QStringLiteral("SELECT data FROM run_texts WHERE run = ? "
+                                              "ORDER BY part"),
+                               {qint64(number)});
     if (!rows)
         return tl::unexpected(rows.error());
     QByteArray text;
@@ -189,6 +190,11 @@ base::Result<QByteArray> History::text(std::int64_t number) const
     for (const QVariantList& row : rows->rows)
         text += qUncompress(row.value(0).toByteArray());
     return text;
+}
+
+base::Result<QByteArray> History::text(std::int64_t number) const
+{
+    return runText(*m_file, number);
 }
 
 base::Result<SweepRun> History::sweep(std::int64_t number) const

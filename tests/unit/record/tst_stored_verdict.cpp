@@ -55,6 +55,7 @@ private Q_SLOTS:
     void theEndDecides();
     void aFileOfTheEarlierVersionIsJudgedAnew();
     void aHistoryOfTheEarlierVersionIsJudgedAnew();
+    void aLongSineIsReadAllTheSame();
     void aListGoesByTheEndAlone();
     void anUnfinishedRunIsNoReference();
 };
@@ -164,6 +165,24 @@ void TestStoredVerdict::aHistoryOfTheEarlierVersionIsJudgedAnew()
         stored << row.front().toString();
     QCOMPARE(stored, QStringList({text("not-measured"), text("not-measured"), text("fail"),
                                   text("not-measured"), text("pass")}));
+}
+
+/// A night's sine fills several pieces; that of a stairs path is not read for its verdict.
+void TestStoredVerdict::aLongSineIsReadAllTheSame()
+{
+    constexpr std::size_t night = 20'000; // legs
+    SweepRun sine = runThat(SweepEnd::Finished);
+    sine.spec.shape = record::SweepShape::Sine;
+    sine.servos[0].legs.resize(night);
+    const auto number = open()->add(sine).value();
+    {
+        const auto history = open();
+        const auto pieces = history->file().run(
+            text("SELECT COUNT(*) FROM run_texts WHERE run = ?"), {qint64(number)});
+        QVERIFY(pieces->rows.front().front().toInt() > 1);
+    }
+    storeAsBefore(number, "pass");
+    QCOMPARE(open()->run(number).value().servos[0].verdict, Grade::NotMeasured);
 }
 
 /// Of a run that is too long to be read again for it, or that an older program adds afterwards.
