@@ -58,7 +58,7 @@ QString verdictText(const record::SweepRun& run, const record::SweepServo& servo
                    in(report::unitWords(metric.unit)),
                    judged ? bound(line->limit, line->limit.warn) : QString(),
                    judged ? bound(line->limit, line->limit.fail) : QString(),
-                   judged ? in(report::gradeWords(line->grade)) : QString()});
+                   judged ? in(report::lineGradeWords(line->grade)) : QString()});
     }
     text += table.text();
     // How the run ended is said once, for all of them.

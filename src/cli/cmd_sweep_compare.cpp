@@ -27,7 +27,7 @@ QString number(const std::optional<double>& value)
 
 QString gradeText(const std::optional<record::Grade>& grade)
 {
-    return grade ? in(report::gradeWords(*grade)) : QString();
+    return grade ? in(report::lineGradeWords(*grade)) : QString();
 }
 
 std::optional<QString> gradeJson(const std::optional<record::Grade>& grade)

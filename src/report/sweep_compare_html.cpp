@@ -85,7 +85,7 @@ QString warningsPart(const Scribe& scribe, const record::SweepComparison& found)
 
 QString gradeCell(const Scribe& scribe, const std::optional<record::Grade>& grade)
 {
-    return grade ? badge(scribe, *grade) : QString();
+    return grade ? lineBadge(scribe, *grade) : QString();
 }
 
 QString figuresPart(const Scribe& scribe, const record::SweepComparison& found)

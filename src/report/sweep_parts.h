@@ -31,5 +31,6 @@ QString servoPart(const Scribe& scribe, const record::SweepRun& run,
                   const record::SweepServo& servo, const std::vector<SweepSeries>& series,
                   const PlaceChart& place);
 QString badge(const Scribe& scribe, record::Grade grade);
-QString inSeconds(base::Duration span); ///< "1.5"
+QString lineBadge(const Scribe& scribe, record::Grade grade); ///< of one figure
+QString inSeconds(base::Duration span);                       ///< "1.5"
 } // namespace report

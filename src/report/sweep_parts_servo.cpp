@@ -26,6 +26,12 @@ Text withUnit(double number, const QString& unit)
     return withUnit(figure(number), unit);
 }
 
+QString coloured(record::Grade grade, const QString& words)
+{
+    return QStringLiteral("<span class=\"verdict\" style=\"color: %1\">").arg(gradeColour(grade)) +
+           gradeSign(grade) + u' ' + words + QStringLiteral("</span>");
+}
+
 QString limitCell(const Scribe& scribe, const record::SweepLimit& limit,
                   const std::optional<double>& bound)
 {
@@ -57,7 +63,7 @@ QString verdictLines(const Scribe& scribe, const record::SweepServo& servo,
         const QString value = line.value && std::isfinite(*line.value)
                                   ? scribe.say(withUnit(*line.value, line.limit.unit))
                                   : scribe.say(words.notMeasured);
-        rows.push_back({badge(scribe, line.grade), scribe.say(metricWords(line.limit.metric)),
+        rows.push_back({lineBadge(scribe, line.grade), scribe.say(metricWords(line.limit.metric)),
                         value, limitCell(scribe, line.limit, line.limit.warn),
                         limitCell(scribe, line.limit, line.limit.fail),
                         scribe.say(reasonOf(line))});
@@ -242,8 +248,12 @@ std::vector<const record::SweepLeg*> legsToShow(const std::vector<record::SweepL
 
 QString badge(const Scribe& scribe, record::Grade grade)
 {
-    return QStringLiteral("<span class=\"verdict\" style=\"color: %1\">").arg(gradeColour(grade)) +
-           gradeSign(grade) + u' ' + scribe.say(gradeWords(grade)) + QStringLiteral("</span>");
+    return coloured(grade, scribe.say(gradeWords(grade)));
+}
+
+QString lineBadge(const Scribe& scribe, record::Grade grade)
+{
+    return coloured(grade, scribe.say(lineGradeWords(grade)));
 }
 
 QString inSeconds(base::Duration span)

@@ -253,6 +253,21 @@ Text gradeWords(record::Grade grade)
     return both("No verdict", "无结论");
 }
 
+Text lineGradeWords(record::Grade grade)
+{
+    switch (grade) {
+    case record::Grade::Pass:
+        return both("OK", "正常");
+    case record::Grade::Warn:
+        return both("Warning", "警告");
+    case record::Grade::Fail:
+        return both("Out of limits", "超限");
+    case record::Grade::NotMeasured:
+        break;
+    }
+    return sweepWords().notMeasured;
+}
+
 QString gradeSign(record::Grade grade)
 {
     switch (grade) {

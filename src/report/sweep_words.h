@@ -33,8 +33,9 @@ struct SweepWords {
 };
 const SweepWords& sweepWords();
 
-Text gradeWords(record::Grade grade);   ///< "Passed"
-QString gradeSign(record::Grade grade); ///< "✔"
+Text gradeWords(record::Grade grade);     ///< of a servo or a run: "Passed"
+Text lineGradeWords(record::Grade grade); ///< of one figure, which is no verdict: "OK"
+QString gradeSign(record::Grade grade);   ///< "✔"
 /// Dark enough for white paper: "#1a7f37".
 QString gradeColour(record::Grade grade);
 Text endWords(record::SweepEnd end);           ///< a sentence

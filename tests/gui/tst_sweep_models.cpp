@@ -134,7 +134,7 @@ void TestSweepModels::everyJudgedFigureHasItsGradeAndReason()
     QCOMPARE(cell(model, error, VerdictColumn::Value), q("3 step"));
     QCOMPARE(cell(model, error, VerdictColumn::Warn), q("> 2"));
     QCOMPARE(cell(model, error, VerdictColumn::Fail), q("> 8"));
-    QCOMPARE(cell(model, error, VerdictColumn::Grade), q("⚠ Passed with a warning"));
+    QCOMPARE(cell(model, error, VerdictColumn::Grade), q("⚠ Warning"));
     const QModelIndex grade = model.index(error, int(VerdictColumn::Grade));
     QCOMPARE(grade.data(ui::toneRole).toInt(), int(Tone::Warn));
     QCOMPARE(grade.data(SweepVerdictModel::ReasonRole).toString(), q("above 2 step"));
@@ -145,12 +145,12 @@ void TestSweepModels::everyJudgedFigureHasItsGradeAndReason()
 
     const int voltage = rowOf(model, q("voltage_min"));
     QCOMPARE(cell(model, voltage, VerdictColumn::Warn), q("< 7"));
-    QCOMPARE(cell(model, voltage, VerdictColumn::Grade), q("⚠ Passed with a warning"));
+    QCOMPARE(cell(model, voltage, VerdictColumn::Grade), q("⚠ Warning"));
     QCOMPARE(model.index(voltage, 0).data(SweepVerdictModel::ReasonRole).toString(),
              q("below 7 V"));
 
     const int overshoot = rowOf(model, q("overshoot"));
-    QCOMPARE(cell(model, overshoot, VerdictColumn::Grade), q("✔ Passed"));
+    QCOMPARE(cell(model, overshoot, VerdictColumn::Grade), q("✔ OK"));
     QCOMPARE(model.index(overshoot, 0).data(SweepVerdictModel::GradeRole).toInt(),
              int(Grade::Pass));
 }
@@ -201,7 +201,7 @@ void TestSweepModels::aLineNobodyMeasuredIsNotLost()
     QCOMPARE(model.rowCount(), 1);
     QCOMPARE(cell(model, 0, VerdictColumn::Figure), q("of_tomorrow"));
     QCOMPARE(cell(model, 0, VerdictColumn::Value), q("4 N"));
-    QCOMPARE(cell(model, 0, VerdictColumn::Grade), q("✘ Failed"));
+    QCOMPARE(cell(model, 0, VerdictColumn::Grade), q("✘ Out of limits"));
 }
 
 void TestSweepModels::onlyWhatChangedIsTold()
@@ -220,7 +220,7 @@ void TestSweepModels::onlyWhatChangedIsTold()
     QCOMPARE(changed.size(), 1);
     const auto row = changed.front().front().toModelIndex().row();
     QCOMPARE(row, rowOf(model, q("voltage_min")));
-    QCOMPARE(cell(model, row, VerdictColumn::Grade), q("✘ Failed"));
+    QCOMPARE(cell(model, row, VerdictColumn::Grade), q("✘ Out of limits"));
     QCOMPARE(reset.size(), 0);
 }
 

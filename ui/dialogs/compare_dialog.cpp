@@ -55,7 +55,7 @@ void setNumber(QTableWidget* table, int row, int column, const QString& words)
 void setGrade(QTableWidget* table, int row, int column, const std::optional<record::Grade>& grade)
 {
     if (grade)
-        setCell(table, row, column, gradeText(*grade), gradeTone(*grade));
+        setCell(table, row, column, lineGradeText(*grade), gradeTone(*grade));
     else
         setCell(table, row, column, QString());
 }

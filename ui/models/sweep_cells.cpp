@@ -45,6 +45,11 @@ QString gradeText(Grade grade)
     return report::gradeSign(grade) + QLatin1Char(' ') + said(report::gradeWords(grade));
 }
 
+QString lineGradeText(Grade grade)
+{
+    return report::gradeSign(grade) + QLatin1Char(' ') + said(report::lineGradeWords(grade));
+}
+
 Tone gradeTone(Grade grade)
 {
     switch (grade) {

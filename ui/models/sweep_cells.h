@@ -14,7 +14,8 @@ QString sweepNumber(const std::optional<double>& value); ///< "3047.75"; "–" f
 QString sweepValue(const std::optional<double>& value, const QString& unit); ///< "9.75 step"
 QString metricName(const QString& key);
 QString unitName(const QString& unit);
-QString gradeText(record::Grade grade); ///< "✔ Passed"
+QString gradeText(record::Grade grade);     ///< of a servo or a run: "✔ Passed"
+QString lineGradeText(record::Grade grade); ///< of one figure: "✔ OK"
 Tone gradeTone(record::Grade grade);
 /// "> 8": above this it warns or fails; "–" for no limit.
 QString limitText(const record::SweepLimit& limit, const std::optional<double>& bound);

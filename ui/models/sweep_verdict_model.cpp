@@ -112,8 +112,8 @@ QString SweepVerdictModel::cell(const Row& row, VerdictColumn column) const
         return row.line ? limitText(row.line->limit, row.line->limit.fail) : QString();
     case VerdictColumn::Grade:
         if (!row.value())
-            return QStringLiteral("– ") + sweepValue({}, {});
-        return row.line ? gradeText(row.line->grade) : tr("no limit");
+            return lineGradeText(record::Grade::NotMeasured);
+        return row.line ? lineGradeText(row.line->grade) : tr("no limit");
     case VerdictColumn::Count:
         break;
     }
@@ -138,7 +138,7 @@ QString SweepVerdictModel::tip(const Row& row) const
         add(words.highest, sweepValue(row.figure.max, unit));
     add(words.count, QString::number(row.figure.count));
     if (row.line)
-        lines << gradeText(row.line->grade) + QStringLiteral(": ") + reasonText(*row.line);
+        lines << lineGradeText(row.line->grade) + QStringLiteral(": ") + reasonText(*row.line);
     return lines.join(QLatin1Char('\n'));
 }
 

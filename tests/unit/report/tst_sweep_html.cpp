@@ -2,6 +2,7 @@
 // The report page: well-formed, every figure of the run in it, everything from people escaped, both
 // languages complete, nothing that would be fetched; long runs are shortened and charts thinned
 // without losing what stands out.
+#include "record/sweep_verdict.h"
 #include "report/sweep_html.h"
 #include "report/sweep_words.h"
 #include "unit/record/sweep_example.h"
@@ -150,7 +151,7 @@ private Q_SLOTS:
             QVERIFY(has(written(*record::inMs(leg.settling))));
         }
         for (const char* fact : {"✘ Failed",
-                                 "⚠ Passed with a warning",
+                                 "⚠ Warning",
                                  "SIMULATED",
                                  "STS3215",
                                  "SCS15",
@@ -320,6 +321,21 @@ private Q_SLOTS:
         const QString chart =
             report::positionChart(report::Scribe(report::Tongue::English), samples);
         QVERIFY(chart.size() < 100000);
+    }
+
+    /// Its figures are within their limits, but that is no verdict.
+    void aStoppedRunPassesNowhere()
+    {
+        record::SweepRun run = sweep_example::run();
+        run.servos.resize(1);
+        for (record::VerdictLine& line : run.servos[0].lines)
+            line.grade = record::Grade::Pass;
+        run.end = record::SweepEnd::Stopped;
+        record::giveVerdicts(run);
+        const Seen seen = read(report::sweepHtml(run, {}, false));
+        QVERIFY(seen.text.contains(QStringLiteral("– No verdict")));
+        QVERIFY(seen.text.contains(QStringLiteral("✔ OK")));
+        QVERIFY(!seen.text.contains(QStringLiteral("Passed")));
     }
 
     void runsWithNextToNothing()
