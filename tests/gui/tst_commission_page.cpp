@@ -84,6 +84,7 @@ struct LineBench {
             [place](sim::VirtualBus& wire) { return wire.servos()[place]->id(); });
     }
 
+    gui::SteadyClock steady; ///< nothing has just moved
     support::OwnDataFolder place;
     QTemporaryDir files;
     session::Settings settings{files.filePath(QStringLiteral("servodesk.ini"))};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The memory page on the simulated bus: what a technician does with a servo's table, by keyboard
 // and mouse, and what the servo really holds afterwards, proven by switching it off and on.
+#include "gui/steady_clock.h"
 #include "session/settings.h"
 #include "support/own_data_folder.h"
 #include "text/language.h"
@@ -78,6 +79,7 @@ void paste(QWidget* widget, const QString& text)
 
 /// The page in a window of its own, with a bus that has been searched.
 struct Bench {
+    gui::SteadyClock steady; ///< nothing has just moved
     QTemporaryDir folder;
     support::OwnDataFolder place; ///< before the session
     session::Session session;

@@ -4,6 +4,8 @@
 // wanders over the window.
 #include "gui/window_bench.h"
 #include "sim/sim_link.h"
+#include "ui/models/memory_model.h"
+#include "ui/pages/commission_page.h"
 #include "ui/widgets/banner.h"
 
 #include <QAbstractSpinBox>
@@ -15,8 +17,10 @@
 #include <QScrollArea>
 #include <QSignalSpy>
 #include <QStatusTipEvent>
+#include <QTableView>
 #include <QToolButton>
 #include <QToolTip>
+#include <QTreeWidget>
 
 using gui::WindowBench;
 using namespace std::chrono_literals;
@@ -100,7 +104,7 @@ private:
     /// The panel shows anew 25 ms after something changed, the layouts follow.
     void settle()
     {
-        QVERIFY(m_bench.settled());
+        QVERIFY(m_bench.desk().testing() || m_bench.settled());
         QElapsedTimer since;
         since.start();
         auto last = places(*m_bench.window, m_names);
@@ -132,6 +136,49 @@ void sizesAndLanguages()
     QTest::newRow("English") << "en" << QSize(1280, 800);
     QTest::newRow("Chinese, small") << "zh_CN" << QSize(1024, 700);
     QTest::newRow("Chinese") << "zh_CN" << QSize(1280, 800);
+}
+
+bool chooseRow(WindowBench& bench, const char* key)
+{
+    auto* table = bench.find<QTableView>("memoryTable");
+    for (int row = 0; row < table->model()->rowCount(); ++row) {
+        const QModelIndex cell = table->model()->index(row, 0);
+        if (cell.data(ui::MemoryModel::KeyRole).toString() == QLatin1String(key)) {
+            table->setCurrentIndex(cell);
+            return true;
+        }
+    }
+    return false;
+}
+
+/// A snapshot is chosen from which the servo differs.
+bool takeSnapshotAndChange(WindowBench& bench)
+{
+    auto* shelf = bench.find<QTreeWidget>("shelfTree");
+    auto* take = bench.find<QPushButton>("snapshotTake");
+    if (!QTest::qWaitFor([&] { return take->isEnabled(); }, 20'000))
+        return false;
+    QTest::mouseClick(take, Qt::LeftButton);
+    if (!QTest::qWaitFor([&] { return shelf->topLevelItemCount() > 0; }, 20'000))
+        return false;
+    bench.desk().write(bench.selection().current(), {{{QStringLiteral("position_p"), 40}}});
+    if (!bench.settled())
+        return false;
+    shelf->setCurrentItem(shelf->topLevelItem(shelf->topLevelItemCount() - 1));
+    auto* restore = bench.find<QPushButton>("restoreWrite");
+    return QTest::qWaitFor([&] { return restore->isEnabled(); }, 20'000);
+}
+
+/// The controls on which something that floats lies.
+QString coveredBy(WindowBench& bench, const char* floating, const QStringList& names)
+{
+    const QRect place = placeIn(*bench.window, *bench.find<QWidget>(floating));
+    QStringList covered;
+    for (const auto& [name, control] : places(*bench.window, names)) {
+        if (control.intersects(place))
+            covered << name;
+    }
+    return covered.join(QLatin1Char(' '));
 }
 
 /// As a message, a hint or a longer line did before the controls were kept still.
@@ -202,15 +249,8 @@ private Q_SLOTS:
         bench.find<ui::Banner>("banner")->present(
             {base::ErrorCode::LinkLost, QStringLiteral("read"), QStringLiteral("/dev/ttyUSB0")});
         VERIFY_STILL(watch, "the window's own banner");
-        for (const QString& name : motionControls) {
-            const auto* control = bench.find<QWidget>(qPrintable(name));
-            for (const char* floating : {"banner", "controlMessages"})
-                QVERIFY2(
-                    control == nullptr ||
-                        !placeIn(*bench.window, *control)
-                             .intersects(placeIn(*bench.window, *bench.find<QWidget>(floating))),
-                    qPrintable(name));
-        }
+        for (const char* floating : {"banner", "controlMessages"})
+            QCOMPARE(coveredBy(bench, floating, motionControls), QString());
         bench.find<ui::Banner>("banner")->clear();
         bench.find<ui::Banner>("controlBanner")->clear();
         VERIFY_STILL(watch, "banners that go");
@@ -258,13 +298,161 @@ private Q_SLOTS:
             bench.find<ui::Banner>(banner)->present(
                 {base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
             VERIFY_STILL(watch, banner);
-            QVERIFY(!placeIn(*bench.window, *bench.find<QWidget>(run))
-                         .intersects(placeIn(*bench.window, *bench.find<QWidget>(banner))));
+            QCOMPARE(coveredBy(bench, banner, names), QString());
             bench.find<ui::Banner>(banner)->clear();
             VERIFY_STILL(watch, "a banner that goes");
             bench.find<QLabel>(words)->setText(QStringLiteral("one<br>two<br>three<br>four"));
             VERIFY_STILL(watch, words);
         }
+    }
+
+    void theMemoryPageKeepsItsWriteButtons_data() { sizesAndLanguages(); }
+    void theMemoryPageKeepsItsWriteButtons()
+    {
+        QFETCH(QString, language);
+        QFETCH(QSize, size);
+        WindowBench bench(language);
+        bench.window->resize(size);
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        QVERIFY(chooseRow(bench, "position_p"));
+        const QStringList names{QStringLiteral("panelEditor"), QStringLiteral("writeValue"),
+                                QStringLiteral("writeTemporarily"), QStringLiteral("memoryTable")};
+        Watch watch(bench, names);
+        QCOMPARE(watch.count(), std::size_t(4));
+        bench.find<ui::Banner>("memoryBanner")
+            ->present({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
+        VERIFY_STILL(watch, "a banner");
+        QCOMPARE(coveredBy(bench, "memoryBanner", names.mid(0, 3)), QString());
+        auto* editor = bench.find<QWidget>("panelEditor")->findChild<QAbstractSpinBox*>();
+        editor->setFocus();
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("999"));
+        QVERIFY(bench.find<QWidget>("registerComplaint")->isVisible());
+        VERIFY_STILL(watch, "a complaint");
+        bench.find<ui::Banner>("memoryBanner")->clear();
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("40"));
+        VERIFY_STILL(watch, "no complaint any more");
+        QTest::mouseClick(bench.find<QPushButton>("writeValue"), Qt::LeftButton);
+        QTRY_COMPARE(rawOf(bench, 1, "position_p"), 40);
+        VERIFY_STILL(watch, "a write");
+        withWire(bench,
+                 [](sim::VirtualBus& wire) { wire.servo(1)->poke(QStringLiteral("lock"), 0); });
+        bench.desk().readTable(bench.selection().current());
+        QTRY_VERIFY(bench.find<QWidget>("closeLock")->isVisible());
+        VERIFY_STILL(watch, "a lock that another program has opened");
+    }
+
+    void theSnapshotsPageKeepsItsRestoreButton_data() { sizesAndLanguages(); }
+    void theSnapshotsPageKeepsItsRestoreButton()
+    {
+        QFETCH(QString, language);
+        QFETCH(QSize, size);
+        WindowBench bench(language);
+        bench.window->resize(size);
+        bench.page = QStringLiteral("snapshots");
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        QVERIFY(takeSnapshotAndChange(bench));
+        const QStringList names{QStringLiteral("restoreWrite"), QStringLiteral("restoreDryRun"),
+                                QStringLiteral("restoreSeveral"), QStringLiteral("snapshotTake"),
+                                QStringLiteral("restoreIdentity")};
+        Watch watch(bench, names);
+        QCOMPARE(watch.count(), std::size_t(5));
+        bench.find<ui::Banner>("snapshotsBanner")
+            ->present({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
+        VERIFY_STILL(watch, "a banner");
+        QCOMPARE(coveredBy(bench, "snapshotsBanner", names), QString());
+        bench.find<ui::Banner>("snapshotsBanner")->clear();
+        VERIFY_STILL(watch, "a banner that goes");
+        Watch buttons(bench, names.mid(0, 4));
+        bench.find<QLabel>("restoreOrder")
+            ->setText(QStringLiteral("one\ntwo\nthree\nfour\nfive\nsix"));
+        VERIFY_STILL(buttons, "more words above the buttons");
+    }
+
+    void theCommissioningPageKeepsItsButtons_data() { sizesAndLanguages(); }
+    void theCommissioningPageKeepsItsButtons()
+    {
+        QFETCH(QString, language);
+        QFETCH(QSize, size);
+        WindowBench bench(language);
+        bench.window->resize(size);
+        bench.page = QStringLiteral("commission");
+        QVERIFY(bench.connectTo(QStringLiteral("sim:line")));
+        QTRY_VERIFY(bench.find<QPushButton>("commissionStart")->isEnabled());
+        QTest::mouseClick(bench.find<QPushButton>("commissionStart"), Qt::LeftButton);
+        QTRY_VERIFY(bench.find<ui::CommissionPage>("commissionPage")->line().running());
+        QTest::mouseClick(bench.find<QPushButton>("commissionPlug"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find<QPushButton>("commissionContinue")->isVisible(),
+                                 30'000);
+        const QStringList names{QStringLiteral("commissionStart"), QStringLiteral("commissionStop"),
+                                QStringLiteral("commissionContinue"),
+                                QStringLiteral("commissionAside")};
+        Watch watch(bench, names);
+        QCOMPARE(watch.count(), std::size_t(4));
+        bench.find<ui::Banner>("commissionBanner")
+            ->present({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
+        VERIFY_STILL(watch, "a banner");
+        QCOMPARE(coveredBy(bench, "commissionBanner", names), QString());
+        bench.find<ui::Banner>("commissionBanner")->clear();
+        for (const char* words :
+             {"commissionWhy", "commissionHeadline", "commissionDetail", "commissionSaved"}) {
+            auto* label = bench.find<QLabel>(words);
+            const bool shown = label->isVisible();
+            const QString before = label->text();
+            label->setText(QStringLiteral("one two three four five six seven eight nine ten "
+                                          "eleven"));
+            label->show();
+            VERIFY_STILL(watch, words);
+            label->setText(before);
+            label->setVisible(shown);
+        }
+        bench.find<QWidget>("commissionDangerous")->show();
+        VERIFY_STILL(watch, "a template with dangerous rows");
+        QTest::mouseClick(bench.find<QPushButton>("commissionStop"), Qt::LeftButton);
+        QTRY_VERIFY(!bench.find<ui::CommissionPage>("commissionPage")->line().running());
+    }
+
+    void nothingIsWrittenRightAfterAShift_data()
+    {
+        QTest::addColumn<QString>("page");
+        QTest::addColumn<QString>("button");
+        QTest::newRow("memory") << "memory"
+                                << "writeValue";
+        QTest::newRow("snapshots") << "snapshots"
+                                   << "restoreWrite";
+        QTest::newRow("commissioning") << "commission"
+                                       << "commissionStart";
+    }
+    void nothingIsWrittenRightAfterAShift()
+    {
+        QFETCH(QString, page);
+        QFETCH(QString, button);
+        WindowBench bench;
+        bench.page = page;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        if (page == QLatin1String("memory"))
+            QVERIFY(chooseRow(bench, "position_p"));
+        if (page == QLatin1String("snapshots"))
+            QVERIFY(takeSnapshotAndChange(bench));
+        auto* pressed = bench.find<QPushButton>(qPrintable(button));
+        QTRY_VERIFY(pressed->isEnabled());
+        const Watch settledNow(bench, {button});
+        const auto acted = [&] {
+            return bench.desk().busy() || bench.find<QWidget>("question") != nullptr ||
+                   bench.find<ui::CommissionPage>("commissionPage")->line().running();
+        };
+        gui::PressClock clock;
+        clock.pass(1h);
+        QSignalSpy clicked(pressed, &QPushButton::clicked);
+        pressed->move(pressed->pos() + QPoint(0, 10));
+        QTest::mouseClick(pressed, Qt::LeftButton);
+        QCOMPARE(clicked.count(), 0);
+        QVERIFY(!acted());
+        clock.pass(500ms);
+        QTest::mouseClick(pressed, Qt::LeftButton);
+        QCOMPARE(clicked.count(), 1);
+        QTRY_VERIFY(acted());
     }
 
     void aPressRightAfterAShiftIsIgnored_data()

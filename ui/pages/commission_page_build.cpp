@@ -3,6 +3,8 @@
 #include "ui/models/commission_model.h"
 #include "ui/pages/commission_page.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/float_over.h"
+#include "ui/widgets/press_guard.h"
 #include "ui/widgets/tone_delegate.h"
 
 #include <QCheckBox>
@@ -21,6 +23,26 @@ namespace ui {
 namespace {
 constexpr int setupWidth = 320;
 constexpr double headlineScale = 2.0;
+constexpr int headlineLines = 2; ///< room for the longest one
+
+/// What stands below it stays where it is when it is hidden.
+void keepRoom(QWidget* widget)
+{
+    QSizePolicy policy = widget->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    widget->setSizePolicy(policy);
+}
+
+/// QFormLayout keeps no room by itself.
+QWidget* roomFor(QWidget* widget)
+{
+    keepRoom(widget);
+    auto* room = new QWidget(widget->parentWidget());
+    auto* column = new QVBoxLayout(room);
+    column->setContentsMargins({});
+    column->addWidget(widget);
+    return room;
+}
 } // namespace
 
 QPushButton* CommissionPage::button(const char* name)
@@ -59,8 +81,10 @@ void CommissionPage::build()
     row->setSpacing(12);
     row->addWidget(buildSetup());
     row->addWidget(buildWork(), 1);
-    column->addWidget(m_banner);
     column->addLayout(row, 1);
+    new FloatOver(m_banner, this, FloatOver::Corner::BottomRight);
+    for (QWidget* writer : {m_start, m_continue, m_same})
+        new PressGuard(writer);
 }
 
 QWidget* CommissionPage::buildSetup()
@@ -99,7 +123,7 @@ QWidget* CommissionPage::buildSetup()
     m_dangerous = new QCheckBox(m_setup);
     m_dangerous->setObjectName(QStringLiteral("commissionDangerous"));
     m_dangerous->hide();
-    m_form->addRow(m_dangerous);
+    m_form->addRow(roomFor(m_dangerous));
     m_why = new QLabel(left);
     m_why->setObjectName(QStringLiteral("commissionWhy"));
     m_why->setWordWrap(true);
@@ -115,9 +139,10 @@ QWidget* CommissionPage::buildSetup()
     hand->addWidget(m_plug, 1);
     hand->addWidget(m_unplug);
     column->addWidget(m_setup);
-    column->addWidget(m_why);
+    // What comes and goes stands below the buttons, so that it does not move them.
     column->addLayout(run);
     column->addLayout(hand);
+    column->addWidget(m_why);
     column->addStretch();
     return left;
 }
@@ -134,6 +159,7 @@ QWidget* CommissionPage::buildWork()
     large.setPointSizeF(large.pointSizeF() * headlineScale);
     large.setBold(true);
     m_headline->setFont(large);
+    m_headline->setFixedHeight(headlineLines * QFontMetrics(large).lineSpacing());
     m_detail = new QLabel(right);
     m_detail->setObjectName(QStringLiteral("commissionDetail"));
     m_detail->setWordWrap(true);
@@ -149,9 +175,10 @@ QWidget* CommissionPage::buildWork()
     m_aside = button("commissionAside");
     auto* click = new QHBoxLayout;
     click->addWidget(m_continue);
-    click->addWidget(m_same);
     click->addWidget(m_aside);
+    click->addWidget(m_same); // last: it is not always there
     click->addStretch();
+    keepRoom(m_continue);
     m_table = new QTableView(right);
     m_table->setObjectName(QStringLiteral("commissionTable"));
     m_table->setModel(m_model);
@@ -172,9 +199,9 @@ QWidget* CommissionPage::buildWork()
     foot->addWidget(m_sum, 1);
     foot->addWidget(m_copy);
     column->addWidget(m_headline);
+    column->addLayout(click);
     column->addWidget(m_detail);
     column->addWidget(m_saved);
-    column->addLayout(click);
     column->addWidget(m_table, 1);
     column->addLayout(foot);
     return right;

@@ -57,6 +57,9 @@ LockBadge::LockBadge(QAction* closeLock, QWidget* parent)
     m_close->setObjectName(QStringLiteral("closeLock"));
     m_close->setDefaultAction(closeLock);
     m_close->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    QSizePolicy policy = m_close->sizePolicy();
+    policy.setRetainSizeWhenHidden(true); // every write opens and closes the lock
+    m_close->setSizePolicy(policy);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(4, 0, 4, 0);
     layout->setSpacing(4);
@@ -64,6 +67,25 @@ LockBadge::LockBadge(QAction* closeLock, QWidget* parent)
     layout->addWidget(m_word);
     layout->addWidget(m_close);
     retranslate();
+}
+
+QString LockBadge::wordOf(Lock lock)
+{
+    switch (lock) {
+    case Lock::None:
+        return tr("no EPROM lock");
+    case Lock::NotRead:
+        return tr("EPROM lock not read");
+    case Lock::Closed:
+        return tr("EPROM locked");
+    case Lock::OpenByUs:
+        return tr("EPROM open, by ServoDesk");
+    case Lock::OpenByOthers:
+        return tr("EPROM open, not by ServoDesk");
+    case Lock::NoServo:
+        break;
+    }
+    return {};
 }
 
 void LockBadge::setEntry(const session::ServoEntry* entry)
@@ -80,31 +102,31 @@ void LockBadge::retranslate()
     QString tip;
     switch (m_lock) {
     case Lock::NoServo:
-        m_word->clear();
         break;
     case Lock::None:
-        m_word->setText(tr("no EPROM lock"));
         tip = tr("This family has no lock: the servo keeps every setting at once.");
         break;
     case Lock::NotRead:
-        m_word->setText(tr("EPROM lock not read"));
         tip = tr("The lock flag has not been read. Choose Read all.");
         break;
     case Lock::Closed:
-        m_word->setText(tr("EPROM locked"));
         tip = tr("The lock is closed. ServoDesk opens it for a write and closes it afterwards.");
         break;
     case Lock::OpenByUs:
-        m_word->setText(tr("EPROM open, by ServoDesk"));
         tip = tr("ServoDesk opened the lock for a write that has not ended. If nothing is being "
                  "written, look at the interrupted writes.");
         break;
     case Lock::OpenByOthers:
-        m_word->setText(tr("EPROM open, not by ServoDesk"));
         tip = tr("Another program left the lock open: every write of anybody is kept for good. "
                  "Close it when you have finished there.");
         break;
     }
+    m_word->setText(wordOf(m_lock));
+    int widest = 0; // the row must not break anew when the word changes
+    for (const Lock lock :
+         {Lock::None, Lock::NotRead, Lock::Closed, Lock::OpenByUs, Lock::OpenByOthers})
+        widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(wordOf(lock)));
+    m_word->setMinimumWidth(widest);
     setVisible(m_lock != Lock::NoServo);
     setToolTip(tip);
     setAccessibleName(m_word->text());

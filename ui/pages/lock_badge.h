@@ -28,6 +28,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    static QString wordOf(Lock lock);
     void retranslate();
     void showSign();
 

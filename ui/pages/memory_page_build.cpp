@@ -8,6 +8,7 @@
 #include "ui/pages/memory_view.h"
 #include "ui/pages/register_panel.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/float_over.h"
 
 #include <QLabel>
 #include <QSplitter>
@@ -78,8 +79,8 @@ void MemoryPage::build(session::Settings& settings)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(sideMargin, topMargin, sideMargin, 0);
     column->addWidget(m_toolbar);
-    column->addWidget(m_banner);
     column->addWidget(m_splitter, 1);
+    new FloatOver(m_banner, this, FloatOver::Corner::BottomRight);
     m_output = new MemoryOutput(m_desk, m_model, *m_view);
     m_model.setPhysicalFirst(m_toolbar->physicalFirst());
     m_view->setPhysicalFirst(m_toolbar->physicalFirst());

@@ -6,10 +6,12 @@
 #include "ui/models/memory_words.h"
 #include "ui/pages/register_help.h"
 #include "ui/widgets/flow_layout.h"
+#include "ui/widgets/press_guard.h"
 
 #include <QEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -43,9 +45,9 @@ RegisterPanel::RegisterPanel(QWidget* parent)
     m_help = addLabel(QStringLiteral("registerHelp"));
     m_editorPlace = new QVBoxLayout;
     m_column->addLayout(m_editorPlace);
+    addButtons(); // above what comes and goes, which must not move them
     m_before = addLabel(QStringLiteral("registerBefore"));
     m_complaint = addLabel(QStringLiteral("registerComplaint"));
-    addButtons();
     m_keeping = addLabel(QStringLiteral("registerKeeping"));
     m_state = addLabel(QStringLiteral("registerState"));
     m_relations = addLabel(QStringLiteral("registerRelations"));
@@ -78,6 +80,8 @@ void RegisterPanel::addButtons()
     row->addWidget(m_write);
     row->addWidget(m_writeTemporarily);
     m_column->addLayout(row);
+    for (QWidget* writer : {m_write, m_writeTemporarily})
+        new PressGuard(writer);
     connect(m_write, &QPushButton::clicked, this, [this] { write(false); });
     connect(m_writeTemporarily, &QPushButton::clicked, this, [this] { write(true); });
 }
@@ -245,6 +249,8 @@ void RegisterPanel::changeEvent(QEvent* event)
 void RegisterPanel::resizeEvent(QResizeEvent* event)
 {
     QScrollArea::resizeEvent(event);
-    m_body->setMaximumWidth(viewport()->width());
+    // As wide with the scroll bar as without it, so that its coming moves nothing.
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+    m_body->setMaximumWidth(width() - 2 * frameWidth() - bar);
 }
 } // namespace ui

@@ -4,7 +4,9 @@
 #include "ui/pages/snapshot_shelf.h"
 #include "ui/pages/snapshots_page.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/float_over.h"
 #include "ui/widgets/flow_layout.h"
+#include "ui/widgets/press_guard.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -43,8 +45,8 @@ void SnapshotsPage::build()
     split->setStretchFactor(0, 0);
     split->setStretchFactor(1, 1);
     split->setSizes({shelfWidth, 3 * shelfWidth});
-    column->addWidget(m_banner);
     column->addWidget(split, 1);
+    new FloatOver(m_banner, m_pane, FloatOver::Corner::BottomRight);
     m_columns = new QMenu(this);
     m_columns->setObjectName(QStringLiteral("compareColumnsMenu"));
     m_pane->columns()->setMenu(m_columns);
@@ -118,9 +120,12 @@ QWidget* SnapshotsPage::buildDeeds()
     m_order = new QLabel(box);
     m_order->setObjectName(QStringLiteral("restoreOrder"));
     m_order->setWordWrap(true);
+    // The buttons stand last: the words above them must not move them.
     column->addLayout(ticks);
-    column->addLayout(row);
     column->addWidget(m_order);
+    column->addLayout(row);
+    for (QWidget* writer : {m_write, m_several})
+        new PressGuard(writer);
     return box;
 }
 

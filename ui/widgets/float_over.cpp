@@ -11,6 +11,7 @@ namespace {
 constexpr int margin = 6;
 constexpr int maxWidth = 560;
 constexpr int maxPercent = 50; ///< of the area: what moves servos stands in its left half
+constexpr int minWidth = 340;  ///< where there is so much: narrower text is too many lines
 } // namespace
 
 FloatOver::FloatOver(QWidget* floating, QWidget* area, Corner corner)
@@ -40,8 +41,9 @@ bool FloatOver::eventFilter(QObject* watched, QEvent* event)
 void FloatOver::place()
 {
     const int room = m_area.width() - 2 * margin;
-    const int share = m_corner == Corner::TopLeft ? room : room * maxPercent / 100;
-    const int width = std::min(share, maxWidth);
+    const int share =
+        m_corner == Corner::TopLeft ? room : std::max(room * maxPercent / 100, minWidth);
+    const int width = std::min({room, share, maxWidth});
     const int height = m_floating.hasHeightForWidth() ? m_floating.heightForWidth(width)
                                                       : m_floating.sizeHint().height();
     const QPoint corner = m_corner == Corner::TopLeft ? QPoint(margin, margin)
