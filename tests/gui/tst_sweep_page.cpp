@@ -384,12 +384,27 @@ private Q_SLOTS:
         table->item(1, 0)->setCheckState(Qt::Checked);
         bench.run();
         QVERIFY(bench.begun());
+        // While it runs a click shows a servo, but takes none out of the test or gives it a range.
+        auto* results = bench.find<ui::SweepResults>("sweepResults");
+        for (const int row : {1, 0}) {
+            const QRect servo = table->visualItemRect(table->item(row, 0));
+            QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, servo.center());
+            QCOMPARE(int(results->shownServo()), row);
+            QTest::keyClick(table, Qt::Key_Space);
+            QCOMPARE(table->item(row, 0)->checkState(), Qt::Checked);
+            QTest::mouseDClick(table->viewport(), Qt::LeftButton, {},
+                               table->visualItemRect(table->item(row, 1)).center());
+            QVERIFY(table->viewport()->findChild<QLineEdit*>() == nullptr);
+        }
+        QVERIFY(!bench.find<QWidget>("sweepCycles")->isEnabled());
+        QVERIFY(!bench.find<QWidget>("sweepLimits")->isEnabled());
+        QVERIFY(bench.test().running());
         QVERIFY(bench.over());
+        QTRY_VERIFY(bench.find<QWidget>("sweepCycles")->isEnabled());
         const record::SweepRun& run = *bench.test().run();
         QCOMPARE(int(run.servos.size()), 2);
         QVERIFY(run.servos[0].verdict != record::Grade::Fail);
         QCOMPARE(run.servos[1].verdict, record::Grade::Fail);
-        auto* results = bench.find<ui::SweepResults>("sweepResults");
         auto* verdict = bench.find<ui::Pill>("sweepVerdict");
         QCOMPARE(int(results->shownServo()), 0);
         QCOMPARE(verdict->words(), QStringLiteral("✘ Failed: ID 2"));

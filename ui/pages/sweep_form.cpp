@@ -118,6 +118,15 @@ void SweepForm::build()
 void SweepForm::insert(QWidget* servos)
 {
     m_middle->addWidget(servos);
+    m_inserted = servos;
+}
+
+void SweepForm::setLocked(bool locked)
+{
+    for (auto* child : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (child != m_inserted)
+            child->setEnabled(!locked);
+    }
 }
 
 void SweepForm::add(Cell cell, QWidget* field, const char* name, bool wide)

@@ -34,6 +34,8 @@ public:
 
     /// Between what is set for every test and what seldom changes.
     void insert(QWidget* servos);
+    /// While a test runs: all but what was inserted.
+    void setLocked(bool locked);
 
     /// The fields its family and mode have. Null: as the last one.
     void showServo(const session::ServoEntry* entry);
@@ -104,6 +106,7 @@ private:
     QGridLayout* m_grid = nullptr;
     QGridLayout* m_seldom = nullptr; ///< below the servos
     QVBoxLayout* m_middle = nullptr;
+    QWidget* m_inserted = nullptr;
     QLineEdit* m_start = nullptr;
     QLineEdit* m_end = nullptr;
     QLineEdit* m_step = nullptr;

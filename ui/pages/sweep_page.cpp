@@ -91,15 +91,15 @@ void SweepPage::build(session::Settings& settings)
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_setup = new QWidget(m_scroll);
-    auto* setup = new QVBoxLayout(m_setup);
+    auto* body = new QWidget(m_scroll);
+    auto* setup = new QVBoxLayout(body);
     setup->setContentsMargins(0, 0, 4, 0);
-    m_form = new SweepForm(settings, m_setup);
-    m_servos = new SweepServos(m_desk, m_selection, settings, m_setup);
+    m_form = new SweepForm(settings, body);
+    m_servos = new SweepServos(m_desk, m_selection, settings, body);
     setup->addWidget(m_form);
     m_form->insert(m_servos);
     setup->addStretch();
-    m_scroll->setWidget(m_setup);
+    m_scroll->setWidget(body);
     left->addWidget(m_scroll, 1);
     left->addWidget(buildRun());
     m_results = new SweepResults(m_desk, m_test, settings, this);
@@ -303,7 +303,8 @@ void SweepPage::showState()
     const bool refused = std::any_of(m_looks.begin(), m_looks.end(), [&](const auto& one) {
         return one.error && !(wrongMode(one) && m_switchMode->isChecked());
     });
-    m_setup->setEnabled(!running);
+    m_form->setLocked(running);
+    m_servos->setLocked(running);
     m_run->setEnabled(!running && whyNot().isEmpty() && !refused && !m_looks.empty());
     m_stop->setEnabled(running);
     m_progress->setVisible(running);

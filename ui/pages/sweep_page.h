@@ -70,7 +70,6 @@ private:
 
     Banner* m_banner = nullptr;
     QScrollArea* m_scroll = nullptr;
-    QWidget* m_setup = nullptr; ///< locked while a test runs
     SweepForm* m_form = nullptr;
     SweepServos* m_servos = nullptr;
     QLabel* m_outlook = nullptr;

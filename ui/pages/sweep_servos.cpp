@@ -48,6 +48,7 @@ SweepServos::SweepServos(session::Desk& desk, Selection& selection, session::Set
     , m_table(new QTableWidget(0, ColumnCount, this))
     , m_limitsName(new QLabel(this))
     , m_limits(new QPushButton(this))
+    , m_editTriggers(m_table->editTriggers())
 {
     m_table->setObjectName(QStringLiteral("sweepServos"));
     m_table->verticalHeader()->hide();
@@ -135,7 +136,7 @@ void SweepServos::fillRow(int row, const session::ServoEntry& entry)
     auto* servo = new QTableWidgetItem(
         QStringLiteral("%1 · %2").arg(entry.servo.id).arg(entry.servo.profile->modelName));
     servo->setData(Qt::UserRole, entry.ref);
-    servo->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    servo->setFlags(servoFlags());
     servo->setCheckState(m_ticked.count(entry.ref) != 0 ? Qt::Checked : Qt::Unchecked);
     servo->setToolTip(tr("Ticked: takes part in the test"));
     const auto own = m_ranges.find(entry.ref);
@@ -188,6 +189,27 @@ void SweepServos::markRow(session::ServoRef ref)
         if (refAt(row) == ref && m_table->currentRow() != row)
             m_table->setCurrentCell(row, Servo);
     }
+}
+
+Qt::ItemFlags SweepServos::servoFlags() const
+{
+    const Qt::ItemFlags always = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    return m_locked ? always : always | Qt::ItemIsUserCheckable;
+}
+
+void SweepServos::setLocked(bool locked)
+{
+    if (locked == m_locked)
+        return;
+    m_locked = locked;
+    m_table->setEditTriggers(locked ? QAbstractItemView::NoEditTriggers : m_editTriggers);
+    m_filling = true;
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        if (QTableWidgetItem* servo = m_table->item(row, Servo))
+            servo->setFlags(servoFlags());
+    }
+    m_filling = false;
+    showLimits();
 }
 
 void SweepServos::edited(QTableWidgetItem* item)
@@ -274,7 +296,7 @@ void SweepServos::setLimits(const QString& model, const QString& series,
 void SweepServos::showLimits()
 {
     const session::ServoRef ref = refAt(std::max(0, m_table->currentRow()));
-    m_limits->setEnabled(ref != 0);
+    m_limits->setEnabled(ref != 0 && !m_locked);
     const session::ServoEntry* entry = m_desk.servo(ref);
     if (ref == 0 || entry == nullptr) {
         m_limitsName->clear();

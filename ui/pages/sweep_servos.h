@@ -11,6 +11,7 @@
 #include "session/settings.h"
 #include "ui/app/selection.h"
 
+#include <QAbstractItemView>
 #include <QTimer>
 #include <QWidget>
 
@@ -45,6 +46,8 @@ public:
     };
     void setVerdicts(const std::map<session::ServoRef, Verdict>& verdicts);
     void markRow(session::ServoRef ref);
+    /// While a test runs rows can be clicked, but nothing can be changed.
+    void setLocked(bool locked);
 
 Q_SIGNALS:
     void clicked(session::ServoRef ref);
@@ -57,6 +60,7 @@ protected:
 private:
     void rebuild();
     void fillRow(int row, const session::ServoEntry& entry);
+    Qt::ItemFlags servoFlags() const;
     void edited(QTableWidgetItem* item);
     void followSelection();
     void showLimits();
@@ -72,11 +76,13 @@ private:
     QTableWidget* m_table;
     QLabel* m_limitsName;
     QPushButton* m_limits;
+    const QAbstractItemView::EditTriggers m_editTriggers;
     QTimer m_rebuild; ///< several changes of the list are one
     std::set<session::ServoRef> m_ticked;
     std::map<session::ServoRef, record::SweepRange> m_ranges;
     std::map<session::ServoRef, Verdict> m_verdicts;
     mutable std::map<QString, std::optional<record::SweepLimits>> m_modelLimits; ///< as read
     bool m_filling = false;
+    bool m_locked = false;
 };
 } // namespace ui
