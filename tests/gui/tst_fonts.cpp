@@ -72,6 +72,10 @@ private Q_SLOTS:
         const auto* button = bench.find<QAbstractButton>("languageButton");
         QCOMPARE(button->text(), QStringLiteral("EN / ZH"));
         QVERIFY(button->toolTip().contains(QStringLiteral("fonts-noto-cjk")));
+        for (const QAction* action : bench.bench.commands.findChildren<QAction*>()) {
+            const QString text = action->text();
+            QVERIFY2(std::none_of(text.begin(), text.end(), isChinese), qPrintable(text));
+        }
     }
 
     void digitsAreOfOneWidth()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/commands.h"
 
+#include "ui/app/language_switch.h"
+
 #include <QCoreApplication>
 #include <QIcon>
 #include <QRegularExpression>
@@ -195,7 +197,9 @@ void Commands::retranslate()
     for (std::size_t i = 0; i < m_actions.size(); ++i) {
         QAction* action = m_actions[i];
         const Row& row = rowOf(i);
-        action->setText(QCoreApplication::translate("Commands", row.text));
+        action->setText(row.command == Command::Chinese && !LanguageSwitch::canShowChinese()
+                            ? QStringLiteral("Simplified &Chinese")
+                            : QCoreApplication::translate("Commands", row.text));
         action->setIconText(buttonText(action->text()));
         QString tip = QCoreApplication::translate("Commands", row.tip);
         action->setWhatsThis(tip); // no status tip: it would take the place of results

@@ -4,6 +4,7 @@
 #include "text/language.h"
 
 #include <QCoreApplication>
+#include <QFontDatabase>
 #include <QLocale>
 
 static void initQtTranslations()
@@ -28,5 +29,10 @@ void LanguageSwitch::apply(const QString& language)
 bool LanguageSwitch::chinese() const
 {
     return text::inChinese();
+}
+
+bool LanguageSwitch::canShowChinese()
+{
+    return !QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty();
 }
 } // namespace ui

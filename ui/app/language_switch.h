@@ -16,6 +16,8 @@ public:
     /// "en", "zh_CN"; empty: the system's. What is not known is English.
     void apply(const QString& language);
     bool chinese() const;
+    /// Without a font for it Chinese would be empty boxes.
+    static bool canShowChinese();
 
 Q_SIGNALS:
     void changed();

@@ -20,7 +20,6 @@
 #include "ui/widgets/welcome.h"
 
 #include <QDockWidget>
-#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QPushButton>
@@ -160,7 +159,7 @@ void MainWindow::retranslate()
     m_stop->setAccessibleName(tr("Torque off for all servos"));
     m_undo->setAccessibleName(m_commands.action(Command::Undo)->iconText());
     const bool chinese = m_language.chinese();
-    const bool letters = !QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty();
+    const bool letters = LanguageSwitch::canShowChinese();
     const QString name = letters ? QStringLiteral("中") : QStringLiteral("ZH");
     m_languageButton->setText(chinese ? name + QStringLiteral(" / EN")
                                       : QStringLiteral("EN / ") + name);
