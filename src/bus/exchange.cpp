@@ -49,7 +49,7 @@ int rank(FaultKind kind)
 
 /// What must reach the servo as far as the wire allows: a lock that is to be closed, torque that is
 /// to go off. Reading tells later what became of it.
-bool sentAllTheSame(const protocol::Request& request)
+bool isSentRegardless(const protocol::Request& request)
 {
     switch (request.op) {
     case protocol::Op::Write:
@@ -87,7 +87,7 @@ struct Exchange::Wait {
     Duration onTime{}; ///< when a prompt adapter would have shown the last reply
     Duration deadline{};
     std::vector<int> broken; ///< answered with a wrong checksum
-    /// A PING asks who is there: silence is an answer to that, and no error of anybody's.
+    /// A PING asks whether a servo is there: silence is an answer to that, not an error.
     bool asksWhoIsThere = false;
 
     bool asks(int id) const { return has(expected.ids, id); }
@@ -136,7 +136,7 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
     m_trace.speak(request.protocol);
     wait.expected = m_codec->expect(request);
     wait.asksWhoIsThere = request.op == protocol::Op::Ping;
-    if (before == Unrest::Deaf && !sentAllTheSame(request))
+    if (before == Unrest::Unreadable && !isSentRegardless(request))
         return refused(wait, interrupt);
     const std::size_t replies = wait.expected.ids.size();
     // An emergency that came while the line was looked at goes first.
@@ -169,7 +169,7 @@ Result<Attempt> Exchange::receiveFor(const protocol::Request& request, Wait& wai
     Interrupt early = interrupt;
     if (request.repeat == protocol::Repeat::Never)
         early.caller = nullptr;
-    const bool believed = raw || before != Unrest::Deaf;
+    const bool believed = raw || before != Unrest::Unreadable;
     const auto received = raw                       ? receiveRaw(wait, early)
                           : believed && replies > 0 ? receiveReplies(wait, early)
                                                     : listenUntil(m_line.freeAt(), {});
@@ -209,7 +209,7 @@ void Exchange::countSilence(const Wait& wait, int id)
 
 Duration Exchange::tolerance() const
 {
-    return mostUnrest + m_line.wireTime(longestUnrest);
+    return maxNoiseTime + m_line.wireTime(maxNoiseBytes);
 }
 
 bool Exchange::overloaded() const
@@ -227,7 +227,7 @@ void Exchange::unasked(std::size_t bytes, bool frame)
 Exchange::Unrest Exchange::unrest() const
 {
     if (overloaded() || (m_neverSilent && m_unrest.framesHeard()))
-        return Unrest::Deaf;
+        return Unrest::Unreadable;
     return m_neverSilent ? Unrest::Noisy : Unrest::None;
 }
 
@@ -236,7 +236,7 @@ Result<Attempt> Exchange::refused(Wait& wait, const Interrupt& interrupt)
 {
     wait.attempt.sentAt = m_clock.now();
     m_trace.note(wait.attempt.sentAt, QStringLiteral("line busy"));
-    // Nobody goes round at the speed of the processor.
+    // A caller that asks again does not do so at the speed of the processor.
     if (const auto heard = listenUntil(wait.attempt.sentAt + waitSlice, interrupt); !heard)
         return tl::unexpected(heard.error());
     wait.attempt.endedAt = m_clock.now();

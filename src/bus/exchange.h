@@ -17,8 +17,8 @@
 
 namespace bus {
 /// A line that never falls silent is judged after this and the time of the longest frames.
-constexpr base::Duration mostUnrest = std::chrono::milliseconds(20);
-constexpr std::size_t longestUnrest = 512;
+constexpr base::Duration maxNoiseTime = std::chrono::milliseconds(20);
+constexpr std::size_t maxNoiseBytes = 512;
 
 struct Arrival {
     protocol::Part part;
@@ -76,8 +76,8 @@ private:
     base::Result<Attempt> unheard(Wait& wait, const Interrupt& interrupt);
     enum class Unrest : std::uint8_t {
         None,
-        Noisy, ///< bytes never end, but a reply could be told from them by its checksum
-        Deaf,  ///< they fill the line, or are frames: no reply could be told
+        Noisy,      ///< bytes never end, but a reply could be told from them by its checksum
+        Unreadable, ///< they fill the line, or are frames: no reply could be told
     };
     Unrest unrest() const;
     base::Duration tolerance() const;

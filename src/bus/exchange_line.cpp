@@ -91,7 +91,7 @@ Result<void> Exchange::sendStopFrames(const std::vector<StopFrame>& frames, Dura
         now + mostStopDelay +
         (m_line.baud() >= promptRate
              ? Duration{}
-             : std::max(m_repliesUntil - now, Duration{}) + m_line.wireTime(longestUnrest));
+             : std::max(m_repliesUntil - now, Duration{}) + m_line.wireTime(maxNoiseBytes));
     const Duration spokenUntil = std::max(m_line.lastByteAt(), m_line.freeAt());
     Duration clearAt = std::max(m_repliesUntil, spokenUntil + gap);
     while (m_clock.now() < std::min(clearAt, limit)) {
@@ -223,7 +223,7 @@ Result<bool> Exchange::takeEchoes(EchoProbe& state, const Interrupt& interrupt)
             return echoed;
         more = *echoed;
     }
-    // Where one was lost, nobody knows which one this is the echo of.
+    // Where one was lost, it is not known which one this is the echo of.
     const bool all = state.echoed == state.sent;
     m_guard.learn(state.echoedAt - (all ? state.lastOnTime : state.firstOnTime));
     return true;

@@ -56,7 +56,7 @@ Duration LateGuard::window() const
 void LateGuard::timedOut(int id, Duration onTime, Duration now, base::Protocol language)
 {
     if (!known(id)) {
-        m_anybodyOwes = onTime;
+        m_broadcastOwed = onTime;
         quietAll(now);
         return;
     }
@@ -121,7 +121,7 @@ std::optional<Duration> LateGuard::settle(int id, Duration now, base::Protocol l
     Servo& servo = m_servos[std::size_t(id)];
     const auto settled = owedIn(servo, language);
     if (settled == servo.owed.end()) {
-        const auto owed = std::exchange(m_anybodyOwes, std::nullopt);
+        const auto owed = std::exchange(m_broadcastOwed, std::nullopt);
         return owed && now - *owed <= believable ? std::optional(now - *owed) : std::nullopt;
     }
     const Duration lateness = now - settled->onTime;

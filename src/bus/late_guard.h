@@ -62,8 +62,8 @@ private:
 
     std::array<Servo, protocol::maxId + 1> m_servos{};
     base::Duration m_allQuietUntil{};
-    base::Duration m_latestQuiet{};              ///< of any servo
-    std::optional<base::Duration> m_anybodyOwes; ///< since when: a question to all timed out
+    base::Duration m_latestQuiet{};                ///< of any servo
+    std::optional<base::Duration> m_broadcastOwed; ///< since when: a question to all timed out
     std::atomic<base::Duration::rep> m_start{25'000};
     std::atomic<base::Duration::rep> m_learnt{0};
     std::atomic<bool> m_measured{false};

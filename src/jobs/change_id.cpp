@@ -26,7 +26,7 @@ base::Result<void> checkId(const device::Servo& servo, int newId)
     return tl::unexpected(error);
 }
 
-/// Silence under the new ID: anything else, a collision included, means somebody lives there.
+/// Silence under the new ID: anything else, a collision included, means that it is taken.
 base::Result<void> proveFree(const device::Context& context, base::Protocol protocol, int newId)
 {
     const auto free = isFree(context, protocol, newId);

@@ -10,7 +10,7 @@ namespace jobs {
 base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id,
                            int retries = -1);
 
-/// Does nobody have this ID? Proven by silence that lasts as long as a reply may take on this link
+/// Is this ID free? Proven by silence that lasts as long as a reply may take on this link
 /// (bus::Bus::replyTimeout), after each of the questions, of which one may be lost. What comes
 /// later still names its ID and counts. Errors as answers(), and Stopped.
 base::Result<bool> isFree(const device::Context& context, base::Protocol protocol, int id,

@@ -52,7 +52,7 @@ bool CommissionLine::recognise(CommissionWork& work, CommissionView& view)
         const bool rate = work.servo.baud == one.oldBaud || work.servo.baud == one.newBaud;
         if (!sameKind || !rate || !(atNew || atOld))
             continue;
-        // Without anybody to ask, a template that was begun is simply written to whoever stands
+        // Without a user to ask, a template that was begun is simply written to the servo that is
         // here.
         const bool asked = !m_spec.automatic && owesChange(m_context, work.servo, one.at);
         const bool begun = one.idSent || asked;
@@ -145,7 +145,7 @@ base::Result<bool> CommissionLine::confirm(CommissionWork& work, CommissionView 
     }
 }
 
-/// Between the look and the click somebody may have plugged in another one, or swapped them.
+/// Between the check and the click another servo may have been plugged in, or swapped for it.
 base::Result<bool> CommissionLine::stillAlone(CommissionWork& work)
 {
     CommissionView checking = *m_view;

@@ -12,7 +12,7 @@ using record::CommissionTrouble;
 using record::CommissionVerdict;
 
 namespace {
-/// Of one servo within a line, before it is given up for now.
+/// So often a servo whose change is still open is waited for again; then its row says "failed".
 constexpr int maxReturns = 2;
 
 bool endsLine(ErrorCode code)
@@ -88,7 +88,7 @@ base::Result<void> CommissionLine::failed(CommissionWork& work, const base::Erro
         const auto known = stayed(work, *one);
         if (!known)
             return tl::unexpected(known.error());
-        // Somebody may have pulled the plug and put another one in: it is looked at anew.
+        // It may have been swapped for another one, so it is identified again.
         if (!*known && ++m_returns[work.newId] <= maxReturns) {
             m_lost = true;
             return {};

@@ -17,7 +17,7 @@ public:
 
     struct Place {
         base::Protocol protocol = base::Protocol::Feetech;
-        int id = -1; ///< −1: somebody whose answer was broken
+        int id = -1; ///< −1: the answer was broken
         int baud = 0;
     };
 
@@ -59,7 +59,7 @@ private:
     std::size_t m_other = 0; ///< whose turn it is
     std::size_t m_sweptRate = 0;
     int m_sweptId = 0;
-    bool m_heard = false;      ///< somebody has answered
+    bool m_heard = false;      ///< a servo has answered
     bool m_awaitsLate = false; ///< something has come after its time on this link
 };
 } // namespace jobs

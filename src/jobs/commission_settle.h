@@ -17,7 +17,7 @@ bool owesChange(const device::Context& context, const device::Servo& servo, cons
 
 /// At its old place: is it the very one? Yes where the journal has us open the lock of such a
 /// servo, the lock is open still, and was closed when the servo came. Losing power closes it, so
-/// nobody has pulled this one since.
+/// this one has not been unplugged since.
 bool leftOpen(const device::Context& context, device::Servo& servo,
               const record::CommissionPending& begun);
 } // namespace jobs

@@ -81,7 +81,7 @@ base::Result<Mark> setMark(const device::Context& context, device::Servo& servo)
     return written ? Mark{reg, raw, std::move(*written)} : Mark{};
 }
 
-/// True: it acknowledged a command that has no answer. Listens for as long as nobody may speak.
+/// True: it acknowledged a command that has no answer. Listens for as long as nothing may be sent.
 base::Result<bool> acknowledged(const device::Context& context, const device::Servo& servo)
 {
     const base::Duration quiet = context.bus.baud() == loaderBaud ? longestStart : quietTime;
@@ -191,7 +191,7 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
             requireSayable(servo, reboots, operation, QStringLiteral("no-reboot"));
         !possible)
         return tl::unexpected(possible.error());
-    // Everybody keeps quiet meanwhile.
+    // Nothing else is sent meanwhile.
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
     if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
