@@ -52,6 +52,14 @@ public:
     void cut()
     {
         const std::lock_guard lock(m_mutex);
+        hangUp();
+    }
+    /// Cuts instead of passing on the frame of that number among those writes() counts from now.
+    void cutAtWrite(int number) { m_cutAt = m_writes + number; }
+
+private:
+    void hangUp()
+    {
         for (int* side : {&m_slave, &m_host, &m_listener}) {
             if (*side >= 0)
                 close(*side);
@@ -59,7 +67,6 @@ public:
         }
     }
 
-private:
     static void makeRaw(int side)
     {
         termios settings{};
@@ -131,6 +138,11 @@ private:
         if (got <= 0)
             return;
         countWrites(reinterpret_cast<const unsigned char*>(chunk), std::size_t(got));
+        if (m_cutAt > 0 && m_writes >= m_cutAt) {
+            m_cutAt = 0;
+            hangUp();
+            return;
+        }
         const auto rate = m_slave >= 0 ? transport::ttySpeed(m_slave) : std::nullopt;
         if (rate && transport::ttySpeed(m_terminal) != rate)
             transport::setTtySpeed(m_terminal, *rate);
@@ -170,6 +182,7 @@ private:
     QString m_port;
     std::atomic<bool> m_over{false};
     std::atomic<int> m_writes{0};
+    std::atomic<int> m_cutAt{0}; ///< 0: not
     std::thread m_thread;
 };
 } // namespace support
