@@ -4,21 +4,18 @@
 // the test asks, and make of a restart what the test asks. Runs on a thread of its own. POSIX only.
 #pragma once
 
-#include <QByteArray>
-#include <QString>
+#include "support/byte_line.h"
+#include "support/cable_end.h"
+#include "support/feetech_bytes.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <cstdlib>
-#include <deque>
-#include <fcntl.h>
 #include <map>
 #include <mutex>
 #include <poll.h>
-#include <termios.h>
 #include <thread>
-#include <unistd.h>
 
 namespace bytes {
 enum class Restart { Ignored, AcknowledgedOnly, TooQuickToSee };
@@ -35,16 +32,10 @@ public:
     {
         for (const int id : ids)
             m_servos[id] = factoryTable(id);
-        m_master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-        if (m_master < 0 || grantpt(m_master) != 0 || unlockpt(m_master) != 0)
-            qFatal("no terminal");
-        m_name = QString::fromLocal8Bit(ptsname(m_master));
-        const int slave = open(ptsname(m_master), O_RDWR | O_NOCTTY | O_CLOEXEC);
-        termios raw{};
-        tcgetattr(slave, &raw);
-        cfmakeraw(&raw);
-        tcsetattr(slave, TCSANOW, &raw);
-        close(slave); // or the port would be somebody's
+        const support::Terminal terminal = support::makeTerminal();
+        m_master = terminal.master;
+        m_name = terminal.port;
+        close(terminal.slave); // or another program would seem to have the port open
         m_thread = std::thread([this] { serve(); });
     }
     ~Bus()
@@ -83,27 +74,11 @@ public:
     }
 
 private:
-    /// An STS3215 with firmware 3.10.
     static Table factoryTable(int id)
     {
         Table table{};
-        table[0] = 3;
-        table[1] = 10;
-        table[3] = 9;
-        table[4] = 3;
-        table[5] = static_cast<unsigned char>(id);
-        table[8] = 1;
-        table[11] = 0xFF;
-        table[12] = 0x0F;
-        table[13] = 70;
-        table[14] = 80;
-        table[15] = 40;
-        table[16] = table[48] = 0xE8;
-        table[17] = table[49] = 0x03;
-        table[55] = 1;
-        table[57] = 0x08;
-        table[62] = 74;
-        table[63] = 30;
+        const base::Bytes sts = support::byteSts(id).table;
+        std::copy(sts.begin(), sts.end(), table.begin());
         return table;
     }
 
@@ -196,16 +171,7 @@ private:
 
     void reply(int id, const QByteArray& data)
     {
-        QByteArray frame("\xFF\xFF");
-        frame.append(static_cast<char>(id));
-        frame.append(static_cast<char>(data.size() + 2));
-        frame.append('\0');
-        frame.append(data);
-        unsigned sum = 0;
-        for (qsizetype i = 2; i < frame.size(); ++i)
-            sum += static_cast<unsigned char>(frame[i]);
-        frame.append(static_cast<char>(~sum & 0xFFU));
-        m_replies.emplace_back(Clock::now() + m_latency, frame);
+        m_replies.emplace_back(Clock::now() + m_latency, support::feetechFrame(id, 0, data));
     }
 
     const std::chrono::milliseconds m_latency;

@@ -4,22 +4,16 @@
 // bytes only. A thread of its own; flood() from the test's. POSIX only.
 #pragma once
 
-#include <QByteArray>
-#include <QString>
+#include "support/cable_end.h"
+#include "support/feetech_bytes.h"
 
 #include <algorithm>
-#include <arpa/inet.h>
 #include <atomic>
 #include <chrono>
-#include <fcntl.h>
 #include <mutex>
 #include <poll.h>
 #include <random>
-#include <stdlib.h>
-#include <sys/socket.h>
-#include <termios.h>
 #include <thread>
-#include <unistd.h>
 
 namespace support {
 class FloodCable {
@@ -85,36 +79,19 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    static void makeRaw(int terminal)
-    {
-        termios settings{};
-        tcgetattr(terminal, &settings);
-        cfmakeraw(&settings);
-        tcsetattr(terminal, TCSANOW, &settings);
-    }
-
     void openTerminal()
     {
-        m_front = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
-        grantpt(m_front);
-        unlockpt(m_front);
-        m_port = QString::fromLocal8Bit(ptsname(m_front));
-        // Held open, so that nobody's leaving hangs it up.
-        m_slave = open(qPrintable(m_port), O_RDWR | O_NOCTTY | O_CLOEXEC);
-        makeRaw(m_slave);
+        const Terminal terminal = makeTerminal(O_NONBLOCK);
+        m_front = terminal.master;
+        m_slave = terminal.slave; // held open, so that no program that leaves hangs it up
+        m_port = terminal.port;
     }
 
     void listenOnTcp()
     {
-        m_listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        bind(m_listener, reinterpret_cast<const sockaddr*>(&address), sizeof address);
-        listen(m_listener, 1);
-        socklen_t size = sizeof address;
-        getsockname(m_listener, reinterpret_cast<sockaddr*>(&address), &size);
-        m_port = QStringLiteral("tcp://127.0.0.1:%1").arg(ntohs(address.sin_port));
+        const TcpPort tcp = listenOnLoopback(SOCK_NONBLOCK);
+        m_listener = tcp.listener;
+        m_port = tcp.port;
     }
 
     void serve()
@@ -231,18 +208,10 @@ private:
     std::thread m_thread;
 };
 
-/// A valid status packet of servo `id`, which nobody has asked for.
-inline QByteArray statusPacket(int id, const QByteArray& data = {})
+/// A valid status packet of servo `id` that was not asked for.
+inline QByteArray statusPacket(int id)
 {
-    QByteArray frame = QByteArray::fromHex("ffff");
-    frame += char(id);
-    frame += char(data.size() + 2);
-    frame += '\0';
-    frame += data;
-    int sum = 0;
-    for (int i = 2; i < frame.size(); ++i)
-        sum += static_cast<unsigned char>(frame[i]);
-    return frame + char(~sum);
+    return feetechFrame(id, 0);
 }
 
 inline QByteArray garbage(int size)

@@ -6,21 +6,16 @@
 // the last while no program is at it. POSIX only.
 #pragma once
 
+#include "support/cable_end.h"
 #include "transport/tty_speed.h"
-
-#include <QString>
 
 #include <atomic>
 #include <csignal>
-#include <fcntl.h>
 #include <mutex>
 #include <optional>
 #include <poll.h>
-#include <stdlib.h>
 #include <sys/ioctl.h>
-#include <termios.h>
 #include <thread>
-#include <unistd.h>
 
 namespace support {
 struct KillPoint {
@@ -39,19 +34,12 @@ class KillCable {
 public:
     explicit KillCable(const QString& terminal)
         : m_terminal(open(qPrintable(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC))
-        , m_master(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC))
     {
-        grantpt(m_master);
-        unlockpt(m_master);
-        m_port = QString::fromLocal8Bit(ptsname(m_master));
-        // Held open, so that the rate can be asked for and nobody's leaving hangs it up.
-        m_slave = open(qPrintable(m_port), O_RDWR | O_NOCTTY | O_CLOEXEC);
-        for (const int side : {m_terminal, m_slave}) {
-            termios settings{};
-            tcgetattr(side, &settings);
-            cfmakeraw(&settings);
-            tcsetattr(side, TCSANOW, &settings);
-        }
+        const Terminal own = makeTerminal();
+        m_master = own.master;
+        m_slave = own.slave; // held open, so that the rate can be asked for
+        m_port = own.port;
+        makeRaw(m_terminal);
         m_thread = std::thread([this] { serve(); });
     }
     ~KillCable()
@@ -156,7 +144,7 @@ private:
     }
 
     int m_terminal;
-    int m_master;
+    int m_master = -1;
     int m_slave = -1;
     QString m_port;
     std::atomic<bool> m_over{false};

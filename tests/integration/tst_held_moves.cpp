@@ -5,6 +5,7 @@
 // another one.
 #include "device/motion.h"
 #include "device/reader.h"
+#include "support/feetech_bytes.h"
 #include "support/sim_bench.h"
 
 #include <QRegularExpression>
@@ -76,32 +77,26 @@ std::int64_t flag(SimBench& bench, int id)
     return servo.raw(text("async_write_flag")).value_or(-1);
 }
 
-/// A program that knows only bytes says one frame; nobody waits for the answer.
-void sayBytes(SimBench& bench, const base::Bytes& body)
+/// A program that knows only bytes says one frame and does not wait for the answer.
+void sayBytes(SimBench& bench, int id, int instruction, const QByteArray& params = {})
 {
-    base::Bytes frame{0xFF, 0xFF};
-    frame.insert(frame.end(), body.begin(), body.end());
-    unsigned sum = 0;
-    for (const std::uint8_t byte : body)
-        sum += byte;
-    frame.push_back(std::uint8_t(~sum & 0xFFU));
-    protocol::Request request = protocol::Request::raw(frame);
+    const QByteArray frame = support::feetechFrame(id, instruction, params);
     bus::Transaction transaction;
-    transaction.request = std::move(request);
+    transaction.request = protocol::Request::raw({frame.begin(), frame.end()});
     (void)bench.bus().transact(transaction);
 }
 
 /// REG WRITE of a goal by another program.
 void holdForeign(SimBench& bench, int id, int goal)
 {
-    sayBytes(bench, {std::uint8_t(id), 5, support::RegWrite, goalAddress, std::uint8_t(goal & 0xFF),
-                     std::uint8_t(goal >> 8)});
+    sayBytes(bench, id, support::RegWrite,
+             QByteArray(1, goalAddress).append(char(goal & 0xFF)).append(char(goal >> 8)));
     QCOMPARE(flag(bench, id), 1);
 }
 
 void actAll(SimBench& bench)
 {
-    sayBytes(bench, {254, 2, support::Action});
+    sayBytes(bench, 254, support::Action);
     bench.letTimePass(4s);
 }
 

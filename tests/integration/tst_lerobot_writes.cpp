@@ -4,6 +4,8 @@
 // motors/motors_bus.py, robots/so_follower/so_follower.py), as raw frames on the terminal of
 // servodesk-sim, back to back: the next one leaves when the last one's status packet is there.
 // Nothing of our own protocol code is used here.
+#include "support/feetech_bytes.h"
+
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -13,6 +15,7 @@
 
 using raw::Client;
 using raw::Simulator;
+using support::feetechFrame;
 
 namespace {
 constexpr int patience = 60; ///< ms, for each status packet
@@ -41,19 +44,6 @@ enum Address : int {
     PresentPosition = 56,
     MaximumAcceleration = 85,
 };
-
-QByteArray frame(int id, int instruction, const QByteArray& params)
-{
-    QByteArray bytes = QByteArray::fromHex("FFFF");
-    for (const int byte : {id, int(params.size()) + 2, instruction})
-        bytes.append(char(byte));
-    bytes.append(params);
-    unsigned sum = 0;
-    for (qsizetype i = 2; i < bytes.size(); ++i)
-        sum += static_cast<unsigned char>(bytes[i]);
-    bytes.append(char(~sum));
-    return bytes;
-}
 
 QByteArray numbers(int value, int size)
 {
@@ -86,7 +76,7 @@ public:
         const QByteArray data = numbers(value, size);
         ++m_written;
         m_last[{id, address}] = data;
-        m_lost += exchanged(id, frame(id, 3, char(address) + data), 0).isNull() ? 1 : 0;
+        m_lost += exchanged(id, feetechFrame(id, 3, char(address) + data), 0).isNull() ? 1 : 0;
     }
     void writeAll(int address, int value, int size = 1)
     {
@@ -96,7 +86,7 @@ public:
     QByteArray read(int id, int address, int size)
     {
         const QByteArray reply =
-            exchanged(id, frame(id, 2, numbers(address, 1) + char(size)), size);
+            exchanged(id, feetechFrame(id, 2, numbers(address, 1) + char(size)), size);
         return reply.isNull() ? reply : reply.mid(5, size);
     }
     int word(int id, int address)
@@ -109,7 +99,7 @@ public:
     /// LeRobot's search for the one servo on the bus.
     int broadcastPing()
     {
-        m_client.say(frame(0xFE, 1, {}));
+        m_client.say(feetechFrame(0xFE, 1, {}));
         const QByteArray reply = m_client.hear(6);
         return reply.size() == 6 ? static_cast<unsigned char>(reply[2]) : -1;
     }
@@ -118,7 +108,7 @@ public:
         QByteArray params = numbers(address, 1) + char(size);
         for (int id = 1; id <= servos; ++id)
             params.append(char(id));
-        m_client.say(frame(0xFE, 0x82, params));
+        m_client.say(feetechFrame(0xFE, 0x82, params));
         return m_client.hear(servos * (6 + size));
     }
     void disableTorque(int id)
@@ -139,8 +129,8 @@ private:
                 return {};
         }
         const QByteArray reply = m_client.hear(6 + dataBytes);
-        const bool fits =
-            reply.size() == 6 + dataBytes && reply == frame(id, reply[4], reply.mid(5, dataBytes));
+        const bool fits = reply.size() == 6 + dataBytes &&
+                          reply == feetechFrame(id, reply[4], reply.mid(5, dataBytes));
         return fits ? reply : QByteArray();
     }
 

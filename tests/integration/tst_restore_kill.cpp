@@ -5,16 +5,16 @@
 // finds: no lock stays open, and finishing or restoring again completes it.
 #include "integration/raw_client.h"
 #include "integration/restore_rows.h"
+#include "support/cable_end.h"
 #include "support/cli_program.h"
+#include "transport/tty_speed.h"
 
 #include <QJsonArray>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <arpa/inet.h>
 #include <netinet/tcp.h>
-#include <sys/socket.h>
 
 using support::CliProgram;
 using support::Ran;
@@ -27,33 +27,21 @@ class Bridge {
 public:
     explicit Bridge(const QString& terminal)
         : m_terminal(open(qPrintable(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC))
-        , m_listener(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0))
+        , m_tcp(support::listenOnLoopback())
     {
-        termios settings{};
-        tcgetattr(m_terminal, &settings);
-        cfmakeraw(&settings);
-        cfsetspeed(&settings, B1000000);
-        tcsetattr(m_terminal, TCSANOW, &settings);
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        socklen_t size = sizeof address;
-        if (bind(m_listener, reinterpret_cast<sockaddr*>(&address), size) != 0 ||
-            listen(m_listener, 1) != 0 ||
-            getsockname(m_listener, reinterpret_cast<sockaddr*>(&address), &size) != 0)
-            qFatal("no bridge");
-        m_port = ntohs(address.sin_port);
+        support::makeRaw(m_terminal);
+        transport::setTtySpeed(m_terminal, 1'000'000);
     }
     ~Bridge()
     {
         leave();
-        close(m_listener);
+        close(m_tcp.listener);
         close(m_terminal);
     }
     Bridge(const Bridge&) = delete;
     Bridge& operator=(const Bridge&) = delete;
 
-    QString port() const { return QStringLiteral("tcp://127.0.0.1:%1").arg(m_port); }
+    QString port() const { return m_tcp.port; }
 
     /// Runs a command through the bridge. `killAt`: number of the WRITE frame; 0: never.
     Ran run(CliProgram& cli, const QStringList& arguments, int killAt = 0, Kill kill = Kill::Before)
@@ -104,12 +92,12 @@ private:
 
     void serve(CliProgram& cli, int killAt, Kill kill)
     {
-        pollfd states[2] = {{m_client >= 0 ? m_client : m_listener, POLLIN, 0},
+        pollfd states[2] = {{m_client >= 0 ? m_client : m_tcp.listener, POLLIN, 0},
                             {m_terminal, POLLIN, 0}};
         if (poll(states, 2, 5) <= 0)
             return;
         if (states[0].revents != 0 && m_client < 0) {
-            m_client = accept4(m_listener, nullptr, nullptr, SOCK_CLOEXEC);
+            m_client = accept4(m_tcp.listener, nullptr, nullptr, SOCK_CLOEXEC);
             const int on = 1;
             setsockopt(m_client, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
         } else if (states[0].revents != 0) {
@@ -170,9 +158,8 @@ private:
     }
 
     int m_terminal;
-    int m_listener;
+    support::TcpPort m_tcp;
     int m_client = -1;
-    int m_port = 0;
     int m_writes = 0;
     bool m_killed = false;
     QByteArray m_buffer;

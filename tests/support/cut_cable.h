@@ -5,21 +5,14 @@
 // the test's. POSIX only.
 #pragma once
 
+#include "support/cable_end.h"
 #include "transport/tty_speed.h"
 
-#include <QString>
-
-#include <arpa/inet.h>
 #include <atomic>
-#include <fcntl.h>
 #include <mutex>
 #include <netinet/tcp.h>
 #include <poll.h>
-#include <stdlib.h>
-#include <sys/socket.h>
-#include <termios.h>
 #include <thread>
-#include <unistd.h>
 
 namespace support {
 class CutCable {
@@ -32,7 +25,7 @@ public:
         if (tcp)
             listenForClient();
         else
-            makeTerminal();
+            openTerminal();
         m_thread = std::thread([this] { serve(); });
     }
     ~CutCable()
@@ -67,37 +60,19 @@ private:
         }
     }
 
-    static void makeRaw(int side)
+    void openTerminal()
     {
-        termios settings{};
-        tcgetattr(side, &settings);
-        cfmakeraw(&settings);
-        tcsetattr(side, TCSANOW, &settings);
-    }
-
-    void makeTerminal()
-    {
-        m_host = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-        grantpt(m_host);
-        unlockpt(m_host);
-        m_port = QString::fromLocal8Bit(ptsname(m_host));
-        // Held open, so that the rate can be asked for.
-        m_slave = open(qPrintable(m_port), O_RDWR | O_NOCTTY | O_CLOEXEC);
-        makeRaw(m_slave);
+        const Terminal terminal = makeTerminal();
+        m_host = terminal.master;
+        m_slave = terminal.slave; // held open, so that the rate can be asked for
+        m_port = terminal.port;
     }
 
     void listenForClient()
     {
-        m_listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        socklen_t size = sizeof address;
-        if (bind(m_listener, reinterpret_cast<sockaddr*>(&address), size) != 0 ||
-            listen(m_listener, 1) != 0 ||
-            getsockname(m_listener, reinterpret_cast<sockaddr*>(&address), &size) != 0)
-            qFatal("no bridge");
-        m_port = QStringLiteral("tcp://127.0.0.1:%1").arg(ntohs(address.sin_port));
+        const TcpPort tcp = listenOnLoopback();
+        m_listener = tcp.listener;
+        m_port = tcp.port;
     }
 
     void serve()
