@@ -176,6 +176,39 @@ private Q_SLOTS:
         QVERIFY(bench.ends());
     }
 
+    /// A factory servo at the old place of one that was left in the middle may be that one.
+    void aServoThatMayHaveBeenBegunIsExplained()
+    {
+        LineBench bench;
+        record::CommissionBatch batch;
+        record::CommissionPending begun;
+        begun.at = QDateTime::currentDateTimeUtc();
+        begun.servo = support::templateOf("sts3215", {}).servo;
+        begun.oldBaud = begun.newBaud = 1'000'000;
+        begun.newId = 9;
+        begun.idSent = true;
+        batch.pending = {begun};
+        QVERIFY(record::saveCommissionBatch(batch, bench.batchFile()));
+        QVERIFY(bench.open());
+        bench.fill(7);
+        bench.click("commissionStart");
+        QTRY_VERIFY(bench.headline().contains(QStringLiteral("next servo")));
+        bench.click("commissionPlug");
+        auto* same = bench.own<QPushButton>("commissionSame");
+        QTRY_VERIFY_WITH_TIMEOUT(same->isVisible(), longTime);
+        const QString words = bench.own<QLabel>("commissionDetail")->text();
+        QVERIFY2(words.contains(QStringLiteral("left unfinished")), qPrintable(words));
+        QVERIFY2(words.contains(QStringLiteral("ID 9")), qPrintable(words));
+        QVERIFY2(words.contains(same->text()), qPrintable(words));
+        QCOMPARE(bench.idOf(0), 1);
+        bench.click("commissionSame");
+        QTRY_COMPARE_WITH_TIMEOUT(bench.rows(), 1, longTime);
+        QCOMPARE(bench.idOf(0), 9);
+        QVERIFY(bench.page->line().batch().pending.empty());
+        bench.click("commissionStop");
+        QVERIFY(bench.ends());
+    }
+
     void aBadTemplateIsToldBeforeAnythingIsWritten()
     {
         LineBench bench;

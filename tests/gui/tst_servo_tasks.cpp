@@ -2,6 +2,9 @@
 // The one-click tasks by mouse and keyboard on simulated servos: what is said beforehand, what the
 // servo really holds afterwards, and what is said about it.
 #include "gui/tasks_bench.h"
+#include "support/cli_program.h"
+#include "support/cut_cable.h"
+#include "support/sim_bench.h"
 
 #include <QComboBox>
 #include <QFile>
@@ -48,6 +51,7 @@ private Q_SLOTS:
     void centringIsNotForEverybody();
     void restoringShowsWhereTheTableIs();
     void restartWaitsForTheServo();
+    void aRestartThatIsIgnoredIsNotClaimed();
     void lxHasNoRestart();
     void identifyPutsTheLedBack();
     void closingEndsTheBlinking();
@@ -235,6 +239,23 @@ void TestServoTasks::restartWaitsForTheServo()
     QVERIFY2(gui::resultOf(dialog).startsWith(QStringLiteral("✓")),
              qPrintable(gui::resultOf(dialog)));
     QVERIFY(gui::resultOf(dialog).contains(text(" ms")));
+}
+
+void TestServoTasks::aRestartThatIsIgnoredIsNotClaimed()
+{
+    support::SimProgram simulator(support::words("--servos sts3215@1 --baud 1000000"));
+    support::CutCable cable(simulator.port(), false);
+    TasksBench bench;
+    QVERIFY(bench.ready(qPrintable(cable.port()), 0, 10, 1));
+    cable.lose(support::Reboot);
+    QDialog* dialog = bench.open(Command::Reboot, "rebootDialog");
+    QVERIFY(dialog);
+    gui::click(dialog, "taskDeed");
+    QVERIFY(gui::ended(dialog));
+    const QString said = gui::resultOf(dialog);
+    QVERIFY2(said.startsWith(QStringLiteral("✗")), qPrintable(said));
+    QVERIFY2(said.contains(text("did not restart")), qPrintable(said));
+    QVERIFY2(!said.contains(text("answers again")), qPrintable(said));
 }
 
 void TestServoTasks::lxHasNoRestart()

@@ -49,6 +49,8 @@ public:
     }
     /// Cuts instead of passing on the frame of that number among those writes() counts from now.
     void cutAtWrite(int number) { m_cutAt = m_writes + number; }
+    /// Frames with this instruction are lost from now on; 0: none.
+    void lose(int instruction) { m_lost = instruction; }
 
 private:
     void hangUp()
@@ -113,6 +115,8 @@ private:
         if (got <= 0)
             return;
         countWrites(reinterpret_cast<const unsigned char*>(chunk), std::size_t(got));
+        if (got > 4 && m_lost != 0 && chunk[4] == m_lost)
+            return;
         if (m_cutAt > 0 && m_writes >= m_cutAt) {
             m_cutAt = 0;
             hangUp();
@@ -158,6 +162,7 @@ private:
     std::atomic<bool> m_over{false};
     std::atomic<int> m_writes{0};
     std::atomic<int> m_cutAt{0}; ///< 0: not
+    std::atomic<int> m_lost{0};
     std::thread m_thread;
 };
 } // namespace support
