@@ -10,6 +10,7 @@
 #include "report/sweep_words.h"
 #include "text/alarm_words.h"
 #include "text/language.h"
+#include "text/write_words.h"
 
 namespace cli {
 namespace {
@@ -28,7 +29,7 @@ QString shown(std::int64_t number)
 
 QString outcomeShown(const record::HistoryWrite& write)
 {
-    const QString word = historyOutcome(write);
+    const QString word = text::writeOutcomeWord(write.outcome);
     return write.good() ? word : QStringLiteral("✗ ") + word;
 }
 
@@ -51,18 +52,21 @@ Table tableOf(const std::vector<record::HistoryServo>& servos)
     return table;
 }
 
-Table tableOf(const std::vector<record::HistoryWrite>& writes)
+Table tableOf(const std::vector<record::HistoryWrite>& writes,
+              const record::HistoryProfiles& profiles)
 {
     Table table({translate("cli", "Write"), translate("cli", "When"), translate("cli", "ID"),
                  translate("cli", "Model"), translate("cli", "Label"), translate("cli", "Register"),
-                 translate("cli", "Old"), translate("cli", "New"), translate("cli", "Read back"),
-                 translate("cli", "Outcome")});
-    table.right({0, 2, 6, 7, 8});
+                 translate("cli", "Old"), translate("cli", "New"), translate("cli", "Outcome"),
+                 translate("cli", "Kind"), translate("cli", "Port")});
+    table.right({0, 2, 6, 7});
     for (const record::HistoryWrite& write : writes)
         table.add({shown(write.number), shownTime(write.at), QString::number(write.servoId),
-                   write.model, write.label, write.key, shown(write.oldRaw), shown(write.newRaw),
-                   write.readBack ? shown(*write.readBack) : QStringLiteral("–"),
-                   outcomeShown(write)});
+                   write.model, write.label, write.key,
+                   profiles.valueText(write, write.oldRaw, text::inChinese()),
+                   profiles.valueText(write, write.newRaw, text::inChinese()), outcomeShown(write),
+                   text::intentWord(write.kind, write.temporary, write.oldRaw == write.newRaw),
+                   write.port});
     return table;
 }
 
@@ -155,7 +159,8 @@ Json jsonOf(const QVariant& value)
 
 /// The same columns as in an exported file.
 template <typename Row>
-base::Result<Exit> showRows(Run& run, HistoryKind kind, const base::Result<std::vector<Row>>& rows)
+base::Result<Exit> showRows(Run& run, HistoryKind kind, const base::Result<std::vector<Row>>& rows,
+                            const auto&... meaning)
 {
     if (!rows)
         return tl::unexpected(rows.error());
@@ -170,7 +175,7 @@ base::Result<Exit> showRows(Run& run, HistoryKind kind, const base::Result<std::
     }
     QString text = rows->empty()
                        ? translate("cli", "Nothing in the history fits.") + QLatin1Char('\n')
-                       : tableOf(*rows).text();
+                       : tableOf(*rows, meaning...).text();
     if (kind == HistoryKind::Servos && !rows->empty())
         text +=
             translate("cli", "Servos carry no serial number: those alike in model, firmware, ID "
@@ -199,6 +204,17 @@ base::Result<std::vector<Row>> nothing()
     return std::vector<Row>();
 }
 
+base::Result<Exit> showWrites(Run& run, const record::History* history,
+                              const record::HistoryFilter& filter)
+{
+    record::HistoryProfiles profiles(run.session().catalog());
+    if (history == nullptr)
+        return showRows(run, HistoryKind::Writes, nothing<record::HistoryWrite>(), profiles);
+    if (const auto known = knowServos(*history, profiles); !known)
+        return tl::unexpected(known.error());
+    return showRows(run, HistoryKind::Writes, history->log().writes(filter), profiles);
+}
+
 base::Result<Exit> show(Run& run, const record::History* history, HistoryKind kind,
                         const record::HistoryFilter& filter)
 {
@@ -207,8 +223,7 @@ base::Result<Exit> show(Run& run, const record::History* history, HistoryKind ki
         return showRows(run, kind,
                         history ? history->log().servos(filter) : nothing<record::HistoryServo>());
     case HistoryKind::Writes:
-        return showRows(run, kind,
-                        history ? history->log().writes(filter) : nothing<record::HistoryWrite>());
+        return showWrites(run, history, filter);
     case HistoryKind::Snapshots:
         return showRows(run, kind,
                         history ? history->log().snapshots(filter)

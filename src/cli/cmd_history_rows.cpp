@@ -8,6 +8,10 @@
 #include "cli/table.h"
 #include "cli/translate.h"
 #include "record/history_point.h"
+#include "text/language.h"
+#include "text/write_words.h"
+
+#include <algorithm>
 
 namespace cli {
 namespace {
@@ -51,6 +55,13 @@ base::Result<std::vector<record::HistoryWrite>> together(const record::HistoryLo
     return own;
 }
 
+bool sameValues(const std::vector<record::HistoryWrite>& writes)
+{
+    return std::all_of(writes.begin(), writes.end(), [](const record::HistoryWrite& write) {
+        return write.oldRaw == write.newRaw;
+    });
+}
+
 base::Result<Exit> show(Run& run, const Values& values)
 {
     const auto number = parseNumber(values.word("WRITE"));
@@ -62,16 +73,21 @@ base::Result<Exit> show(Run& run, const Values& values)
     const auto writes = together((*history)->log(), *number);
     if (!writes)
         return tl::unexpected(writes.error());
+    record::HistoryProfiles profiles(run.session().catalog());
+    if (const auto known = knowServos(**history, profiles); !known)
+        return tl::unexpected(known.error());
     const record::HistoryWrite& head = writes->front();
     Table table({translate("cli", "Register"), translate("cli", "Old"), translate("cli", "New"),
                  translate("cli", "Read back"), translate("cli", "Outcome")});
     table.right({1, 2, 3});
     Json::Array rows;
     for (const record::HistoryWrite& write : *writes) {
-        table.add({write.key, QString::number(qint64(write.oldRaw)),
-                   QString::number(qint64(write.newRaw)),
-                   write.readBack ? QString::number(qint64(*write.readBack)) : QStringLiteral("–"),
-                   historyOutcome(write)});
+        const auto value = [&](std::int64_t raw) {
+            return profiles.valueText(write, raw, text::inChinese());
+        };
+        table.add({write.key, value(write.oldRaw), value(write.newRaw),
+                   write.readBack ? value(*write.readBack) : QStringLiteral("–"),
+                   text::writeOutcomeWord(write.outcome)});
         rows.push_back(Json::object()
                            .add("number", write.number)
                            .add("register", write.key)
@@ -81,30 +97,32 @@ base::Result<Exit> show(Run& run, const Values& values)
                            .add("read_back", write.readBack)
                            .add("outcome", write.outcome));
     }
-    run.finish(Json::object()
-                   .add("intent", head.intentUuid)
-                   .add("time", head.at.toString(Qt::ISODateWithMs))
-                   .add("kind", base::intentKindName(head.kind))
-                   .add("temporary", head.temporary)
-                   .add("servo", head.servo)
-                   .add("id", head.servoId)
-                   .add("model", head.model)
-                   .add("label", head.label)
-                   .add("port", head.port)
-                   .add("baud", head.baud)
-                   .add("program", head.program)
-                   .add("detail", head.detail)
-                   .add("writes", std::move(rows)),
-               translate("cli", "%1, servo %2 %3, on %4 at %5 baud, by %6")
-                       .arg(head.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-                            QString::number(head.servoId),
-                            head.label.isEmpty() ? head.model
-                                                 : head.model + QStringLiteral(" \"") + head.label +
-                                                       QLatin1Char('"'),
-                            head.port, QString::number(head.baud),
-                            head.program.isEmpty() ? translate("cli", "an earlier version")
-                                                   : head.program) +
-                   QLatin1Char('\n') + table.text());
+    run.finish(
+        Json::object()
+            .add("intent", head.intentUuid)
+            .add("time", head.at.toString(Qt::ISODateWithMs))
+            .add("kind", base::intentKindName(head.kind))
+            .add("temporary", head.temporary)
+            .add("servo", head.servo)
+            .add("id", head.servoId)
+            .add("model", head.model)
+            .add("label", head.label)
+            .add("port", head.port)
+            .add("baud", head.baud)
+            .add("program", head.program)
+            .add("detail", head.detail)
+            .add("writes", std::move(rows)),
+        text::intentWord(head.kind, head.temporary, sameValues(*writes)) + QStringLiteral(": ") +
+            translate("cli", "%1, servo %2 %3, on %4 at %5 baud, by %6")
+                .arg(head.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
+                     QString::number(head.servoId),
+                     head.label.isEmpty()
+                         ? head.model
+                         : head.model + QStringLiteral(" \"") + head.label + QLatin1Char('"'),
+                     head.port, QString::number(head.baud),
+                     head.program.isEmpty() ? translate("cli", "an earlier version")
+                                            : head.program) +
+            QLatin1Char('\n') + table.text());
     return Exit::Done;
 }
 

@@ -5,7 +5,6 @@
 #include "cli/translate.h"
 #include "record/journal_takeover.h"
 #include "session/paths.h"
-#include "text/notice_words.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -153,18 +152,14 @@ base::Result<std::int64_t> parseServo(const record::History& history, const QStr
                            .arg(word));
 }
 
-QString historyOutcome(const record::HistoryWrite& write)
+base::Result<void> knowServos(const record::History& history, record::HistoryProfiles& profiles)
 {
-    if (write.outcome.isEmpty())
-        return translate("cli", "interrupted, open");
-    if (write.outcome == QLatin1String("done"))
-        return translate("cli", "done");
-    if (write.outcome == QLatin1String("undone"))
-        return translate("cli", "undone");
-    if (write.outcome == QLatin1String("failed"))
-        return translate("cli", "failed");
-    if (write.outcome == QLatin1String("abandoned"))
-        return translate("cli", "given up");
-    return text::outcomeWord(write.outcome);
+    record::HistoryFilter all;
+    all.most = mostRows;
+    const auto servos = history.log().servos(all);
+    if (!servos)
+        return tl::unexpected(servos.error());
+    profiles.add(*servos);
+    return {};
 }
 } // namespace cli

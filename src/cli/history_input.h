@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "record/history.h"
 #include "record/history_export.h"
+#include "record/history_profiles.h"
 
 namespace cli {
 /// --servo, --id, --model, --label, --since, --until, --register, --trouble, --most
@@ -22,6 +23,6 @@ base::Result<QDateTime> parseMoment(const QString& word, const QDateTime& now);
 /// The number of a servo, or the label of the only one that has it.
 base::Result<std::int64_t> parseServo(const record::History& history, const QString& word);
 
-/// How a write ended, in words.
-QString historyOutcome(const record::HistoryWrite& write);
+/// All servos of the history, so that values can be shown with their units.
+base::Result<void> knowServos(const record::History& history, record::HistoryProfiles& profiles);
 } // namespace cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The history as a user of servodesk-cli sees it: every command that writes saves the table first
 // and shows where, and all of it is found again, labelled, exported and taken out.
+#include "record/history_file.h"
 #include "support/cli_program.h"
 
 #include <QDir>
@@ -21,6 +22,17 @@ namespace {
 QString text(const char* utf8)
 {
     return QString::fromUtf8(utf8);
+}
+
+/// As the window writes it.
+bool markAsUndo(const CliProgram& cli, const char* key)
+{
+    const auto file = record::HistoryFile::open(cli.dataFolder() + text("/history.sqlite"),
+                                                std::chrono::seconds(1));
+    return file &&
+           (*file)->run(text("UPDATE intents SET kind = ? WHERE number = (SELECT MAX(intent) "
+                             "FROM writes WHERE key = ?)"),
+                        {text("undo"), text(key)});
 }
 
 QStringList savedTables(const CliProgram& cli)
@@ -203,6 +215,17 @@ void TestCliHistory::listedLabelledAndTakenOut()
     QCOMPARE(cli.run({text("history"), text("label"), number, text("left knee")}).exit, 0);
     const Ran labelled = cli.run({text("history"), text("--servo"), text("left knee")});
     QVERIFY2(labelled.out.contains(text("left knee")), qPrintable(labelled.out + labelled.err));
+
+    // Values with their units, and what kind of write it was.
+    QCOMPARE(cli.run("write 1 max_voltage=85").exit, 0);
+    QVERIFY(markAsUndo(cli, "max_voltage"));
+    const Ran listed = cli.run("history --register max_voltage");
+    QVERIFY2(listed.out.contains(text("85 · 8.5 V")), qPrintable(listed.out));
+    QVERIFY2(listed.out.contains(text("undo")), qPrintable(listed.out));
+    QVERIFY2(listed.out.contains(sim.port()), qPrintable(listed.out));
+    const Ran one = cli.run("history show 4");
+    QVERIFY2(one.out.startsWith(text("undo: ")), qPrintable(one.out));
+    QVERIFY2(one.out.contains(text("85 · 8.5 V")), qPrintable(one.out));
 
     const Ran shown = cli.json("history show 1");
     QCOMPARE(shown.json()[text("writes")].toArray().size(), 2);

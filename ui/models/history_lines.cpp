@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/history_lines.h"
 
-#include "catalog/value.h"
-#include "record/factory_snapshot.h"
 #include "text/alarm_words.h"
 #include "text/language.h"
-#include "text/notice_words.h"
 #include "text/translate.h"
+#include "text/write_words.h"
 #include "ui/models/sweep_cells.h"
 
 #include <QDir>
@@ -28,49 +26,6 @@ QString who(const QString& model, int id, const QString& label)
 {
     const QString name = QStringLiteral("%1 · ID %2").arg(model).arg(id);
     return label.isEmpty() ? name : name + dot + label;
-}
-
-/// `same`: no new value was known beforehand, the servo took its own defaults.
-QString intentWord(base::IntentKind kind, bool temporary, bool same)
-{
-    using base::IntentKind;
-    switch (kind) {
-    case IntentKind::Write:
-        return temporary ? translate("History", "temporary write") : translate("History", "write");
-    case IntentKind::SetId:
-        return translate("History", "change ID");
-    case IntentKind::SetBaud:
-        return translate("History", "change rate");
-    case IntentKind::Mode:
-        return translate("History", "switch mode");
-    case IntentKind::Calibrate:
-        return translate("History", "centre");
-    case IntentKind::Restore:
-        return same ? translate("History", "restore defaults") : translate("History", "restore");
-    case IntentKind::Identify:
-        return translate("History", "identify");
-    case IntentKind::Trial:
-        return translate("History", "trial");
-    case IntentKind::Undo:
-        return translate("History", "undo");
-    }
-    return {};
-}
-
-/// The six words, or what is known of the whole only.
-QString endWord(const QString& outcome)
-{
-    if (outcome.isEmpty())
-        return translate("History", "interrupted");
-    if (outcome == QLatin1StringView("done"))
-        return translate("History", "done");
-    if (outcome == QLatin1StringView("undone"))
-        return translate("History", "undone");
-    if (outcome == QLatin1StringView("failed"))
-        return translate("History", "failed");
-    if (outcome == QLatin1StringView("abandoned"))
-        return translate("History", "left as it was");
-    return text::outcomeWord(outcome);
 }
 
 QString snapshotWord(record::SnapshotReason reason)
@@ -104,31 +59,6 @@ QString tipOf(HistoryKind kind, const QStringList& cells, const QStringList& mor
     return lines.join(QLatin1Char('\n'));
 }
 } // namespace
-
-void HistoryWords::know(const std::vector<record::HistoryServo>& servos)
-{
-    for (const record::HistoryServo& servo : servos) {
-        record::Snapshot like;
-        const base::ServoIdentity& is = servo.who;
-        like.servo = {is.id,
-                      is.model,
-                      QStringLiteral("%1.%2").arg(is.modelMajor).arg(is.modelMinor),
-                      QStringLiteral("%1.%2").arg(is.firmwareMajor).arg(is.firmwareMinor),
-                      is.map,
-                      base::protocolName(is.protocol)};
-        // The history does not keep the byte order, by which some maps are told apart.
-        record::SnapshotRegister order;
-        order.key = QStringLiteral("byte_order");
-        for (const std::int64_t flag : {0, 1}) {
-            order.raw = flag;
-            like.registers = {order};
-            if (const auto profile = record::profileOf(like, m_catalog)) {
-                m_profiles[servo.number] = profile;
-                break;
-            }
-        }
-    }
-}
 
 QString HistoryWords::kindName(HistoryKind kind)
 {
@@ -205,51 +135,29 @@ QString HistoryWords::servoTitle(const record::HistoryServo& servo)
     return who(servo.who.model, servo.who.id, servo.label);
 }
 
-QString HistoryWords::registerName(const record::HistoryWrite& row) const
-{
-    const auto known = m_profiles.find(row.servo);
-    const catalog::Register* reg =
-        known != m_profiles.end() && known->second ? known->second->find(row.key) : nullptr;
-    return reg != nullptr ? reg->name.in(text::inChinese()) : row.key;
-}
-
-/// "85 · 8.5 V": the number, and what it stands for where that says more.
-QString HistoryWords::valueText(const record::HistoryWrite& row, std::int64_t raw) const
-{
-    const QString number = QString::number(qint64(raw));
-    const auto known = m_profiles.find(row.servo);
-    const catalog::Register* reg =
-        known != m_profiles.end() && known->second ? known->second->find(row.key) : nullptr;
-    if (reg == nullptr)
-        return number;
-    const QString words = catalog::formatValue(
-        raw, *reg, catalog::meaningOf(*reg, *known->second, catalog::knowNothing),
-        text::inChinese());
-    return words == number ? number : number + dot + words;
-}
-
 HistoryLine HistoryWords::line(const record::HistoryWrite& row) const
 {
     const bool good = row.good();
+    const bool chinese = text::inChinese();
+    const auto value = [&](std::int64_t raw) { return m_profiles.valueText(row, raw, chinese); };
     const QString sign = good                    ? QStringLiteral("✔ ")
                          : row.outcome.isEmpty() ? QStringLiteral("⚠ ")
                                                  : QStringLiteral("✘ ");
     HistoryLine line{row.number, row.servo, row.at};
     line.cells = {when(row.at),
                   who(row.model, row.servoId, row.label),
-                  registerName(row),
-                  valueText(row, row.oldRaw),
-                  valueText(row, row.newRaw),
-                  sign + endWord(row.outcome),
-                  intentWord(row.kind, row.temporary, row.oldRaw == row.newRaw),
+                  m_profiles.registerName(row, chinese),
+                  value(row.oldRaw),
+                  value(row.newRaw),
+                  sign + text::writeOutcomeWord(row.outcome),
+                  text::intentWord(row.kind, row.temporary, row.oldRaw == row.newRaw),
                   row.port};
     line.tone = good ? Tone::Good : row.outcome.isEmpty() ? Tone::Warn : Tone::Bad;
-    line.tip = tipOf(HistoryKind::Writes, line.cells,
-                     {QStringLiteral("%1 (%2)").arg(row.key).arg(row.address),
-                      row.readBack
-                          ? translate("History", "read back: %1").arg(valueText(row, *row.readBack))
-                          : QString(),
-                      row.detail, row.program});
+    line.tip = tipOf(
+        HistoryKind::Writes, line.cells,
+        {QStringLiteral("%1 (%2)").arg(row.key).arg(row.address),
+         row.readBack ? translate("History", "read back: %1").arg(value(*row.readBack)) : QString(),
+         row.detail, row.program});
     line.label = row.label;
     return line;
 }

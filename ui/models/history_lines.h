@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rows of the history in words, in the language of the moment: one list for each kind. Pure but for
-// a cache of register names; main thread.
+// a cache of register maps; main thread.
 #pragma once
 
-#include "catalog/catalog.h"
 #include "record/history.h"
 #include "record/history_export.h"
+#include "record/history_profiles.h"
 #include "ui/app/theme.h"
-
-#include <map>
 
 namespace ui {
 struct HistoryLine {
@@ -25,10 +23,10 @@ struct HistoryLine {
 class HistoryWords {
 public:
     explicit HistoryWords(const catalog::Catalog& catalog)
-        : m_catalog(catalog)
+        : m_profiles(catalog)
     {}
 
-    void know(const std::vector<record::HistoryServo>& servos);
+    void know(const std::vector<record::HistoryServo>& servos) { m_profiles.add(servos); }
     static QStringList headers(record::HistoryKind kind);
     static int toneColumn(record::HistoryKind kind); ///< -1: none
     static QString kindName(record::HistoryKind kind);
@@ -42,10 +40,6 @@ public:
     HistoryLine line(const record::TestRun& row) const;
 
 private:
-    QString registerName(const record::HistoryWrite& row) const;
-    QString valueText(const record::HistoryWrite& row, std::int64_t raw) const;
-
-    const catalog::Catalog& m_catalog;
-    std::map<std::int64_t, catalog::ProfilePtr> m_profiles; ///< by number of the servo
+    record::HistoryProfiles m_profiles;
 };
 } // namespace ui
