@@ -141,6 +141,7 @@ private:
     jobs::CommissionAnswer answer();
     void tell(const CommissionView& view);
     void tell(const record::CommissionRow& row);
+    void nameUnfinished();
     Exit finish(jobs::CommissionEnd end);
 
     Run& m_run;
@@ -340,6 +341,16 @@ void CommissionCommand::tell(const record::CommissionRow& row)
                  troubles.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(troubles)));
 }
 
+void CommissionCommand::nameUnfinished()
+{
+    for (const record::CommissionPending& one : m_batch.pending)
+        m_run.console().remark(
+            translate("cli", "Unfinished: %1 that was to have ID %2. Connect it and run the same "
+                             "command again to finish it; \"recover\" shows what is open.")
+                .arg(one.servo.model)
+                .arg(one.newId));
+}
+
 Exit CommissionCommand::finish(jobs::CommissionEnd end)
 {
     using record::CommissionVerdict;
@@ -353,12 +364,7 @@ Exit CommissionCommand::finish(jobs::CommissionEnd end)
     if (end == jobs::CommissionEnd::IdsUsedUp)
         m_run.console().remark(translate("cli", "All IDs have been given."));
     m_run.console().remark(summary);
-    for (const record::CommissionPending& one : m_batch.pending)
-        m_run.console().remark(
-            translate("cli", "Unfinished: %1 that was to have ID %2. Connect it and run the same "
-                             "command again to finish it; \"recover\" shows what is open.")
-                .arg(one.servo.model)
-                .arg(one.newId));
+    nameUnfinished();
     if (const QString notices = m_run.takeNotices(); !notices.isEmpty())
         m_run.console().remark(notices.trimmed());
     const bool good = std::all_of(m_batch.rows.begin() + std::ptrdiff_t(m_before),
@@ -404,8 +410,10 @@ base::Result<Exit> CommissionCommand::run()
         return names.name(servo, label, another);
     };
     const auto end = jobs::commission(stoppable, m_spec, m_batch, m_csv, hooks);
-    if (!end)
+    if (!end) {
+        nameUnfinished();
         return tl::unexpected(end.error());
+    }
     return finish(*end);
 }
 

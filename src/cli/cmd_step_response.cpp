@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
+#include "cli/busy_line.h"
 #include "cli/commands.h"
 #include "cli/progress.h"
 #include "cli/register_input.h"
@@ -205,6 +206,7 @@ base::Result<void> StepCommand::perform(const std::vector<record::StepGain>& tri
     auto done = jobs::stepResponse(*context, *m_servo, order, watch);
     if (!done)
         return tl::unexpected(done.error());
+    explainBusyLine(m_run.console(), *context, *m_servo, done->end);
     m_advice = jobs::adviseStep(*done, *m_servo->profile);
     m_runs.push_back(std::move(*done));
     return {};

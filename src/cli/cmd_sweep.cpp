@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
+#include "cli/busy_line.h"
 #include "cli/commands.h"
 #include "cli/progress.h"
 #include "cli/run.h"
@@ -251,6 +252,7 @@ base::Result<Exit> SweepCommand::run()
     m_line.reset();
     if (!done)
         return tl::unexpected(done.error());
+    explainBusyLine(m_run.console(), *context, m_servos.front(), done->end);
     const auto saved = save(*done);
     const bool back = allPutBack(context->notices);
     show(*done, keepSweep(m_run.console(), *done, saved ? files() : QStringList()));
