@@ -119,6 +119,8 @@ private Q_SLOTS:
     void bundleRestore();
     void commission_data();
     void commission();
+    void onASlowAdapter_data();
+    void onASlowAdapter();
 };
 
 void TestCliCtrlC::sweep_data()
@@ -360,6 +362,44 @@ void TestCliCtrlC::commission()
     batch = record::openCommissionBatch(bench.file("b.csv"));
     QVERIFY(batch && batch->rows.size() == 1 && batch->pending.empty());
     QCOMPARE(batch->rows.front().newId, 11);
+}
+
+void TestCliCtrlC::onASlowAdapter_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<int>("address");
+    QTest::addColumn<int>("skip");
+    const auto row = [](const char* name, const char* line, int address, int skip) {
+        QTest::newRow(name) << QString::fromLatin1(line) << address << skip;
+    };
+    const char* write = "write 1 max_temperature=60 position_p=20 position_d=10";
+    row("write, lock opened", write, lockAddress, 0);
+    row("write, first row", write, maxTemperature, 0);
+    row("write, lock being closed", write, lockAddress, 1);
+    row("new ID", "set-id 1 9", idAddress, 0);
+    row("mode", "mode 1 speed", modeAddress, 0);
+    row("sweep", "sweep 1 --from 1500 --to 2600 --delay 2500 --cycles 50 --speed 900 --release",
+        goalAddress, 2);
+}
+
+/// Its answers come 150 ms late: the same is promised.
+void TestCliCtrlC::onASlowAdapter()
+{
+    QFETCH(QString, line);
+    QFETCH(int, address);
+    QFETCH(int, skip);
+    CtrlC bench("--servos sts3215@1 --latency-ms 150");
+    const Ran ran = bench.interrupted(line.split(u' '), {address, skip, 1});
+    const QByteArray story = ran.out.toUtf8() + ran.err.toUtf8();
+    QVERIFY2(bench.cable.interrupted(), story.constData());
+    // A change that was all but over may as well be done.
+    QVERIFY2(ran.exit == 1 || (ran.exit == 0 && address != goalAddress), story.constData());
+    const int id = address == idAddress && bench.at(9, idAddress) == 9 ? 9 : 1;
+    QCOMPARE(bench.at(id, lockAddress), 1);
+    QCOMPARE(bench.at(id, torqueSwitch), 0);
+    QVERIFY2(bench.nothingIsOpen(), story.constData());
+    QVERIFY2(ran.exit == 1 || address != idAddress || id == 9, story.constData());
+    QTRY_COMPARE(bench.at(id, movingFlag), 0);
 }
 
 QTEST_GUILESS_MAIN(TestCliCtrlC)
