@@ -3965,24 +3965,8 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>有几个舵机的标签都是“%1”；请给出其中一个的编号：用 &quot;history --kind servos&quot; 列出</translation>
     </message>
     <message>
-        <source>interrupted, open</source>
-        <translation>中断，未了结</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>已完成</translation>
-    </message>
-    <message>
         <source>undone</source>
         <translation>已撤销</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>失败</translation>
-    </message>
-    <message>
-        <source>given up</source>
-        <translation>已放弃</translation>
     </message>
     <message>
         <source>no bench called %1 sends there; these do: %2</source>
@@ -4171,6 +4155,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>  File, and how many lines: %1</source>
         <translation>  文件及行数：%1</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
     </message>
 </context>
 <context>
