@@ -3,6 +3,8 @@
 
 #include "report/fonts.h"
 
+#include <QRegularExpression>
+
 #include <cmath>
 
 namespace report {
@@ -56,10 +58,11 @@ th { background-color: #f3f5f7; }
 .user { white-space: pre-wrap; }
 )";
 
+/// Also where its unit is written in two languages.
 bool isNumber(const QString& cell)
 {
-    const QString digits = cell.startsWith(u'-') ? cell.mid(1) : cell;
-    return !digits.isEmpty() && digits.front().isDigit();
+    static const QRegularExpression number(QStringLiteral("^(<[^>]*>)*-?\\d"));
+    return number.match(cell).hasMatch();
 }
 
 QString radio(const char* language, const char* name, bool checked)

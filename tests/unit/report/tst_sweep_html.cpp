@@ -221,6 +221,19 @@ private Q_SLOTS:
         QCOMPARE(markup.count(QStringLiteral("class=\"zh\"")), pairs);
     }
 
+    /// In every column of a table, whether their unit is the same word in both languages or not.
+    void numbersStandAtTheRight()
+    {
+        const QString page =
+            QString::fromUtf8(report::sweepHtml(sweep_example::run(), exampleSeries(), false));
+        // The pairs of a name and a value are no columns.
+        static const QRegularExpression left(
+            QStringLiteral("(?<!</th>)<td>(<(?!/td)[^>]*>)*-?\\d[^<]*"));
+        const auto match = left.match(page);
+        QVERIFY2(!match.hasMatch(), qPrintable(match.captured()));
+        QVERIFY(page.contains(QStringLiteral("<td class=\"n\" align=\"right\"><span")));
+    }
+
     void whatPeopleTypedIsOnlyText()
     {
         record::SweepRun run = sweep_example::run();
