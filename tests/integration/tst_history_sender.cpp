@@ -9,6 +9,7 @@
 #include "session/server_source.h"
 #include "support/cli_program.h"
 #include "support/history_example.h"
+#include "support/sender_times.h"
 #include "support/server_bench.h"
 #include "support/silent_server.h"
 #include "support/sim_bench.h"
@@ -24,6 +25,8 @@ using history_example::everything;
 using record::History;
 using record::HistoryServer;
 using session::HistorySender;
+using support::quickSender;
+using support::serverErrorKind;
 using Phase = session::SendState::Phase;
 using namespace std::chrono_literals;
 
@@ -33,23 +36,6 @@ constexpr int patienceMs = 60'000; ///< only a hung program ever needs it
 QString utf8(const char* words)
 {
     return QString::fromUtf8(words);
-}
-
-QString kindOf(const base::Error& error)
-{
-    return error.detail.left(error.detail.indexOf(u':'));
-}
-
-/// Impatient, for the tests.
-HistorySender::Times quick()
-{
-    HistorySender::Times times;
-    times.look = 50ms;
-    times.settle = 1ms;
-    times.firstRetry = 20ms;
-    times.lastRetry = 100ms;
-    times.silence = 200ms;
-    return times;
 }
 } // namespace
 
@@ -90,7 +76,7 @@ void TestHistorySender::offUntilAServerIsSet()
 {
     Bench bench;
     history_example::fill(bench);
-    HistorySender sender(bench.path, quick());
+    HistorySender sender(bench.path, quickSender(200ms));
     sender.poke();
     QCOMPARE(int(sender.state().phase), int(Phase::Off));
     QVERIFY(sender.state().server.isEmpty());
@@ -100,7 +86,7 @@ void TestHistorySender::whatComesIsSent()
 {
     Bench bench;
     history_example::fill(bench);
-    HistorySender::Times rare = quick();
+    HistorySender::Times rare = quickSender(200ms);
     rare.look = 1h;
     HistorySender sender(bench.path, rare);
     QList<Phase> phases;
@@ -125,7 +111,7 @@ void TestHistorySender::whatComesIsSent()
 void TestHistorySender::otherProgramsChangesAreSentToo()
 {
     Bench bench;
-    HistorySender sender(bench.path, quick());
+    HistorySender sender(bench.path, quickSender(200ms));
     sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
     history_example::write(bench.journal, 4, 1); // nobody pokes
@@ -139,10 +125,10 @@ void TestHistorySender::awayAtFirstThenThere()
     history_example::fill(bench);
     m_pg.stop();
     {
-        HistorySender sender(bench.path, quick());
+        HistorySender sender(bench.path, quickSender(200ms));
         sender.setServer(address(), utf8("Bench 1"));
         QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
-        QCOMPARE(kindOf(*sender.state().error), utf8("away"));
+        QCOMPARE(serverErrorKind(*sender.state().error), utf8("away"));
         QVERIFY(sender.state().nextTry.isValid());
         QVERIFY(!sender.state().waiting);
         QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
@@ -153,14 +139,14 @@ void TestHistorySender::awayAtFirstThenThere()
     // Missed by a program that has ended, sent by the next one.
     m_pg.stop();
     {
-        HistorySender sender(bench.path, quick());
+        HistorySender sender(bench.path, quickSender(200ms));
         sender.setServer(address(), utf8("Bench 1"));
         history_example::write(bench.journal, 1, 99);
         sender.poke();
         QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
     }
     QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
-    HistorySender sender(bench.path, quick());
+    HistorySender sender(bench.path, quickSender(200ms));
     sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
     verifyCopied(bench);
@@ -169,7 +155,7 @@ void TestHistorySender::awayAtFirstThenThere()
 void TestHistorySender::aServerThatRestartsMissesNothing()
 {
     Bench bench;
-    HistorySender sender(bench.path, quick());
+    HistorySender sender(bench.path, quickSender(200ms));
     sender.setServer(address(), utf8("Bench 1"));
     for (int round = 0; round < 3; ++round) {
         for (int i = 0; i < 40; ++i)
@@ -188,13 +174,13 @@ void TestHistorySender::aHungServerCountsAsTrouble()
 {
     Bench bench;
     history_example::fill(bench);
-    HistorySender sender(bench.path, quick());
+    HistorySender sender(bench.path, quickSender(200ms));
     sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
     m_pg.freeze();
     history_example::write(bench.journal, 1, 1);
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
-    QCOMPARE(kindOf(*sender.state().error), utf8("hung"));
+    QCOMPARE(serverErrorKind(*sender.state().error), utf8("hung"));
     QCOMPARE(sender.state().waiting, std::optional<std::int64_t>(1));
     m_pg.thaw();
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
@@ -208,7 +194,7 @@ void TestHistorySender::servoWritesDoNotWait()
     Bench bench;
     history_example::write(bench.journal, 2, 1); // something to send from the beginning
     const support::SilentServer silent;
-    HistorySender sender(bench.path, quick());
+    HistorySender sender(bench.path, quickSender(200ms));
     sender.setServer(silent.address(), utf8("Bench 1"));
     QCOMPARE(int(sender.state().phase), int(Phase::Waiting));
     support::SimBench wire(utf8("sts3215@1"));
@@ -229,7 +215,7 @@ void TestHistorySender::servoWritesDoNotWait()
     QCOMPARE(history_example::writes(*bench.open()).size(), qsizetype(52));
     QVERIFY(bench.journal.open().value().empty());
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
-    QCOMPARE(kindOf(*sender.state().error), utf8("hung"));
+    QCOMPARE(serverErrorKind(*sender.state().error), utf8("hung"));
     sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
     verifyCopied(bench);
@@ -249,7 +235,7 @@ void TestHistorySender::theEndDoesNotWait()
     Bench bench;
     history_example::fill(bench);
     const support::SilentServer silent;
-    HistorySender::Times times = quick();
+    HistorySender::Times times = quickSender(200ms);
     times.silence = 24h;
     auto sender = std::make_unique<HistorySender>(bench.path, times);
     if (connecting) {
@@ -270,7 +256,7 @@ void TestHistorySender::anotherServerMidway()
     Bench bench;
     history_example::fill(bench);
     const support::SilentServer silent;
-    HistorySender sender(bench.path, quick());
+    HistorySender sender(bench.path, quickSender(200ms));
     sender.setServer(silent.address(), utf8("Bench 1"));
     sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
@@ -329,7 +315,7 @@ void TestHistorySender::theWindowBrowses()
     std::optional<base::Error> trouble;
     archive.countWrites({}, this, [&](const auto& found) { trouble = found.error(); });
     QTRY_VERIFY_WITH_TIMEOUT(trouble.has_value(), patienceMs);
-    QCOMPARE(kindOf(*trouble), utf8("away"));
+    QCOMPARE(serverErrorKind(*trouble), utf8("away"));
     QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
     count.reset();
     archive.countWrites({}, this, [&](const auto& found) { count = found.value(); });
@@ -351,7 +337,7 @@ void TestHistorySender::browsingAHungServer()
     std::optional<base::Error> trouble;
     archive->countWrites({}, this, [&](const auto& found) { trouble = found.error(); });
     QTRY_VERIFY_WITH_TIMEOUT(trouble.has_value(), patienceMs);
-    QCOMPARE(kindOf(*trouble), utf8("hung"));
+    QCOMPARE(serverErrorKind(*trouble), utf8("hung"));
     archive->countWrites({}, this, [](const auto&) { QFAIL("nobody is there any more"); });
     archive.reset();
     m_pg.thaw();

@@ -8,6 +8,7 @@
 #include "support/cli_program.h"
 #include "support/history_example.h"
 #include "support/relay.h"
+#include "support/sender_times.h"
 #include "support/server_bench.h"
 #include "support/silent_server.h"
 #include "support/tls_files.h"
@@ -23,6 +24,8 @@ using history_example::Bench;
 using history_example::everything;
 using session::HistorySender;
 using session::HistorySending;
+using support::quickSender;
+using support::serverErrorKind;
 using Phase = session::SendState::Phase;
 using namespace std::chrono_literals;
 
@@ -33,22 +36,6 @@ const QString host = QStringLiteral("bench.example");
 QString utf8(const char* words)
 {
     return QString::fromUtf8(words);
-}
-
-QString kindOf(const base::Error& error)
-{
-    return error.detail.left(error.detail.indexOf(u':'));
-}
-
-HistorySender::Times quick()
-{
-    HistorySender::Times times;
-    times.look = 50ms;
-    times.settle = 1ms;
-    times.firstRetry = 20ms;
-    times.lastRetry = 100ms;
-    times.silence = 500ms;
-    return times;
 }
 } // namespace
 
@@ -152,7 +139,7 @@ void TestHistoryTls::whoAnswersIsVerified()
         QVERIFY2(sent, sent ? "" : qPrintable(sent.error().detail));
     } else {
         QVERIFY(!sent);
-        QCOMPARE(kindOf(sent.error()), kind);
+        QCOMPARE(serverErrorKind(sent.error()), kind);
         const text::Description words = text::describe(sent.error());
         QVERIFY2(words.what.contains(utf8("certificate")), qPrintable(words.what));
         QVERIFY(!words.cause.isEmpty());
@@ -178,7 +165,7 @@ void TestHistoryTls::aServerWithoutTls()
     history_example::fill(bench);
     const auto refused = sendTo(bench, elsewhere);
     QVERIFY(!refused);
-    QCOMPARE(kindOf(refused.error()), utf8("tls"));
+    QCOMPARE(serverErrorKind(refused.error()), utf8("tls"));
     QVERIFY(text::describe(refused.error()).remedy.contains(utf8("sslmode=disable")));
     const auto permitted = sendTo(bench, elsewhere + utf8(" sslmode=disable"));
     QVERIFY2(permitted, permitted ? "" : qPrintable(permitted.error().detail));
@@ -219,14 +206,14 @@ void TestHistoryTls::cutAnywhereNothingIsLost()
     Bench bench;
     history_example::fill(bench);
     support::Relay relay(m_pg.port());
-    HistorySender sender(bench.path, quick());
+    HistorySender sender(bench.path, quickSender(500ms));
     int troubles = 0;
     connect(&sender, &HistorySender::stateChanged, this, [&] {
         const session::SendState& state = sender.state();
         if (state.phase != Phase::Trouble)
             return;
         ++troubles;
-        QCOMPARE(kindOf(*state.error), utf8("away"));
+        QCOMPARE(serverErrorKind(*state.error), utf8("away"));
         QVERIFY(!text::describe(*state.error).remedy.isEmpty());
     });
     for (const qint64 bytes : {0, 8, 100, 700, 1500, 3000, 6000, 12000, 25000}) {
@@ -260,17 +247,17 @@ void TestHistoryTls::silentAnywhereItEnds()
     history_example::fill(bench);
     support::Relay relay(m_pg.port());
     relay.passOnly(bytes, support::Relay::Then::Swallow);
-    HistorySender sender(bench.path, quick());
+    HistorySender sender(bench.path, quickSender(500ms));
     sender.setServer(through(relay), utf8("Bench"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
-    QCOMPARE(kindOf(*sender.state().error), utf8("hung"));
+    QCOMPARE(serverErrorKind(*sender.state().error), utf8("hung"));
     history_example::write(bench.journal, 1, 7);
     relay.passAll();
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
     verifyCopied(bench);
     relay.passOnly(bytes, support::Relay::Then::Swallow);
     history_example::write(bench.journal, 1, 8);
-    auto left = std::make_unique<HistorySender>(bench.path, quick());
+    auto left = std::make_unique<HistorySender>(bench.path, quickSender(500ms));
     left->setServer(through(relay), utf8("Bench"));
     left.reset();
 }
@@ -281,7 +268,7 @@ void TestHistoryTls::aCrawlingServerIsWaitedFor()
     history_example::fill(bench);
     support::Relay relay(m_pg.port());
     relay.slowDown(60);
-    HistorySender::Times times = quick();
+    HistorySender::Times times = quickSender(500ms);
     times.silence = 60s;
     HistorySender sender(bench.path, times);
     sender.setServer(through(relay), utf8("Bench"));
@@ -307,7 +294,7 @@ void TestHistoryTls::somethingElseAnswers()
     const support::AnsweringServer server(answer);
     Bench bench;
     history_example::fill(bench);
-    HistorySender sender(bench.path, quick());
+    HistorySender sender(bench.path, quickSender(500ms));
     sender.setServer(
         utf8("host=%1 hostaddr=127.0.0.1 port=%2 user=u dbname=d").arg(host).arg(server.port()),
         utf8("Bench"));

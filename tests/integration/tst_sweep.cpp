@@ -2,12 +2,12 @@
 // The sweep test against simulated servos on a manual clock: what it drives, what it refuses, how
 // it ends, and that it never touches EPROM.
 #include "device/stop_frames.h"
-#include "jobs/sweep.h"
 #include "support/sim_bench.h"
 
 #include <QRegularExpression>
 #include <QTest>
 
+#include "sweep_help.h"
 #include <cmath>
 
 using base::ErrorCode;
@@ -15,6 +15,8 @@ using record::Grade;
 using record::SweepEnd;
 using record::SweepShape;
 using support::SimBench;
+using sweep_help::metric;
+using sweep_help::run;
 using namespace std::chrono_literals;
 
 namespace {
@@ -32,27 +34,6 @@ record::SweepSpec sweepSpec(const char* from = "1000", const char* to = "3000")
     spec.speed = text("2000");
     spec.acceleration = text("50");
     return spec;
-}
-
-base::Result<record::SweepRun> run(SimBench& bench, std::vector<device::Servo>& servos,
-                                   const record::SweepSpec& spec,
-                                   const jobs::SweepWatch& watch = {})
-{
-    jobs::SweepOrder order;
-    order.spec = spec;
-    for (const device::Servo& servo : servos)
-        order.limits.push_back(
-            record::builtInSweepLimits(servo.profile->modelName, servo.profile->series));
-    return jobs::sweep(bench.context(), servos, order, watch);
-}
-
-std::optional<double> metric(const record::SweepServo& servo, const char* key)
-{
-    for (const record::SweepMetric& one : servo.metrics) {
-        if (one.key == text(key))
-            return one.value;
-    }
-    return std::nullopt;
 }
 
 /// Bytes of EPROM (below 40 on STS and SCS) written since the last forgetFrames().
@@ -145,7 +126,7 @@ void TestSweep::aGoodServoPasses()
     spec.pause = 400ms;
     spec.cycles = 2;
     bench.forgetFrames();
-    const auto done = run(bench, servos, spec);
+    const auto done = run(bench.context(), servos, spec);
     QVERIFY2(done,
              done ? "" : qPrintable(base::errorName(done.error().code) + done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
@@ -189,7 +170,7 @@ void TestSweep::shapes()
     spec.period = 4s;
     spec.points = {{text("1000")}, {text("2000")}, {text("1500")}};
     spec.cycles = 2;
-    const auto done = run(bench, servos, spec);
+    const auto done = run(bench.context(), servos, spec);
     QVERIFY2(done,
              done ? "" : qPrintable(base::errorName(done.error().code) + done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
@@ -216,7 +197,7 @@ void TestSweep::severalTogether()
     record::SweepSpec spec = sweepSpec();
     spec.ranges[2] = {text("2000"), text("2500")};
     bench.forgetFrames();
-    const auto done = run(bench, servos, spec);
+    const auto done = run(bench.context(), servos, spec);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QVERIFY(bench.frames(support::SyncWrite) >= 7);
@@ -235,7 +216,7 @@ void TestSweep::aDelayShorterThanTheMoveMissesTheTarget()
     std::vector<device::Servo> servos{bench.servo(1)};
     record::SweepSpec spec = sweepSpec();
     spec.pause = 600ms; // 2000 steps at 2000 steps/s
-    const auto done = run(bench, servos, spec);
+    const auto done = run(bench.context(), servos, spec);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QVERIFY(*metric(done->servos.at(0), "missed_targets") >= 5);
@@ -284,7 +265,7 @@ void TestSweep::whatForbidsATest()
     else
         spec.range.to = text("three");
     bench.forgetFrames();
-    const auto done = run(bench, servos, spec);
+    const auto done = run(bench.context(), servos, spec);
     QVERIFY(!done);
     QCOMPARE(int(done.error().code), code);
     if (!what.isEmpty())
@@ -299,7 +280,7 @@ void TestSweep::otherModesAreRefused()
     bench.poke(1, text("operating_mode"), 1);
     std::vector<device::Servo> servos{bench.servo(1)};
     bench.forgetFrames();
-    const auto done = run(bench, servos, sweepSpec());
+    const auto done = run(bench.context(), servos, sweepSpec());
     QVERIFY(!done);
     QCOMPARE(done.error().code, ErrorCode::NotSupported);
     QCOMPARE(done.error().detail, text("not-position"));
@@ -321,7 +302,7 @@ void TestSweep::aJammedServoEndsTheTestWithoutTorque()
                 wire.servo(1)->load().stopHigh = 2000.0 / 4096 * 2 * M_PI;
             });
     };
-    const auto done = run(bench, servos, spec, watch);
+    const auto done = run(bench.context(), servos, spec, watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Stall);
     QCOMPARE(done->endedBy, 1);
@@ -339,7 +320,7 @@ void TestSweep::whoCannotComeToTheStartIsLeftWithoutTorque()
     record::SweepSpec spec = sweepSpec("3000", "2500");
     spec.stopOnAlarm = false;
     spec.stopOnStall = false;
-    const auto done = run(bench, servos, spec);
+    const auto done = run(bench.context(), servos, spec);
     QVERIFY(!done);
     QCOMPARE(done.error().detail, text("no-start"));
     QCOMPARE(done.error().id, 1);
@@ -355,7 +336,7 @@ void TestSweep::anAlarmEndsIt()
         if (leg.number == 1)
             bench.withWire([](sim::VirtualBus& wire) { wire.servo(2)->injectStatus(4); });
     };
-    const auto done = run(bench, servos, sweepSpec(), watch);
+    const auto done = run(bench.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Alarm);
     QCOMPARE(done->endedBy, 2);
@@ -378,7 +359,7 @@ void TestSweep::aSilentSecondIsAGap()
         if (leg.number == 2)
             silentUntil = bench.clock().now() + 1500ms;
     };
-    const auto done = run(bench, servos, sweepSpec(), watch);
+    const auto done = run(bench.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QCOMPARE(done->gaps.size(), std::size_t(1));
@@ -396,7 +377,7 @@ void TestSweep::aLongSilenceEndsIt()
         if (leg.number == 2)
             bench.wireConfig().faults.dropRequest = 1.0;
     };
-    const auto done = run(bench, servos, sweepSpec(), watch);
+    const auto done = run(bench.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::LinkLost);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
@@ -434,7 +415,7 @@ void TestSweep::aPlugPulledAndPutBackIsAGap()
 {
     SimBench bench(text("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    const auto done = run(bench, servos, sweepSpec(), pullingThePlug(bench, 3s));
+    const auto done = run(bench.context(), servos, sweepSpec(), pullingThePlug(bench, 3s));
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QCOMPARE(done->gaps.size(), std::size_t(1));
@@ -479,7 +460,7 @@ void TestSweep::whoeverIsStoppedWhileThePlugIsOutIsReleasedAfterIt()
         };
         bench.stop().request();
     };
-    const auto done = run(bench, servos, spec, watch);
+    const auto done = run(bench.context(), servos, spec, watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Stopped);
     QCOMPARE(bench.raw(1, text("torque_switch")), 0);
@@ -489,7 +470,7 @@ void TestSweep::aPlugThatStaysOutEndsIt()
 {
     SimBench bench(text("sts3215@1"));
     std::vector<device::Servo> servos{bench.servo(1)};
-    const auto done = run(bench, servos, sweepSpec(), pullingThePlug(bench, 60s));
+    const auto done = run(bench.context(), servos, sweepSpec(), pullingThePlug(bench, 60s));
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::LinkLost);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
@@ -500,8 +481,8 @@ void TestSweep::whoLostTorqueWithThePlugIsNotSwitchedOn()
 {
     SimBench bench(text("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    const auto done =
-        run(bench, servos, sweepSpec(), pullingThePlug(bench, 2s, [&] { bench.powerCycle(); }));
+    const auto done = run(bench.context(), servos, sweepSpec(),
+                          pullingThePlug(bench, 2s, [&] { bench.powerCycle(); }));
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::TorqueLost);
     QCOMPARE(done->endedBy, 1);
@@ -571,7 +552,7 @@ void TestSweep::whoLostTorqueBeforeItIsMeasuredIsNotSwitchedOn()
     std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
     bench.forgetFrames();
     const auto done = run(
-        bench, servos, warmedUp(from),
+        bench.context(), servos, warmedUp(from),
         pullingThePlugEarly(bench, std::chrono::milliseconds(after), [&] { bench.powerCycle(); }));
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::TorqueLost);
@@ -595,7 +576,7 @@ void TestSweep::aPlugPutBackBeforeItIsMeasuredCostsNothing()
     SimBench bench(text("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
     bench.forgetFrames();
-    const auto done = run(bench, servos, warmedUp(from),
+    const auto done = run(bench.context(), servos, warmedUp(from),
                           pullingThePlugEarly(bench, std::chrono::milliseconds(after)));
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
@@ -624,7 +605,7 @@ void TestSweep::whoHadNoTorqueAtTheBeginningIsSwitchedOn()
         if (backAt > 0s && bench.clock().now() >= backAt)
             bench.wireConfig().faults.dropRequest = 0;
     };
-    const auto done = run(bench, servos, sweepSpec(), watch);
+    const auto done = run(bench.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QVERIFY(bench.clock().now() > backAt);
@@ -635,7 +616,7 @@ void TestSweep::aStopWhileThePlugIsOutIsTheFirstWord()
     SimBench bench(text("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
     bench.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
-    const auto done = run(bench, servos, sweepSpec(),
+    const auto done = run(bench.context(), servos, sweepSpec(),
                           pullingThePlug(bench, 1s, [&] { bench.bus().emergency(); }));
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Emergency);
@@ -660,7 +641,7 @@ void TestSweep::theUserStops()
             if (leg == 2 && ++samples == 50)
                 bench.stop().request();
         };
-        const auto done = run(bench, servos, spec, watch);
+        const auto done = run(bench.context(), servos, spec, watch);
         QVERIFY(done);
         QCOMPARE(done->end, SweepEnd::Stopped);
         QCOMPARE(done->verdict(), Grade::NotMeasured);
@@ -682,7 +663,7 @@ void TestSweep::theEmergencyStopEndsIt()
         if (leg == 2 && ++samples == 50)
             bench.bus().emergency();
     };
-    const auto done = run(bench, servos, sweepSpec(), watch);
+    const auto done = run(bench.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Emergency);
     QCOMPARE(bench.raw(1, text("torque_switch")), 0);
@@ -700,7 +681,7 @@ void TestSweep::anHourWritesNoEprom()
     bench.forgetFrames();
     const auto eprom =
         bench.withWire([](sim::VirtualBus& wire) { return wire.servo(1)->epromImage(); });
-    const auto done = run(bench, servos, spec);
+    const auto done = run(bench.context(), servos, spec);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QVERIFY(done->servos.at(0).legs.size() >= 1795);
@@ -720,7 +701,7 @@ void TestSweep::warmUpIsNotMeasured()
     record::SweepSpec spec = sweepSpec();
     spec.warmUp = 10s;
     const base::Duration before = bench.clock().now();
-    const auto done = run(bench, servos, spec);
+    const auto done = run(bench.context(), servos, spec);
     QVERIFY(done);
     QCOMPARE(done->servos.at(0).legs.size(), std::size_t(6));
     QVERIFY(done->length < 12500ms);
@@ -739,7 +720,7 @@ void TestSweep::limitsMoveDuringTheRun()
     };
     record::SweepSpec spec = sweepSpec();
     spec.stopOnStall = false;
-    const auto done = run(bench, servos, spec, watch);
+    const auto done = run(bench.context(), servos, spec, watch);
     QVERIFY(done);
     // The servo itself keeps to its new limit, so the targets beyond are missed.
     QCOMPARE(done->verdict(), Grade::Fail);

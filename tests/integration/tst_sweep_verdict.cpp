@@ -2,7 +2,6 @@
 // Verdicts of sweep tests that were broken off, that follow a sine, or that are too short, on
 // simulated servos and on one that knows only bytes: it obeys a scripted position, whatever goals
 // it is sent.
-#include "jobs/sweep.h"
 #include "jobs/sweep_proposal.h"
 #include "record/sweep_json.h"
 #include "record/sweep_verdict.h"
@@ -11,6 +10,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include "sweep_help.h"
 #include <cmath>
 #include <numbers>
 
@@ -20,6 +20,8 @@ using record::NoVerdict;
 using record::SweepEnd;
 using record::SweepShape;
 using support::SimBench;
+using sweep_help::metric;
+using sweep_help::run;
 using namespace std::chrono_literals;
 
 namespace {
@@ -143,28 +145,6 @@ record::SweepSpec thereAndBack()
     spec.speed = text("2000");
     spec.acceleration = text("50");
     return spec;
-}
-
-base::Result<record::SweepRun> run(const device::Context& context,
-                                   std::vector<device::Servo>& servos,
-                                   const record::SweepSpec& spec,
-                                   const jobs::SweepWatch& watch = {})
-{
-    jobs::SweepOrder order;
-    order.spec = spec;
-    for (const device::Servo& servo : servos)
-        order.limits.push_back(
-            record::builtInSweepLimits(servo.profile->modelName, servo.profile->series));
-    return jobs::sweep(context, servos, order, watch);
-}
-
-std::optional<double> metric(const record::SweepServo& servo, const char* key)
-{
-    for (const record::SweepMetric& one : servo.metrics) {
-        if (one.key == text(key))
-            return one.value;
-    }
-    return std::nullopt;
 }
 
 NoVerdict reason(const record::SweepRun& run, std::size_t servo = 0)
