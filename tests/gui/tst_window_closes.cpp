@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window is closed, or the cable pulled, in the middle of what lasts: a sweep test, a step
-// response, a restore, a recording. Another program on the same terminal then says what the servo
-// was left as; the journal says whether anything is open. A second window on a port that is taken
-// says who holds it and writes nothing.
+// response, a restore, a recording, commissioning. Another program on the same terminal then says
+// what the servo was left as; the journal says whether anything is open. A second window on a port
+// that is taken says who holds it and writes nothing.
 #include "gui/window_bench.h"
 #include "session/step_test.h"
 #include "support/cli_program.h"
+#include "support/cut_cable.h"
+#include "ui/charts/trend_chart.h"
+#include "ui/pages/commission_page.h"
 #include "ui/pages/step_page.h"
 #include "ui/widgets/banner.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialog>
 #include <QDir>
 #include <QJsonArray>
@@ -26,47 +30,62 @@ using support::SimProgram;
 
 namespace {
 constexpr int longTime = 60'000;
+constexpr int factoryId = 1;
+constexpr int newId = 7; ///< given by commissioning
 
 struct Bench : gui::WindowBench {
     Bench()
         : simulator(support::words("--servos sts3215@1 --baud 1000000 --latency-ms 10"))
+        , cable(std::make_unique<support::CutCable>(simulator.port(), false))
     {
         settings.setChoice(QStringLiteral("operate/no_torque_hint"), true);
     }
-    bool begins(const QString& what)
+    /// `cutAt`: the cable is cut where that frame which changes something would have gone through;
+    /// 0: it is not cut.
+    bool begins(const QString& what, int cutAt = 0)
     {
-        page = what == QLatin1String("recording") ? QStringLiteral("operate")
-               : what == QLatin1String("restore") ? QStringLiteral("snapshots")
-                                                  : what;
-        if (!ready(1, simulator.port()))
+        page = what == QLatin1String("recording")        ? QStringLiteral("operate")
+               : what == QLatin1String("restore")        ? QStringLiteral("snapshots")
+               : what.startsWith(QLatin1String("sweep")) ? QStringLiteral("sweep")
+                                                         : what;
+        if (!ready(factoryId, cable->port()))
             return false;
-        if (what == QLatin1String("sweep"))
-            return sweep();
+        if (what.startsWith(QLatin1String("sweep")))
+            return sweep(what == QLatin1String("sweep, released"));
         if (what == QLatin1String("step"))
             return step();
-        return what == QLatin1String("restore") ? restore() : record();
+        if (what == QLatin1String("commission"))
+            return commission(cutAt);
+        return what == QLatin1String("restore") ? restore(cutAt) : record();
     }
-    bool over(const QString& what)
+    session::Commissioning& line() { return find<ui::CommissionPage>("commissionPage")->line(); }
+    QString bannerText()
     {
-        return what == QLatin1String("sweep") ? !bench.sweep.running() : !desk().busy();
+        QString all;
+        for (const QLabel* label : find<ui::Banner>("banner")->findChildren<QLabel*>())
+            all += label->text() + QLatin1Char('\n');
+        return all;
     }
     bool closed()
     {
         window->close();
         return QTest::qWaitFor([this] { return !window->isVisible(); }, longTime);
     }
-    /// Of the servo, asked by another program after this one has let go of the port.
-    int raw(const char* key)
+    /// Of the servo, asked by another program after this one has let go of the port; -1: nobody
+    /// answers under that ID.
+    int raw(const char* key, int id = factoryId)
     {
+        cable.reset();
         CliProgram other;
         other.setPort(simulator.port());
         const support::Ran ran =
-            other.json(qPrintable(QStringLiteral("read 1 %1").arg(QLatin1String(key))));
-        return ran.json()[QStringLiteral("registers")].toArray()[0][QStringLiteral("raw")].toInt(
+            other.json(qPrintable(QStringLiteral("read %1 %2").arg(id).arg(QLatin1String(key))));
+        return ran.json()[QStringLiteral("registers")].toArray().at(0)[QStringLiteral("raw")].toInt(
             -1);
     }
 
     SimProgram simulator;
+    std::unique_ptr<support::CutCable> cable; ///< goes before the simulator
 
 private:
     bool press(const char* name)
@@ -79,9 +98,10 @@ private:
             QTest::mouseClick(yes, Qt::LeftButton);
         return true;
     }
-    bool sweep()
+    bool sweep(bool released)
     {
         find<QSpinBox>("sweepCycles")->setValue(500);
+        find<QComboBox>("sweepAfterwards")->setCurrentIndex(released ? 1 : 0);
         return press("sweepRun") && QTest::qWaitFor(
                                         [this] {
                                             const record::SweepRun* run = bench.sweep.run();
@@ -92,9 +112,12 @@ private:
     bool step()
     {
         find<QSpinBox>("stepRepeats")->setValue(20);
-        return press("stepRun") && QTest::qWaitFor([this] { return desk().testing(); }, longTime);
+        return press("stepRun") &&
+               QTest::qWaitFor(
+                   [this] { return !find<ui::StepPage>("stepPage")->test().live().empty(); },
+                   longTime);
     }
-    bool restore()
+    bool restore(int cutAt)
     {
         auto* shelf = find<QTreeWidget>("shelfTree");
         const int before = shelf->topLevelItemCount();
@@ -106,21 +129,36 @@ private:
                                               {QStringLiteral("min_angle_limit"), 100},
                                               {QStringLiteral("max_angle_limit"), 3000}}});
         shelf->setCurrentItem(shelf->topLevelItem(shelf->topLevelItemCount() - 1));
-        if (!settled() || !press("restoreWrite"))
+        if (!settled())
             return false;
-        return QTest::qWaitFor(
-            [this] {
-                const auto open = session.journal().open();
-                return open && !open->empty();
-            },
-            longTime);
+        if (cutAt > 0)
+            cable->cutAtWrite(cutAt);
+        return press("restoreWrite") && desk().busy();
+    }
+    bool commission(int cutAt)
+    {
+        find<QLineEdit>("commissionBatch")->setText(m_files.filePath(QStringLiteral("b.csv")));
+        find<QSpinBox>("commissionFirstId")->setValue(newId);
+        auto* go = find<QPushButton>("commissionContinue");
+        if (!press("commissionStart") ||
+            !QTest::qWaitFor([&] { return go->isVisible(); }, longTime))
+            return false;
+        if (cutAt > 0)
+            cable->cutAtWrite(cutAt);
+        const int before = cable->writes();
+        QTest::mouseClick(go, Qt::LeftButton);
+        return QTest::qWaitFor([&] { return cable->writes() > before; }, longTime);
     }
     bool record()
     {
-        const auto feeds = [this] { return desk().rate(selection().current()).lastAt.has_value(); };
-        if (!QTest::qWaitFor(feeds, longTime))
+        const auto hasCurves = [this] {
+            const auto& channels =
+                find<QWidget>("trendPanel")->findChild<ui::TrendChart*>()->channels();
+            return std::any_of(channels.begin(), channels.end(),
+                               [](const auto& one) { return one.visible && one.id >= 0; });
+        };
+        if (!QTest::qWaitFor(hasCurves, longTime))
             return false;
-        QTest::qWait(0); // the chart has taken its curves
         action(ui::Command::Record)->trigger();
         auto* path = find<QLineEdit>("recordPath");
         if (path == nullptr)
@@ -138,10 +176,19 @@ private:
     QTemporaryDir m_files;
 };
 
+bool hasOpen(qint64 program, const QString& port)
+{
+    const QDir open(QStringLiteral("/proc/%1/fd").arg(program));
+    const QFileInfoList files = open.entryInfoList(QDir::Files | QDir::System);
+    return std::any_of(files.begin(), files.end(),
+                       [&](const QFileInfo& one) { return one.symLinkTarget() == port; });
+}
+
 void whatLasts()
 {
     QTest::addColumn<QString>("what");
-    for (const char* what : {"sweep", "step", "restore", "recording"})
+    for (const char* what :
+         {"sweep", "sweep, released", "step", "restore", "recording", "commission"})
         QTest::newRow(what) << QString::fromLatin1(what);
 }
 } // namespace
@@ -157,11 +204,19 @@ private Q_SLOTS:
         Bench bench;
         QVERIFY(bench.begins(what));
         QVERIFY(bench.closed());
-        QCOMPARE(bench.raw("lock"), 1);
+        const int id = bench.raw("lock") >= 0 ? factoryId : newId;
+        QCOMPARE(bench.raw("lock", id), 1);
         const auto open = bench.session.journal().open();
         QVERIFY(open && open->empty());
-        const int place = bench.raw("present_position");
-        QVERIFY(std::abs(bench.raw("present_position") - place) <= 2); // it does not go on
+        const int place = bench.raw("present_position", id);
+        QVERIFY(std::abs(bench.raw("present_position", id) - place) <= 2); // it does not go on
+        const bool holds = what == QLatin1String("sweep") || what == QLatin1String("step");
+        QCOMPARE(bench.raw("torque_switch", id), holds ? 1 : 0);
+        if (what == QLatin1String("commission")) { // it had begun, and the batch knows it
+            QCOMPARE(bench.line().batch().rows.size() + bench.line().batch().pending.size(),
+                     std::size_t(1));
+            QVERIFY(id == newId || bench.line().batch().rows.empty());
+        }
         if (what == QLatin1String("restore"))
             QCOMPARE(bench.raw("position_p"), 32);
         if (what == QLatin1String("recording")) {
@@ -171,20 +226,53 @@ private Q_SLOTS:
         }
     }
 
+    /// The second frame that changes something is cut off: the lock is open by then, the row or the
+    /// ID not written.
+    void aCutInTheMiddleOfAChangeStaysOpen_data()
+    {
+        QTest::addColumn<QString>("what");
+        QTest::newRow("restore") << QStringLiteral("restore");
+        QTest::newRow("commission") << QStringLiteral("commission");
+    }
+    void aCutInTheMiddleOfAChangeStaysOpen()
+    {
+        QFETCH(QString, what);
+        Bench bench;
+        QVERIFY(bench.begins(what, 2));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().state(), session::LinkState::Lost, longTime);
+        QTRY_VERIFY(bench.find<ui::Banner>("banner")->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.desk().busy(), longTime);
+        const auto open = bench.session.journal().open();
+        QVERIFY(open);
+        QCOMPARE(open->size(), std::size_t(1));
+        QCOMPARE(open->front().servo.id, factoryId);
+        if (what == QLatin1String("commission")) {
+            QCOMPARE(bench.line().batch().pending.size(), std::size_t(1));
+            QTRY_VERIFY(bench.find<QLabel>("commissionDetail")
+                            ->text()
+                            .contains(QLatin1String("Unfinished")));
+        }
+        QVERIFY(bench.closed());
+        QCOMPARE(bench.raw("lock"), 0);
+    }
+
     void unpluggingIsSaidAndTheWindowStays_data() { whatLasts(); }
     void unpluggingIsSaidAndTheWindowStays()
     {
         QFETCH(QString, what);
         Bench bench;
-        QVERIFY(bench.begins(what));
-        bench.simulator.end();
-        if (what != QLatin1String("sweep") && what != QLatin1String("step")) {
-            QTRY_COMPARE_WITH_TIMEOUT(bench.desk().state(), session::LinkState::Lost, longTime);
-            QTRY_VERIFY(bench.find<ui::Banner>("banner")->isVisible());
+        QVERIFY(bench.begins(what, 1)); // what writes is cut off at the first frame that does
+        if (what != QLatin1String("restore"))
+            bench.cable->cut();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().state(), session::LinkState::Lost, longTime);
+        QTRY_VERIFY(bench.find<ui::Banner>("banner")->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.desk().busy(), longTime);
+        if (what.startsWith(QLatin1String("sweep"))) {
+            QVERIFY(bench.bench.sweep.run()->end == record::SweepEnd::LinkLost);
+            QCOMPARE(bench.bench.sweep.run()->verdict(), record::Grade::NotMeasured);
         }
         if (what == QLatin1String("restore")) {
             // What is unfinished stays in the journal; what has ended was not sent, row by row.
-            QTRY_VERIFY(!bench.entry().writing());
             const auto all = bench.session.journal().entries();
             QVERIFY(all && !all->empty());
             if (const auto& end = all->back().end) {
@@ -194,28 +282,44 @@ private Q_SLOTS:
                     QCOMPARE(item.outcome, QStringLiteral("not-sent"));
             }
         }
+        QVERIFY(bench.window->isVisible());
         QVERIFY(bench.closed());
     }
 
+    void aSecondWindowOnThePortSaysWhoHoldsIt_data()
+    {
+        QTest::addColumn<QString>("program");
+        QTest::newRow("command line") << QStringLiteral("servodesk-cli");
+        QTest::newRow("window") << QStringLiteral("servodesk");
+    }
     void aSecondWindowOnThePortSaysWhoHoldsIt()
     {
-        SimProgram simulator(support::words("--servos sts3215@1 --baud 1000000"));
-        CliProgram first;
-        first.setPort(simulator.port());
-        first.start(support::words("watch 1"));
-        QVERIFY(first.waitForOutput("1"));
-        gui::WindowBench bench;
-        bench.window->start(
-            {.port = session::PortRequest{.name = simulator.port()}, .page = bench.page});
-        auto* banner = bench.find<ui::Banner>("banner");
-        QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longTime);
-        QString all;
-        for (const QLabel* label : banner->findChildren<QLabel*>())
-            all += label->text() + QLatin1Char('\n');
-        QVERIFY2(all.contains(QLatin1String("servodesk-cli")), qPrintable(all));
+        QFETCH(QString, program);
+        Bench bench;
+        const QString port = bench.simulator.port();
+        bench.cable.reset();
+        const QTemporaryDir data;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("SERVODESK_DATA_DIR"), data.path());
+        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+        QProcess first;
+        first.setProcessEnvironment(environment);
+        first.start(QCoreApplication::applicationDirPath() + QStringLiteral("/../bin/") + program,
+                    program == QLatin1String("servodesk")
+                        ? QStringList{QStringLiteral("--port"), port}
+                        : QStringList{QStringLiteral("--port"), port, QStringLiteral("watch"),
+                                      QStringLiteral("1")});
+        QVERIFY(first.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(hasOpen(first.processId(), port), longTime);
+        bench.window->start({.port = session::PortRequest{.name = port}, .page = bench.page});
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find<ui::Banner>("banner")->isVisible(), longTime);
+        const QString words = bench.bannerText();
+        QVERIFY2(words.contains(program), qPrintable(words));
+        QVERIFY2(words.contains(QString::number(first.processId())), qPrintable(words));
         QVERIFY(bench.desk().state() != session::LinkState::Open);
-        first.signal(SIGINT);
-        (void)first.finish();
+        QCOMPARE(first.state(), QProcess::Running); // it was not disturbed
+        first.kill();
+        QVERIFY(first.waitForFinished());
     }
 };
 
