@@ -88,7 +88,7 @@ QString snapshotText(const record::Snapshot& snapshot)
     const record::SnapshotServo& servo = snapshot.servo;
     QString about;
     if (!snapshot.label.isEmpty())
-        about += translate("cli", "Label: %1").arg(snapshot.label) + QLatin1Char('\n');
+        about += translate("cli", "Label: %1").arg(snapshot.label.simplified()) + QLatin1Char('\n');
     if (!snapshot.note.isEmpty())
         about += translate("cli", "Note: %1").arg(snapshot.note) + QLatin1Char('\n');
     return translate("cli", "Servo %1: %2 (%3), firmware %4, on %5 at %6")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The built command line and hostile files: what stands in them never commands the terminal, and
 // what is no file is not read.
+#include "support/cable_end.h"
 #include "support/cli_program.h"
 
 #include <QFile>
@@ -18,15 +19,16 @@ using support::words;
 
 namespace {
 /// Clears the screen, sets the title (as C0 and as C1), turns the text round, begins a new row.
-const QString hostile =
-    QStringLiteral("a\033[2J\033]0;owned\007b\u009b2Jc\u202ed\rfaked\n1  STS3215  all is well");
+const QString hostile = QStringLiteral(
+    "a\033[2J\033]0;owned\007b\u009b2Jc\u202ed\u200ee\u061c\rfaked\n1  STS3215  all is well");
 
 /// None that a terminal takes for a command, but line ends.
 bool isHarmless(const QString& text)
 {
     return std::all_of(text.begin(), text.end(), [](QChar c) {
         const char16_t code = c.unicode();
-        return code == '\n' || (code >= 0x20 && !(code >= 0x7f && code < 0xa0) && code != 0x202e);
+        return code == '\n' || (code >= 0x20 && !(code >= 0x7f && code < 0xa0) && code != 0x202e &&
+                                code != 0x200e && code != 0x061c);
     });
 }
 
@@ -48,6 +50,25 @@ QString hostileSnapshot(CliProgram& cli)
     file.write(QJsonDocument(snapshot).toJson());
     return path;
 }
+/// What comes when stdout is a terminal.
+QByteArray onATerminal(CliProgram& cli, const QStringList& line)
+{
+    const support::Terminal terminal = support::makeTerminal(O_NONBLOCK);
+    cli.process().setChildProcessModifier([&terminal] { dup2(terminal.slave, STDOUT_FILENO); });
+    cli.start(line);
+    QByteArray seen;
+    const auto take = [&] {
+        char chunk[4096];
+        for (ssize_t got = 0; (got = read(terminal.master, chunk, sizeof chunk)) > 0;)
+            seen.append(chunk, got);
+    };
+    while (cli.process().state() != QProcess::NotRunning && !cli.process().waitForFinished(10))
+        take();
+    take();
+    close(terminal.slave);
+    close(terminal.master);
+    return seen;
+}
 } // namespace
 
 class TestCliTerminal : public QObject {
@@ -57,6 +78,7 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     void aFileDoesNotCommandTheTerminal();
+    void aDocumentDoesNotCommandTheTerminal();
     void anArgumentDoesNotCommandTheTerminal();
     void whatIsNoFileIsNotRead_data();
     void whatIsNoFileIsNotRead();
@@ -80,6 +102,22 @@ void TestCliTerminal::aFileDoesNotCommandTheTerminal()
     const Ran diff = cli.run(
         QStringList{QStringLiteral("snapshot"), QStringLiteral("diff"), path, QStringLiteral("1")});
     QVERIFY2(isHarmless(diff.out + diff.err), qPrintable(diff.out + diff.err));
+}
+
+/// What goes into a file as it is does not go to a terminal as it is.
+void TestCliTerminal::aDocumentDoesNotCommandTheTerminal()
+{
+    CliProgram cli;
+    const QString path = hostileSnapshot(cli);
+    QVERIFY(!path.isEmpty());
+    const QStringList line{QStringLiteral("snapshot"), QStringLiteral("show"), path,
+                           QStringLiteral("--csv")};
+    const Ran piped = cli.run(line);
+    QVERIFY(!isHarmless(QString(piped.out).remove(u'\r')));
+
+    const QByteArray seen = onATerminal(cli, line);
+    QVERIFY2(seen.contains("owned"), seen.constData());
+    QVERIFY2(isHarmless(QString::fromUtf8(seen)), seen.constData());
 }
 
 void TestCliTerminal::anArgumentDoesNotCommandTheTerminal()
