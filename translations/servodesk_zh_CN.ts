@@ -2515,10 +2515,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>恢复旧值</translation>
     </message>
     <message>
-        <source>also changes begun on another port than this one</source>
-        <translation>也包括在其他端口上开始的修改</translation>
-    </message>
-    <message>
         <source>The servo answers as ID %1 at %2 baud.</source>
         <translation>舵机以 ID %1、波特率 %2 应答。</translation>
     </message>
@@ -4159,6 +4155,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Kind</source>
         <translation>类型</translation>
+    </message>
+    <message>
+        <source>also changes begun on another port than this one; without it the exit code is 1 while any of those is open</source>
+        <translation>也包括在其他端口上开始的修改；不加此项时，只要其中还有未了结的，退出码即为 1</translation>
     </message>
 </context>
 <context>

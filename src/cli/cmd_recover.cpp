@@ -316,7 +316,9 @@ Command recoverCommand()
                                        "letters of its name will do)"),
               "CHANGE|all"},
              {"--any-port",
-              QT_TRANSLATE_NOOP("cli", "also changes begun on another port than this one")}},
+              QT_TRANSLATE_NOOP("cli",
+                                "also changes begun on another port than this one; without it the "
+                                "exit code is 1 while any of those is open")}},
             run};
 }
 } // namespace cli
