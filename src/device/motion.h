@@ -76,6 +76,8 @@ struct MovePlan {
     std::int64_t goalRaw = 0;
     catalog::Role goalRole = catalog::Role::GoalPosition;
     QString mode{}; ///< key of the mode it was worked out for
+    /// A start may find it in its servo. Also known after a failure; none: it was not sent there.
+    std::optional<bool> held{};
 };
 
 base::Result<MovePlan> planMove(const Context& context, const MoveOrder& order);

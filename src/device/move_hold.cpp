@@ -29,6 +29,7 @@ base::Result<void> holdGoal(const Context& context, MovePlan& plan, const Block&
                                                protocol::Repeat::Safe);
     request.acknowledged = servo.answersWrites();
     const bool acknowledged = request.acknowledged;
+    plan.held = true;
     const auto held = transactPlain(context, std::move(request));
     if (!held && !answerLost(held.error()))
         return held;
@@ -39,6 +40,7 @@ base::Result<void> holdGoal(const Context& context, MovePlan& plan, const Block&
     if (!pending)
         return tl::unexpected(pending.error());
     const bool taken = held.has_value() && acknowledged;
+    plan.held = *pending;
     // The flag tells whether it is held, so a lost answer does not matter; unless another goal has
     // been waiting there, of which it speaks just as well.
     if (*pending && (taken || !*before))
@@ -68,6 +70,7 @@ base::Result<void> releaseHeld(const Context& context, const Plans& plans)
             const auto pending = waits(context, *plan->servo);
             if (!pending)
                 return tl::unexpected(pending.error());
+            plan->held = *pending;
             if (*pending && waiting < 0)
                 waiting = plan->servo->id;
         }
@@ -118,6 +121,7 @@ base::Result<void> storeMove(const Context& context, Servo& servo, std::int64_t 
 base::Result<void> storeAll(const Context& context, const Plans& plans)
 {
     for (MovePlan* plan : plans) {
+        plan->held = true;
         const auto stored = storeMove(context, *plan->servo, plan->goalRaw, plan->ownTime);
         if (!stored)
             return stored;
@@ -147,8 +151,11 @@ base::Result<void> startStored(const Context& context, const Plans& plans)
 /// before is what counts.
 void forgetStored(const Context& context, const Plans& plans)
 {
-    for (MovePlan* plan : plans)
-        (void)disarm(context, *plan->servo);
+    for (MovePlan* plan : plans) {
+        const auto waiting = disarm(context, *plan->servo);
+        if (waiting && plan->held)
+            plan->held = *waiting;
+    }
 }
 
 base::Result<void> forgetGoal(const Context& context, Servo& servo)
@@ -203,6 +210,8 @@ base::Result<void> startGoals(const Context& context, const Ways& ways)
         forgetStored(context, ways.stored);
         return started;
     }
+    for (MovePlan* plan : ways.stored)
+        plan->held = false;
     return releaseHeld(context, ways.held);
 }
 

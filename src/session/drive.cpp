@@ -167,12 +167,8 @@ void Drive::send(const MoveWish& wish)
 void Drive::moveEnded(const Sending& sending, const TaskEnd& end)
 {
     m_sending = false;
+    noteHeld(sending.servos, *sending.plans); // one that failed half-way may stand in some of them
     if (end.error) {
-        // A hold that failed half-way may stand in some of them: Execute must know of it.
-        if (sending.wish.how == MoveHow::Async) {
-            for (std::size_t i = 0; i < sending.plans->size(); ++i)
-                m_held[sending.servos[i]] = (*sending.plans)[i];
-        }
         m_next.reset();
         m_dragFailed = m_dragging;
         tell(end);
@@ -181,9 +177,7 @@ void Drive::moveEnded(const Sending& sending, const TaskEnd& end)
     for (std::size_t i = 0; i < sending.plans->size(); ++i) {
         const device::MovePlan& plan = (*sending.plans)[i];
         const ServoRef ref = sending.servos[i];
-        if (sending.wish.how == MoveHow::Async)
-            m_held[ref] = plan;
-        else if (plan.relative)
+        if (sending.wish.how != MoveHow::Async && plan.relative)
             m_stepSums[ref] += plan.goalRaw;
         if (plan.relative && sending.servos == m_servos)
             m_lastStep = sending.wish;
@@ -199,6 +193,18 @@ void Drive::noteMove(ServoRef ref, const device::MovePlan& plan)
 {
     if (const ServoEntry* known = m_desk.servo(ref))
         m_desk.noteMove(ref, goalWords(known->servo, plan));
+}
+
+/// Execute offers what may wait in its servo, and nothing else.
+void Drive::noteHeld(const std::vector<ServoRef>& servos,
+                     const std::vector<device::MovePlan>& plans)
+{
+    for (std::size_t i = 0; i < plans.size() && m_desk.state() == LinkState::Open; ++i) {
+        if (plans[i].held.value_or(false))
+            m_held[servos[i]] = plans[i];
+        else if (plans[i].held)
+            m_held.erase(servos[i]);
+    }
 }
 
 void Drive::sendNext()
@@ -225,11 +231,14 @@ void Drive::execute()
     task.effect = Effect::Moves;
     task.work = [plans](TaskContext& context) { return startHeldGoals(context, *plans); };
     perform(servos, std::move(task), [this, servos, plans](const TaskEnd& end) {
+        for (std::size_t i = 0; i < servos.size(); ++i) {
+            if ((*plans)[i].held == false)
+                m_held.erase(servos[i]);
+        }
         if (!end.error) {
             for (std::size_t i = 0; i < servos.size(); ++i) {
                 if ((*plans)[i].relative)
                     m_stepSums[servos[i]] += (*plans)[i].goalRaw;
-                m_held.erase(servos[i]);
                 noteMove(servos[i], (*plans)[i]);
             }
         }

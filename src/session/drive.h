@@ -79,6 +79,7 @@ private:
     void forgetGone();
     void send(const MoveWish& wish);
     void noteMove(ServoRef ref, const device::MovePlan& plan);
+    void noteHeld(const std::vector<ServoRef>& servos, const std::vector<device::MovePlan>& plans);
     void sendNext();
     void moveEnded(const Sending& sending, const TaskEnd& end);
     void perform(const std::vector<ServoRef>& servos, Task task,

@@ -167,6 +167,8 @@ private Q_SLOTS:
     void aMoveGivenUpLeavesNothingThatWaits();
     void aStartThatIsNeverHeardLeavesNothingThatWaits();
     void whoFallsSilentAtTheStartIsNamed();
+    void whatHasStartedIsHeldNoMore();
+    void storedMovesThatWereStartedAreHeldNoMore();
 };
 
 void TestHeldMoves::eachFrameLostOnce_data()
@@ -308,6 +310,53 @@ void TestHeldMoves::whoFallsSilentAtTheStartIsNamed()
     QVERIFY(!sent);
     QCOMPARE(sent.error().id, 2);
     QVERIFY2(pair.whole(1) && pair.whole(2), pair.story(sent).constData());
+}
+
+/// A start that failed for one of them: whoever asks next must not start the other once more.
+void TestHeldMoves::whatHasStartedIsHeldNoMore()
+{
+    Pair pair(false);
+    const auto held = device::holdMoves(pair.bench.context(), pair.plans);
+    QVERIFY2(held.has_value(), whatHappened(held).constData());
+    for (const MovePlan& plan : pair.plans)
+        QCOMPARE(plan.held, std::optional(true));
+    lose(pair.bench, Lost::Request, [&](const base::Bytes& frame) {
+        if (frame[4] == support::Action)
+            pair.bench.wireConfig().faults.muteIds = {2};
+        return false;
+    });
+    QVERIFY(!device::startHeld(pair.bench.context(), pair.plans));
+    hearEverything(pair.bench);
+    QCOMPARE(pair.plans[0].held, std::optional(false));
+    QCOMPARE(pair.plans[1].held, std::optional(true)); // nobody knows
+}
+
+void TestHeldMoves::storedMovesThatWereStartedAreHeldNoMore()
+{
+    support::BenchOptions options;
+    options.baud = 115'200;
+    SimBench bench(text("lx16a@1,lx16a@2"), options);
+    std::vector<device::Servo> servos;
+    for (const int id : {1, 2}) {
+        device::Servo servo = bench.servo(id, base::Protocol::Lx);
+        QVERIFY(device::setTorque(bench.context(), servo, device::Torque::On));
+        servos.push_back(bench.servo(id, base::Protocol::Lx));
+    }
+    auto plans = plansFor(bench, servos, text("600"));
+    for (const MovePlan& plan : plans)
+        QVERIFY(!plan.held);
+    QVERIFY(device::holdMoves(bench.context(), plans));
+    for (const MovePlan& plan : plans)
+        QCOMPARE(plan.held, std::optional(true));
+    // Silent before the start: nothing was started, and both wait.
+    bench.wireConfig().faults.muteIds = {2};
+    QVERIFY(!device::startHeld(bench.context(), plans));
+    for (const MovePlan& plan : plans)
+        QCOMPARE(plan.held, std::optional(true));
+    bench.wireConfig().faults.muteIds.clear();
+    QVERIFY(device::startHeld(bench.context(), plans));
+    for (const MovePlan& plan : plans)
+        QCOMPARE(plan.held, std::optional(false));
 }
 
 QTEST_GUILESS_MAIN(TestHeldMoves)
