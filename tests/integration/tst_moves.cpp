@@ -95,6 +95,7 @@ private Q_SLOTS:
     void lostStepRequestIsSentAgain();
     void servosMoveTogether_data();
     void servosMoveTogether();
+    void otherLxServosKeepWhatTheyHold();
     void modeSwitchIsQuiet_data();
     void modeSwitchIsQuiet();
     void limitsComeBack_data();
@@ -442,6 +443,41 @@ void TestMoves::servosMoveTogether()
     QVERIFY(std::abs(shaft(bench, 1) - 700 * 360.0 / 4096) < 2.0);
     QVERIFY(std::abs(shaft(bench, 2) - 700 * 360.0 / 4096) < 2.0);
     QVERIFY(std::abs(shaft(bench, 3) - 700 * 220.0 / 1024) < 2.0);
+}
+
+/// A third servo holds a goal of another program: the start of two others does not move it.
+void TestMoves::otherLxServosKeepWhatTheyHold()
+{
+    support::BenchOptions options;
+    options.baud = 115'200;
+    SimBench bench(text("lx16a@1,lx16a@2,lx16a@3"), options);
+    std::vector<device::Servo> servos;
+    for (const int id : {1, 2, 3})
+        servos.push_back(bench.servo(id, base::Protocol::Lx));
+    std::vector<double> start;
+    std::vector<MovePlan> plans;
+    for (device::Servo& servo : servos) {
+        QVERIFY(device::setTorque(bench.context(), servo, device::Torque::On));
+        start.push_back(shaft(bench, servo.id));
+        MoveOrder order = to("300");
+        order.servo = &servo;
+        auto plan = device::planMove(bench.context(), order);
+        QVERIFY(plan);
+        plans.push_back(*plan);
+    }
+    const auto moved = [&](std::size_t place) {
+        return std::abs(shaft(bench, servos[place].id) - start[place]);
+    };
+    std::vector<MovePlan> held{plans.back()};
+    plans.pop_back();
+    QVERIFY(device::holdMoves(bench.context(), held));
+    QVERIFY(device::sendMoves(bench.context(), plans, MoveHow::Async));
+    bench.letTimePass(4s);
+    QVERIFY(moved(0) > 20 && moved(1) > 20);
+    QVERIFY2(moved(2) < 1, qPrintable(QString::number(moved(2))));
+    QVERIFY(device::startHeld(bench.context(), held));
+    bench.letTimePass(4s);
+    QVERIFY2(moved(2) > 20, qPrintable(QString::number(moved(2))));
 }
 
 void TestMoves::modeSwitchIsQuiet_data()
