@@ -2359,8 +2359,8 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>等待舵机到位</translation>
     </message>
     <message>
-        <source>one by one, in one packet, or held and released together</source>
-        <translation>普通写、同步写，或异步写后一起执行</translation>
+        <source>one by one, in one packet, or held and released together; released to several Feetech servos at once, goals that other programs hold on the bus start as well</source>
+        <translation>普通写、同步写，或异步写后一起执行；对多个飞特舵机一起执行时，其他程序留在总线上的目标也会执行</translation>
     </message>
     <message>
         <source>Port</source>

@@ -179,7 +179,9 @@ Command moveCommand()
              {"--time", QT_TRANSLATE_NOOP("cli", "travel time in milliseconds (SCS)"), "MS"},
              {"--wait", QT_TRANSLATE_NOOP("cli", "wait until the servos have arrived")},
              {"--how",
-              QT_TRANSLATE_NOOP("cli", "one by one, in one packet, or held and released together"),
+              QT_TRANSLATE_NOOP("cli", "one by one, in one packet, or held and released together; "
+                                       "released to several Feetech servos at once, goals that "
+                                       "other programs hold on the bus start as well"),
               "write|sync|async"}},
             run};
 }
