@@ -503,6 +503,7 @@ void TestFamilyMotion::refusedMoves()
     QCOMPARE(bench.bus.writes(), 0);
 }
 
+/// Each is addressed: others on the line may hold a move of another program.
 void TestFamilyMotion::storedMovesStartTogether()
 {
     for (const bool tells : {true, false}) {
@@ -517,13 +518,13 @@ void TestFamilyMotion::storedMovesStartTogether()
             MoveOrder slow = order(second, "1000");
             slow.time = text("30000");
             QVERIFY(moved(bench, {order(first, "500"), slow}, how));
-            QCOMPARE(said(bench), (QStringList{text("W56:F4 01 00 00"), text("W56:E8 03 30 75"),
-                                               text("A254"), text("A254"), text("A254")}));
+            QCOMPARE(said(bench),
+                     (QStringList{text("W56:F4 01 00 00"), text("W56:E8 03 30 75"), text("A1"),
+                                  text("A2"), text("A1"), text("A2"), text("A1"), text("A2")}));
         }
     }
 }
 
-/// Others on the line may hold a move that somebody forgot.
 void TestFamilyMotion::oneStoredMoveStartsAlone()
 {
     Bench bench{{"LX", 1}, {"LX", 2}};
