@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The end of a cable that the program under test opens: a terminal, or a TCP port on 127.0.0.1.
-// What is made here is the caller's to close. POSIX only.
+// What the program under test opens: a terminal, or a TCP port on 127.0.0.1. What is made here is
+// the caller's to close. POSIX only.
 #pragma once
 
 #include <QString>
@@ -43,11 +43,12 @@ inline Terminal makeTerminal(int flags = 0)
 
 struct TcpPort {
     int listener = -1;
+    quint16 number = 0;
     QString port; ///< "tcp://127.0.0.1:…"
 };
 
-/// `flags` of the socket besides SOCK_CLOEXEC.
-inline TcpPort listenOnLoopback(int flags = 0)
+/// `flags` of the socket besides SOCK_CLOEXEC; `waiting`: connections before they are accepted.
+inline TcpPort listenOnLoopback(int flags = 0, int waiting = 1)
 {
     TcpPort made;
     made.listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | flags, 0);
@@ -56,10 +57,11 @@ inline TcpPort listenOnLoopback(int flags = 0)
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size = sizeof address;
     if (bind(made.listener, reinterpret_cast<sockaddr*>(&address), size) != 0 ||
-        listen(made.listener, 1) != 0 ||
+        listen(made.listener, waiting) != 0 ||
         getsockname(made.listener, reinterpret_cast<sockaddr*>(&address), &size) != 0)
         qFatal("no TCP port");
-    made.port = QStringLiteral("tcp://127.0.0.1:%1").arg(ntohs(address.sin_port));
+    made.number = ntohs(address.sin_port);
+    made.port = QStringLiteral("tcp://127.0.0.1:%1").arg(made.number);
     return made;
 }
 } // namespace support
