@@ -67,7 +67,7 @@ public:
     {}
 
     int written() const { return m_written; }
-    int lost() const { return m_lost; } ///< writes without their status packet
+    int lost() const { return m_lost; } ///< requests without their status packet
     int late() const { return m_late; } ///< requests whose answer took longer than the patience
     const std::map<std::pair<int, int>, QByteArray>& last() const { return m_last; }
 
@@ -76,7 +76,7 @@ public:
         const QByteArray data = numbers(value, size);
         ++m_written;
         m_last[{id, address}] = data;
-        m_lost += exchanged(id, feetechFrame(id, 3, char(address) + data), 0).isNull() ? 1 : 0;
+        exchanged(id, feetechFrame(id, 3, char(address) + data), 0);
     }
     void writeAll(int address, int value, int size = 1)
     {
@@ -125,12 +125,15 @@ private:
         m_client.say(request);
         if (!m_client.readable(patience)) {
             ++m_late;
-            if (!m_client.readable(10 * patience))
+            if (!m_client.readable(10 * patience)) {
+                ++m_lost;
                 return {};
+            }
         }
         const QByteArray reply = m_client.hear(6 + dataBytes);
         const bool fits = reply.size() == 6 + dataBytes &&
                           reply == feetechFrame(id, reply[4], reply.mid(5, dataBytes));
+        m_lost += fits ? 0 : 1;
         return fits ? reply : QByteArray();
     }
 
@@ -186,7 +189,8 @@ void configure(Arm& arm)
         arm.write(id, ReturnDelay, 0);
         arm.write(id, MaximumAcceleration, 254);
         arm.write(id, Acceleration, 254);
-        arm.write(id, Phase, arm.read(id, Phase, 1).at(0) & ~0x10);
+        const QByteArray phase = arm.read(id, Phase, 1); // none: counted as lost
+        arm.write(id, Phase, phase.isNull() ? 0 : phase[0] & ~0x10);
     }
     for (int id = 1; id <= servos; ++id) {
         arm.write(id, OperatingMode, 0);
