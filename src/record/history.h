@@ -128,9 +128,10 @@ struct KeptRun {
 };
 
 /// Opens the history, adds the run, closes it. If that cannot be, the run becomes a JSON file
-/// beside it: what was measured is not lost.
+/// beside it: what was measured is not lost. It waits longer than a list or a write that has yet to
+/// begin.
 KeptRun keepRun(const QString& historyPath, const SweepRun& run, const QStringList& files = {},
-                std::chrono::milliseconds patience = historyPatience);
+                std::chrono::milliseconds patience = std::chrono::seconds(5));
 KeptRun keepRun(const QString& historyPath, const StepRun& run, const QStringList& files = {},
-                std::chrono::milliseconds patience = historyPatience);
+                std::chrono::milliseconds patience = std::chrono::seconds(5));
 } // namespace record

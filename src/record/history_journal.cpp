@@ -8,11 +8,41 @@
 #include <QFileInfo>
 #include <QUuid>
 
+#include <algorithm>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
 
 namespace record {
+namespace {
+/// For what has been written to a servo already: its record is worth a wait.
+constexpr std::chrono::milliseconds endPatience{5000};
+
+/// SQLite's, while this lives.
+class Patience {
+public:
+    Patience(const HistoryFile& file, std::chrono::milliseconds meanwhile,
+             std::chrono::milliseconds afterwards)
+        : m_file(file)
+        , m_afterwards(afterwards)
+    {
+        set(meanwhile);
+    }
+    ~Patience() { set(m_afterwards); }
+    Patience(const Patience&) = delete;
+    Patience& operator=(const Patience&) = delete;
+
+private:
+    void set(std::chrono::milliseconds span) const
+    {
+        (void)m_file.run(QStringLiteral("PRAGMA busy_timeout = %1").arg(qint64(span.count())));
+    }
+
+    const HistoryFile& m_file;
+    std::chrono::milliseconds m_afterwards;
+};
+} // namespace
+
 /// The connection and its thread. Calls from any thread are done one after another; the thread is
 /// there from the first call on.
 class HistoryJournal::Worker {
@@ -41,6 +71,7 @@ public:
     /// Neither a history nor what would have to be taken over: nothing is made by looking.
     bool nothingThere() const;
     const QString& program() const { return m_program; }
+    std::chrono::milliseconds patience() const { return m_patience; }
 
 private:
     void run(const std::function<void()>& work);
@@ -152,6 +183,8 @@ base::Result<void> HistoryJournal::end(const QString& uuid, const base::IntentEn
 {
     const QDateTime now = QDateTime::currentDateTimeUtc();
     return m_worker->ask<void>([&](const HistoryFile& file) {
+        const auto usual = m_worker->patience();
+        const Patience patience(file, std::max(endPatience, usual), usual);
         return file.together([&]() -> base::Result<void> {
             const auto ended = endIntent(file, uuid, end, now);
             if (!ended)

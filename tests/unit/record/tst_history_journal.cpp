@@ -13,6 +13,7 @@
 
 #include <atomic>
 #include <cstdio>
+#include <future>
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
@@ -37,7 +38,7 @@ void overwrite(const QString& path, const QByteArray& content)
 // The other program: begins intents and prints the uuid of each that is on disk.
 int appendIntents(const QString& path, int count)
 {
-    HistoryJournal journal(path, program);
+    HistoryJournal journal(path, program, 5s); // several of them write without a pause
     for (int i = 0; i < count; ++i) {
         const auto uuid = journal.begin(someIntent(i % 254));
         if (!uuid)
@@ -469,6 +470,29 @@ private Q_SLOTS:
             return {};
         });
         QVERIFY(journal.begin(someIntent(3)));
+    }
+
+    /// What was written to a servo is recorded once the other program has finished.
+    void theEndWaitsLongerThanTheBeginning()
+    {
+        HistoryJournal journal(m_path, program, 50ms);
+        const auto uuid = journal.begin(someIntent(1)).value();
+        std::promise<void> locked;
+        std::thread other([&] {
+            const auto file = record::HistoryFile::open(m_path, 5s).value();
+            (void)file->together([&]() -> base::Result<void> {
+                const auto refused = journal.begin(someIntent(2));
+                [&] { QVERIFY(!refused); }();
+                locked.set_value();
+                std::this_thread::sleep_for(400ms); // many times the patience of a beginning
+                return {};
+            });
+        });
+        locked.get_future().wait();
+        const auto ended = journal.end(uuid, {QStringLiteral("done"), {}});
+        other.join();
+        QVERIFY2(ended, ended ? "" : qPrintable(ended.error().detail));
+        QVERIFY(journal.open().value().empty());
     }
 
     void anImpossiblePlaceIsNamed()
