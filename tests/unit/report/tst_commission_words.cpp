@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why a servo was not commissioned is said in words of both languages, whatever ended it.
+#include "base/error.h"
+#include "report/commission_words.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+using base::ErrorCode;
+
+class TestCommissionWords : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void errorsHaveWords()
+    {
+        for (const ErrorCode code :
+             {ErrorCode::NoAnswer, ErrorCode::Garbled, ErrorCode::WrongAnswer, ErrorCode::LineBusy,
+              ErrorCode::Refused, ErrorCode::Uncertain, ErrorCode::IdInUse,
+              ErrorCode::SeveralServos, ErrorCode::FamilyUnclear, ErrorCode::UnknownModel,
+              ErrorCode::Mismatch, ErrorCode::LockOpen, ErrorCode::IdentityDiffers,
+              ErrorCode::OutOfRange, ErrorCode::NotSupported}) {
+            const QString word = base::errorName(code);
+            const auto said = report::commissionTroubleWords({word, QStringLiteral("a|b")});
+            QVERIFY2(!said.en.startsWith(word + QStringLiteral(" (")), qPrintable(word));
+            QVERIFY2(said.zh != said.en, qPrintable(word));
+        }
+    }
+
+    // The facts are for the dialog that explains them.
+    void factsOfAFamilyAreNotShownRaw()
+    {
+        const auto said = report::commissionTroubleWords(
+            {base::errorName(ErrorCode::FamilyUnclear), QStringLiteral("3.25|STS/SCS2|1|9.3")});
+        QVERIFY2(!said.en.contains(QLatin1Char('|')), qPrintable(said.en));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCommissionWords)
+#include "tst_commission_words.moc"
