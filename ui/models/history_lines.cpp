@@ -226,7 +226,7 @@ HistoryLine HistoryWords::line(const record::TestRun& row) const
                   row.kind == QLatin1StringView("step") ? translate("History", "step response")
                                                         : translate("History", "sweep test"),
                   servos.join(QStringLiteral(", ")),
-                  row.verdict == record::Grade::NotMeasured ? QString() : gradeText(row.verdict),
+                  row.kind == QLatin1StringView("step") ? QString() : gradeText(row.verdict),
                   row.operatorName,
                   row.note};
     line.tone = gradeTone(row.verdict);
