@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/leg_meter.h"
 
+#include "record/sweep_verdict.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -247,7 +249,7 @@ void LegMeter::finishOvershoot(record::SweepLeg& leg, const LegRest& rest) const
         floor = rest.readings < enough ? mostSpread
                                        : std::clamp(spreads * rest.spread, noise, mostSpread);
     leg.overshootSteps = beyond > floor ? beyond : 0;
-    if (way > 2 * m_axis.tolerance)
+    if (record::isLongEnough(leg, m_axis.tolerance))
         leg.overshoot = *leg.overshootSteps / way * 100;
 }
 } // namespace jobs

@@ -268,7 +268,9 @@ void addNumbers(std::map<QString, Fill>& fills, const Run& run)
         [](const SweepLeg& leg) { return *leg.flagWrong; });
     of(
         "missed_targets",
-        [](const SweepLeg& leg) { return leg.missed || leg.timeToTarget.has_value(); },
+        [tolerance = run.path.tolerance](const SweepLeg& leg) {
+            return record::provesArrival(leg, tolerance);
+        },
         [](const SweepLeg& leg) { return leg.missed; });
     of(
         "alarms", [](const SweepLeg& leg) { return leg.samples > 0; },
@@ -304,6 +306,7 @@ std::vector<SweepMetric> sweepMetrics(const Legs& legs, const record::SweepError
 
 FollowedPath followedPath(const record::SweepSpec& spec, const record::SweepAxis& axis)
 {
-    return {record::followingScale(spec.shape, axis), spec.shape == record::SweepShape::Sine};
+    return {record::followingScale(spec.shape, axis), spec.shape == record::SweepShape::Sine,
+            axis.tolerance};
 }
 } // namespace jobs

@@ -5,7 +5,8 @@
 //   the worst leg          settling, overshoot, following error, current, load, voltage (lowest),
 //                          temperature; steady error: the largest without its sign
 //   the worst target       hysteresis, repeatability
-//   a number               legs: missed targets, moving flag errors, alarms (legs with a status
+//   a number               legs: missed targets (of those with moves that prove an arrival, see
+//                          record/sweep_verdict.h), moving flag errors, alarms (legs with a status
 //                          bit); communication errors of all kinds, of so many questions
 // mean, min and max are those of the legs (steady errors with their sign) or of the targets;
 // numbers have none. `count` is of what was measured: legs, targets, questions.
@@ -27,6 +28,7 @@ namespace jobs {
 struct FollowedPath {
     std::optional<double> scale{}; ///< record::followingScale()
     bool isSine = false;
+    double tolerance = 0; ///< of a reached target, steps
 };
 
 /// In the order of record::sweepMetricKinds(), all of them. `startCelsius`: the temperature before

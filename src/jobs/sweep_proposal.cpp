@@ -26,20 +26,39 @@ Duration roundedUp(double us)
     return roundTo * std::llround(std::ceil(us / double(roundTo.count())));
 }
 
+/// Of a cycle, and the first one of the next.
+std::vector<double> waysOf(const record::SweepSpec& spec, const record::SweepAxis& axis)
+{
+    const SweepPath path(spec, axis);
+    double before = path.first();
+    std::vector<double> ways;
+    const int legs = std::min(mostLegs, path.legsPerCycle() + 1);
+    for (int number = 1; number <= legs; ++number) {
+        const double target = path.leg(number).target;
+        ways.push_back(std::abs(target - before));
+        before = target;
+    }
+    return ways;
+}
+
 double longestWay(const record::SweepSpec& spec, const record::SweepAxis& axis)
 {
     if (spec.shape == SweepShape::Random)
         return std::abs(axis.to - axis.from);
-    const SweepPath path(spec, axis);
-    double before = path.first();
-    double longest = 0;
-    const int legs = std::min(mostLegs, path.legsPerCycle() + 1); // the first one of the next too
-    for (int number = 1; number <= legs; ++number) {
-        const double target = path.leg(number).target;
-        longest = std::max(longest, std::abs(target - before));
-        before = target;
-    }
-    return longest;
+    const auto ways = waysOf(spec, axis);
+    return *std::max_element(ways.begin(), ways.end());
+}
+
+/// 0: most moves are as long as that.
+double minMove(const record::SweepSpec& spec, const record::SweepAxis& axis)
+{
+    if (spec.shape == SweepShape::Sine)
+        return 0;
+    const double least = record::minPlannedTolerances * axis.tolerance;
+    const auto ways = waysOf(spec, axis);
+    const auto enough =
+        std::count_if(ways.begin(), ways.end(), [=](double way) { return way >= least; });
+    return 2 * std::size_t(enough) > ways.size() ? 0 : least;
 }
 
 /// A sine is fastest in its middle.
@@ -72,6 +91,7 @@ base::Result<SweepOutlook> lookAtSweep(const device::Context& context, device::S
     if (!axis)
         return tl::unexpected(axis.error());
     SweepOutlook outlook{*axis};
+    outlook.minMove = minMove(spec, *axis);
     outlook.travel = travelTime(longestWay(spec, *axis), *axis);
     if (spec.shape == SweepShape::Sine) {
         lookAtSine(spec, outlook);

@@ -13,6 +13,9 @@ struct SweepOutlook {
     std::optional<base::Duration> travel{};
     /// The servo would be turned round before it arrives, or cannot follow the sine.
     bool tooShort = false;
+    /// Most moves prove nothing (record/sweep_verdict.h): so long, in steps, each must be; 0: they
+    /// are long enough.
+    double minMove = 0;
     /// Delay, or period of a sine, with room for arriving and settling; 0: not known.
     base::Duration enough{};
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace record {
@@ -13,6 +14,8 @@ const QLatin1StringView relativeError("following_error_relative");
 const QLatin1StringView phaseLag("phase_lag");
 const QLatin1StringView readingsPerPeriod("readings_per_period");
 const QLatin1StringView missedTargets("missed_targets");
+const QLatin1StringView steadyError("steady_error");
+const QLatin1StringView overshoot("overshoot");
 const QLatin1StringView communicationErrors("communication_errors");
 
 /// Not within the limit; also where one of both is no number.
@@ -80,11 +83,54 @@ NoVerdict lackOfSine(const SweepRun& run, const SweepServo& servo)
     return NoVerdict::None;
 }
 
+/// What less than half of the legs say anything about is not known of the run.
+bool saidByMost(const SweepServo& servo, const std::function<bool(const SweepLeg&)>& says)
+{
+    return 2 * std::size_t(std::count_if(servo.legs.begin(), servo.legs.end(), says)) >
+           servo.legs.size();
+}
+
+bool hasLimit(const SweepServo& servo, QLatin1StringView key)
+{
+    return std::any_of(servo.lines.begin(), servo.lines.end(),
+                       [&](const VerdictLine& line) { return line.limit.metric == key; });
+}
+
+/// That the servo came to its targets was seen, by moves that prove it.
+NoVerdict lackOfArrivals(const SweepServo& servo)
+{
+    const double tolerance = servo.axis.tolerance;
+    if (saidByMost(servo, [=](const SweepLeg& leg) { return provesArrival(leg, tolerance); }))
+        return NoVerdict::None;
+    const bool tooShort =
+        !saidByMost(servo, [=](const SweepLeg& leg) { return isLongEnough(leg, tolerance); });
+    return tooShort && !servo.legs.empty() ? NoVerdict::ShortMoves : NoVerdict::NotMeasured;
+}
+
+/// Where it came to rest and how far beyond it went count where there is a limit for them.
+NoVerdict lackOfTargets(const SweepServo& servo)
+{
+    if (const NoVerdict lack = lackOfArrivals(servo); lack != NoVerdict::None)
+        return lack;
+    const std::pair<QLatin1StringView, std::optional<double> SweepLeg::*> deciding[]{
+        {steadyError, &SweepLeg::steadyError}, {overshoot, &SweepLeg::overshoot}};
+    for (const auto& [key, member] : deciding) {
+        const auto measured = [member = member](const SweepLeg& leg) {
+            return (leg.*member).has_value();
+        };
+        if (hasLimit(servo, key) && !saidByMost(servo, measured))
+            return NoVerdict::NotMeasured;
+    }
+    return NoVerdict::None;
+}
+
 /// How far a servo is behind is known where its speed is; that it comes to its targets, always.
 NoVerdict lackOfRandom(const SweepServo& servo)
 {
     if (servo.legs.size() < legsOfCycle)
         return NoVerdict::TooShort;
+    if (const NoVerdict lack = lackOfArrivals(servo); lack != NoVerdict::None)
+        return lack;
     const NoVerdict reached = lacks(servo, missedTargets);
     return lacks(servo, relativeError) == NoVerdict::None ? NoVerdict::None : reached;
 }
@@ -98,6 +144,8 @@ NoVerdict lackOf(const SweepRun& run, const SweepServo& servo)
         lack = lackOfSine(run, servo);
     else if (run.spec.shape == SweepShape::Random)
         lack = lackOfRandom(servo);
+    else
+        lack = lackOfTargets(servo);
     if (lack == NoVerdict::None && worst(servo.lines) == Grade::NotMeasured)
         return NoVerdict::NotMeasured;
     return lack;
@@ -107,9 +155,19 @@ NoVerdict lackOf(const SweepRun& run, const SweepServo& servo)
 QString noVerdictName(NoVerdict reason)
 {
     constexpr std::array names{"",         "ended",    "too-short",   "too-few-readings",
-                               "too-fast", "no-limit", "not-measured"};
+                               "too-fast", "no-limit", "short-moves", "not-measured"};
     static_assert(names.size() == std::size_t(NoVerdict::NotMeasured) + 1);
     return QString::fromLatin1(names[std::size_t(reason)]);
+}
+
+bool isLongEnough(const SweepLeg& leg, double tolerance)
+{
+    return std::abs(leg.target - leg.start) > minMoveTolerances * tolerance;
+}
+
+bool provesArrival(const SweepLeg& leg, double tolerance)
+{
+    return leg.missed || (leg.timeToTarget && isLongEnough(leg, tolerance));
 }
 
 bool blamesServo(SweepEnd end)

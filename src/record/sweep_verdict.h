@@ -19,7 +19,9 @@ enum class NoVerdict : std::uint8_t {
     TooFewReadings, ///< sine: fewer than minReadingsPerPeriod
     TooFast,        ///< sine: faster than the servo is set to turn
     NoLimit,        ///< sine, random: no limit says how well goals must be followed or reached
-    NotMeasured,    ///< nothing, or not what the path is judged by
+    ShortMoves,     ///< paths with targets: most moves are no longer than a servo that stands still
+                    ///< needs to be within tolerance, see provesArrival()
+    NotMeasured,    ///< nothing, or not what the path is judged by in most of its legs
 };
 QString noVerdictName(NoVerdict reason); ///< "ended", "too-short" …; None: empty
 
@@ -30,6 +32,15 @@ struct SweepVerdict {
 
 /// Fewer say nothing about how a sine is followed.
 inline constexpr int minReadingsPerPeriod = 20;
+
+/// A shorter move proves nothing: a servo that stands still between its ends is within tolerance of
+/// both. Tolerances, from where the servo stood.
+inline constexpr double minMoveTolerances = 2;
+/// Of moves between two targets, which it may stand beside by one tolerance.
+inline constexpr double minPlannedTolerances = minMoveTolerances + 1;
+bool isLongEnough(const SweepLeg& leg, double tolerance);
+/// It reached its target by a move that was long enough, or was seen to miss it.
+bool provesArrival(const SweepLeg& leg, double tolerance);
 
 SweepVerdict sweepVerdict(const SweepRun& run, const SweepServo& servo);
 /// SweepServo::verdict of all servos.

@@ -321,11 +321,18 @@ Text noVerdictWords(record::NoVerdict reason)
         return both("No verdict: the limits do not say how well goals must be followed. Add limits "
                     "for the relative following error and the phase lag.",
                     "无结论：限值中没有跟随要求。请添加相对跟随误差和相位滞后的限值。");
+    case record::NoVerdict::ShortMoves:
+        return both("No verdict: the moves are too short for the tolerance, so a servo that stands "
+                    "still would pass, too. Move at least three times the tolerance.",
+                    "无结论：相对于到位允差，行程太短，静止不动的舵机也会合格。行程至少应为允差的"
+                    "三倍。");
     case record::NoVerdict::NotMeasured:
         break;
     }
-    return both("No verdict: what this test is judged by was not measured.",
-                "无结论：未测得判定本测试所需的指标。");
+    return both("No verdict: what this test is judged by was not measured in most moves. Allow "
+                "more time for each move, or read faster: fewer servos, a quicker adapter.",
+                "无结论：大多数行程未测得判定本测试所需的指标。请延长每次运动的时间，或加快读取："
+                "减少舵机，更换更快的适配器。");
 }
 
 Text endWords(record::SweepEnd end)

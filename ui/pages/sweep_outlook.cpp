@@ -82,6 +82,12 @@ OutlookWords timeWords(const session::SweepLook& look, const record::SweepSpec& 
                                   "round before it arrives.")
                         .arg(spanWords(*outlook.travel)) +
                     QLatin1Char(' ') + link};
+    if (outlook.minMove > 0)
+        return {Tone::Warn,
+                who + SweepPage::tr("most moves are too short for a verdict: targets count as "
+                                    "reached within %1 steps, so moves need at least %2 steps.")
+                          .arg(QLocale().toString(outlook.axis.tolerance, 'g', 4),
+                               QLocale().toString(std::ceil(outlook.minMove), 'f', 0))};
     if (!outlook.travel)
         return {Tone::Quiet,
                 who + SweepPage::tr("nothing tells how fast it goes, so the delay cannot be "
