@@ -111,6 +111,7 @@ private:
     FileKind m_kind = FileKind::None;
     std::vector<record::StepRun> m_runs;
     std::vector<record::StepAdvice> m_advice;
+    bool m_torqueLeft = false;
 };
 
 base::Result<void> StepCommand::takeNumbers()
@@ -201,6 +202,10 @@ base::Result<void> StepCommand::perform(const std::vector<record::StepGain>& tri
     watch.onProgress = [&line](const jobs::SweepProgress& progress) {
         line.show(translate("cli", "%1 %").arg(int(progress.fraction * 100)));
     };
+    watch.onTorqueLeft = [this](int id, const base::Error& error) {
+        m_torqueLeft = true;
+        m_run.console().say(torqueLeftText(id, error));
+    };
     jobs::StepOrder order = m_order;
     order.spec.trial = trial;
     auto done = jobs::stepResponse(*context, *m_servo, order, watch);
@@ -264,7 +269,10 @@ void StepCommand::show(const QString& kept)
     }
     text += m_runs.size() > 1 ? comparisonText(m_runs.front(), m_runs.back()) : runText(first);
     text += report::stepAdviceText(m_advice, text::inChinese());
-    if (!m_trial.empty())
+    const bool tried = m_runs.size() > 1;
+    if (!m_trial.empty() && !tried)
+        text += translate("cli", "The trial was not run.") + QLatin1Char('\n');
+    if (tried)
         text += translate("cli", "The trial is over: the servo has its own values again, unless a "
                                  "note says otherwise. \"write\" keeps what proved good.") +
                 QLatin1Char('\n');
@@ -295,7 +303,8 @@ base::Result<Exit> StepCommand::run()
     const record::StepRun& last = m_runs.back();
     if (last.end == record::SweepEnd::LinkLost)
         return Exit::Port;
-    return last.end == record::SweepEnd::Finished && last.putBack ? Exit::Done : Exit::NotDone;
+    return last.end == record::SweepEnd::Finished && last.putBack && !m_torqueLeft ? Exit::Done
+                                                                                   : Exit::NotDone;
 }
 
 base::Result<Exit> run(Run& run, const Values& values)

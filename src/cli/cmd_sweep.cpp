@@ -19,6 +19,9 @@
 
 #include <QFileInfo>
 
+#include <cmath>
+#include <map>
+
 namespace cli {
 namespace {
 QString in(const catalog::Text& words)
@@ -103,6 +106,7 @@ private:
     std::optional<session::SweepFormat> m_format{}; ///< none: no report is wanted
     QString m_path;
     std::unique_ptr<jobs::SweepRecording> m_readings;
+    std::map<int, base::Error> m_left; ///< torque, by ID
 };
 
 base::Result<void> SweepCommand::collect()
@@ -147,7 +151,15 @@ void SweepCommand::warnOfHaste(const device::Context& context)
     for (std::size_t i = 0; i < m_servos.size(); ++i) {
         const auto outlook =
             jobs::lookAtSweep(context, m_servos[i], m_order.spec, m_order.limits[i]);
-        if (!outlook || !outlook->tooShort)
+        if (!outlook)
+            continue;
+        if (outlook->minMove > 0)
+            m_run.console().say(
+                translate("cli", "Servo %1: most moves are too short for a verdict: targets count "
+                                 "as reached within %2 steps, so moves need at least %3 steps.")
+                    .arg(QString::number(m_servos[i].id), number(outlook->axis.tolerance),
+                         QString::number(std::ceil(outlook->minMove))));
+        if (!outlook->tooShort)
             continue;
         const QString enough = QString::number(outlook->enough / std::chrono::milliseconds(1));
         const bool sine = m_order.spec.shape == record::SweepShape::Sine;
@@ -176,6 +188,7 @@ jobs::SweepWatch SweepCommand::watch()
     watch.onGoal = [this](std::size_t servo, int leg, base::Duration at) {
         m_readings->goal(servo, leg, at);
     };
+    watch.onTorqueLeft = [this](int id, const base::Error& error) { m_left.emplace(id, error); };
     watch.onProgress = [this](const jobs::SweepProgress& progress) {
         m_line->show(progress.warmingUp
                          ? translate("cli", "on the way to the start, or warming up")
@@ -256,9 +269,11 @@ base::Result<Exit> SweepCommand::run()
     const auto saved = save(*done);
     const bool back = allPutBack(context->notices);
     show(*done, keepSweep(m_run.console(), *done, saved ? files() : QStringList()));
+    for (const auto& [id, error] : m_left)
+        m_run.console().say(torqueLeftText(id, error));
     if (!saved)
         return tl::unexpected(saved.error());
-    if (!back)
+    if (!back || !m_left.empty())
         return Exit::NotDone;
     switch (done->verdict()) {
     case record::Grade::Pass:

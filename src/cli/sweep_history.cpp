@@ -48,6 +48,13 @@ QString keepStep(Console& console, const record::StepRun& run, const QStringList
     return wordsFor(console, record::keepRun(session::historyFile(), run, files));
 }
 
+QString torqueLeftText(int id, const base::Error& error)
+{
+    return translate("cli", "Servo %1 may still have torque: switching it off after the test "
+                            "failed (%2). Use \"torque %1 off\", or cut its supply.")
+        .arg(QString::number(id), base::errorName(error.code));
+}
+
 base::Result<std::vector<record::TestRun>> listSweeps(const record::RunFilter& filter)
 {
     if (!QFile::exists(session::historyFile()))

@@ -14,6 +14,9 @@ namespace cli {
 QString keepSweep(Console& console, const record::SweepRun& run, const QStringList& files);
 QString keepStep(Console& console, const record::StepRun& run, const QStringList& files);
 
+/// For SweepWatch::onTorqueLeft.
+QString torqueLeftText(int id, const base::Error& error);
+
 /// Not made if there is none yet.
 base::Result<std::vector<record::TestRun>> listSweeps(const record::RunFilter& filter);
 

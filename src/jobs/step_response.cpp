@@ -196,6 +196,7 @@ SweepWatch StepJob::watch()
     };
     watch.onLeg = [this](std::size_t, const record::SweepLeg& leg) { close(leg); };
     watch.onProgress = m_watch.onProgress;
+    watch.onTorqueLeft = m_watch.onTorqueLeft;
     return watch;
 }
 

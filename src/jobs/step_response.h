@@ -26,6 +26,7 @@ struct StepOrder {
 struct StepWatch {
     std::function<void(const record::StepResponse&)> onResponse{}; ///< complete
     std::function<void(const SweepProgress&)> onProgress{};
+    std::function<void(int id, const base::Error&)> onTorqueLeft{}; ///< as SweepWatch's
 };
 
 /// The step in the servo's terms, as it will be.

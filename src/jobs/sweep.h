@@ -45,6 +45,8 @@ struct SweepWatch {
     /// The run with all but its legs and figures, once everything has been found possible. An error
     /// keeps it from beginning and becomes the job's.
     std::function<std::optional<base::Error>(const record::SweepRun&)> onBegin{};
+    /// At the end: torque was to be switched off, and that could not be proved.
+    std::function<void(int id, const base::Error&)> onTorqueLeft{};
 };
 
 /// All servos on one bus; their settings are read. What is in `servos` afterwards is what the job

@@ -6,6 +6,7 @@
 #include "jobs/sweep_axis.h"
 
 #include <algorithm>
+#include <map>
 
 namespace jobs {
 using record::SweepEnd;
@@ -37,7 +38,7 @@ base::Result<void> sendSweepGoals(const device::Context& context,
 }
 
 void leaveSafe(const device::Context& context, std::vector<device::Servo>& servos,
-               const record::SweepRun& run, int atFault)
+               const record::SweepRun& run, int atFault, const SweepWatch& watch)
 {
     if (run.end == SweepEnd::Emergency)
         return;
@@ -45,18 +46,26 @@ void leaveSafe(const device::Context& context, std::vector<device::Servo>& servo
     const base::Stop unstopped;
     const device::Context last{context.bus,     context.catalog,  context.journal, unstopped,
                                context.notices, context.priority, context.hold,    context.epoch};
+    std::map<int, base::Error> left; ///< torque, by ID
     do {
         waitWhileAway(context.bus);
         if (context.bus.lost())
-            return;
+            break;
+        left.clear();
         for (std::size_t i = 0; i < servos.size(); ++i) {
             const bool fault = int(i) == atFault;
             if (run.end != SweepEnd::Finished && !fault)
                 (void)device::halt(last, servos[i]);
             // Neither heat nor a jammed lever gets better by pushing on.
-            if (fault || run.spec.releaseAtEnd)
-                (void)device::setTorque(last, servos[i], device::Torque::Off);
+            if (!fault && !run.spec.releaseAtEnd)
+                continue;
+            if (const auto off = device::setTorque(last, servos[i], device::Torque::Off); !off)
+                left.emplace(servos[i].id, off.error());
         }
     } while (context.bus.away()); // pulled in the middle of it
+    for (const auto& [id, error] : left) {
+        if (watch.onTorqueLeft)
+            watch.onTorqueLeft(id, error);
+    }
 }
 } // namespace jobs

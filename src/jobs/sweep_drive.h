@@ -12,7 +12,7 @@ base::Result<void> sendSweepGoals(const device::Context& context,
                                   std::vector<double>& targets);
 
 /// After the last leg or an early end; `atFault`: place of the servo that ended it, -1: none. Does
-/// what it can when servos do not answer.
+/// what it can when servos do not answer, and tells SweepWatch::onTorqueLeft of the rest.
 void leaveSafe(const device::Context& context, std::vector<device::Servo>& servos,
-               const record::SweepRun& run, int atFault);
+               const record::SweepRun& run, int atFault, const SweepWatch& watch);
 } // namespace jobs

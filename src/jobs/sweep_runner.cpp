@@ -69,7 +69,7 @@ base::Result<record::SweepRun> SweepRunner::run()
         endRun(SweepEnd::Refused); // nobody goes on towards a goal that was not to be
     record::giveVerdicts(m_run);
     m_context.bus.stopPoll(m_poll);
-    leaveSafe(m_context, m_servos, m_run, m_fault);
+    leaveSafe(m_context, m_servos, m_run, m_fault, m_watch);
     if (!moved)
         return tl::unexpected(moved.error());
     return std::move(m_run);

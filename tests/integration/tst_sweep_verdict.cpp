@@ -51,6 +51,8 @@ public:
         m_memory[66] = 1; // it moves
     }
 
+    void keepTorque() { m_keepsTorque = true; }
+
     base::Result<void> write(base::ByteView bytes) override
     {
         m_request.insert(m_request.end(), bytes.begin(), bytes.end());
@@ -102,6 +104,7 @@ private:
             data.assign(m_memory.begin() + address, m_memory.begin() + address + frame[6]);
         } else if (frame[4] == support::Write) {
             std::copy(frame.begin() + 6, frame.end() - 1, m_memory.begin() + address);
+            m_memory[40] = m_keepsTorque ? 1 : m_memory[40];
         }
         base::Bytes reply{0xFF, 0xFF, frame[2], std::uint8_t(data.size() + 2), 0};
         reply.insert(reply.end(), data.begin(), data.end());
@@ -121,6 +124,7 @@ private:
     base::Bytes m_reply;
     Duration m_readyAt{};
     int m_baud = 1'000'000;
+    bool m_keepsTorque = false;
 };
 
 record::SweepSpec sine(Duration period)
@@ -159,7 +163,9 @@ class TestSweepVerdict : public QObject {
 private:
     base::Result<record::SweepRun> scripted(const record::SweepSpec& spec,
                                             const ScriptedServo::Script& script,
-                                            Duration latency = 200us);
+                                            Duration latency = 200us,
+                                            const jobs::SweepWatch& watch = {});
+    bool m_holdsTorque = false; ///< whatever it is told
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
@@ -177,16 +183,24 @@ private Q_SLOTS:
     void limitsWithoutALineForSinesAreNoVerdict();
     void randomTargetsAreJudged();
     void aSingleRandomTargetIsNoVerdict();
+    void arrivalsThatNobodySawAreNoVerdict();
+    void shortMovesAreNoVerdict_data();
+    void shortMovesAreNoVerdict();
+    void aWideToleranceIsNoVerdict();
+    void torqueThatStaysIsTold();
 };
 
 base::Result<record::SweepRun> TestSweepVerdict::scripted(const record::SweepSpec& spec,
                                                           const ScriptedServo::Script& script,
-                                                          Duration latency)
+                                                          Duration latency,
+                                                          const jobs::SweepWatch& watch)
 {
     SimBench like(text("sts3215@1"));
     base::ManualClock clock;
-    bus::BusCore bus(std::make_unique<ScriptedServo>(clock, like, script, latency),
-                     protocol::feetechCodec(), clock, bus::CoreOptions{});
+    auto wire = std::make_unique<ScriptedServo>(clock, like, script, latency);
+    if (m_holdsTorque)
+        wire->keepTorque();
+    bus::BusCore bus(std::move(wire), protocol::feetechCodec(), clock, bus::CoreOptions{});
     support::MemoryJournal journal;
     base::Stop stop;
     device::Notices notices;
@@ -195,7 +209,7 @@ base::Result<record::SweepRun> TestSweepVerdict::scripted(const record::SweepSpe
     if (!servo)
         return tl::unexpected(servo.error());
     std::vector<device::Servo> servos{std::move(*servo)};
-    return run(context, servos, spec);
+    return run(context, servos, spec, watch);
 }
 
 void TestSweepVerdict::aStopAfterAGoodLegIsNoVerdict()
@@ -427,6 +441,97 @@ void TestSweepVerdict::aSingleRandomTargetIsNoVerdict()
     QVERIFY(done);
     QCOMPARE(done->servos.front().legs.size(), std::size_t(1));
     QCOMPARE(reason(*done), NoVerdict::TooShort);
+}
+
+/// The adapter is so slow that no leg is seen from beginning to end.
+void TestSweepVerdict::arrivalsThatNobodySawAreNoVerdict()
+{
+    record::SweepSpec spec = thereAndBack();
+    spec.pause = 900ms;
+    const auto follow = [](Duration, double goal) { return goal; };
+    const auto slow = scripted(spec, follow, 160ms);
+    QVERIFY2(slow, slow ? "" : qPrintable(slow.error().detail));
+    QCOMPARE(slow->end, SweepEnd::Finished);
+    QCOMPARE(reason(*slow), NoVerdict::NotMeasured);
+    QCOMPARE(slow->verdict(), Grade::NotMeasured);
+    const auto quick = scripted(spec, follow);
+    QVERIFY(quick);
+    QCOMPARE(reason(*quick), NoVerdict::None);
+}
+
+void TestSweepVerdict::shortMovesAreNoVerdict_data()
+{
+    QTest::addColumn<QString>("from");
+    QTest::addColumn<QString>("to");
+    QTest::newRow("within the tolerance") << text("2043") << text("2053");
+    QTest::newRow("both ends within it") << text("2037") << text("2059");
+}
+
+/// The servo never moves, and the test says beforehand that it cannot tell.
+void TestSweepVerdict::shortMovesAreNoVerdict()
+{
+    QFETCH(QString, from);
+    QFETCH(QString, to);
+    record::SweepSpec spec = thereAndBack();
+    spec.range = {from, to};
+    for (const auto shape : {SweepShape::Sweep, SweepShape::BothSides, SweepShape::Random}) {
+        spec.shape = shape;
+        const auto done = scripted(spec, [](Duration, double) { return 2048.0; });
+        QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+        QCOMPARE(done->end, SweepEnd::Finished);
+        QVERIFY(done->verdict() == Grade::NotMeasured || done->verdict() == Grade::Fail);
+        if (done->verdict() == Grade::NotMeasured)
+            QCOMPARE(reason(*done), NoVerdict::ShortMoves);
+        QVERIFY(!metric(done->servos.front(), "missed_targets"));
+    }
+    SimBench bench(text("sts3215@1"));
+    device::Servo servo = bench.servo(1);
+    spec.shape = SweepShape::Sweep;
+    const auto limits = record::builtInSweepLimits(text("STS3215"), text("STS"));
+    const auto look = jobs::lookAtSweep(bench.context(), servo, spec, limits);
+    QVERIFY(look);
+    QCOMPARE(look->minMove, 3 * look->axis.tolerance);
+    spec.range = {text("2000"), text("2040")};
+    const auto enough = jobs::lookAtSweep(bench.context(), servo, spec, limits);
+    QVERIFY(enough);
+    QCOMPARE(enough->minMove, 0.0);
+}
+
+void TestSweepVerdict::aWideToleranceIsNoVerdict()
+{
+    SimBench bench(text("sts3215@1"));
+    bench.withWire(
+        [](sim::VirtualBus& wire) { wire.servo(1)->load().stopHigh = 1500.0 / 4096 * 2 * M_PI; });
+    std::vector<device::Servo> servos{bench.servo(1)};
+    jobs::SweepOrder order;
+    order.spec = thereAndBack();
+    order.spec.stopOnAlarm = false;
+    record::SweepLimits limits = record::builtInSweepLimits(text("STS3215"), text("STS"));
+    limits.tolerance = 5000;
+    std::erase_if(limits.lines,
+                  [](const record::SweepLimit& line) { return line.metric == text("alarms"); });
+    order.limits = {limits};
+    const auto done = jobs::sweep(bench.context(), servos, order, {});
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QVERIFY(done->verdict() != Grade::Pass && done->verdict() != Grade::Warn);
+}
+
+void TestSweepVerdict::torqueThatStaysIsTold()
+{
+    record::SweepSpec spec = thereAndBack();
+    spec.cycles = 1;
+    spec.releaseAtEnd = true;
+    std::vector<int> left;
+    jobs::SweepWatch watch;
+    watch.onTorqueLeft = [&left](int id, const base::Error&) { left.push_back(id); };
+    const auto follow = [](Duration, double goal) { return goal; };
+    QVERIFY(scripted(spec, follow, 200us, watch));
+    QVERIFY(left.empty());
+    m_holdsTorque = true;
+    const auto done = scripted(spec, follow, 200us, watch);
+    m_holdsTorque = false;
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(left, std::vector<int>{1});
 }
 
 QTEST_GUILESS_MAIN(TestSweepVerdict)
