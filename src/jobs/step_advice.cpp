@@ -16,6 +16,34 @@ constexpr double badOvershootSteps = 4; ///< above the noise of any encoder
 constexpr double badError = 2;          ///< steps: row 14 of the advice
 constexpr double atTheLimit = 0.95;
 constexpr std::int64_t share = 8; ///< of the value: a small step
+constexpr double noise = 3;       ///< steps
+constexpr double noiseShare = 0.02;
+
+/// Nothing is known of a response without readings, nor of one that began at its target.
+std::optional<bool> moved(const record::StepResponse& response)
+{
+    const double way = response.target - response.start;
+    const double least = std::max(noise, noiseShare * std::abs(way));
+    if (response.samples.empty() || std::abs(way) <= least)
+        return std::nullopt;
+    return std::any_of(response.samples.begin(), response.samples.end(),
+                       [&](const record::StepSample& sample) {
+                           const double gone = sample.position - response.start;
+                           return (way < 0 ? -gone : gone) > least;
+                       });
+}
+
+bool stood(const std::vector<record::StepResponse>& responses)
+{
+    bool any = false;
+    for (const record::StepResponse& response : responses) {
+        const auto went = moved(response);
+        if (went.value_or(false))
+            return false;
+        any = any || went.has_value();
+    }
+    return any;
+}
 
 class Adviser {
 public:
@@ -140,6 +168,10 @@ std::vector<record::StepAdvice> Adviser::advise()
 {
     if (m_run.responses.empty())
         return {};
+    if (stood(m_run.responses)) {
+        say(StepSymptom::NoMotion, StepRemedy::FreeMotion);
+        return m_advice;
+    }
     const auto& mean = m_run.mean;
     if (swings()) {
         // What swings tells nothing about where it would rest.

@@ -4,7 +4,8 @@
 // target → I in small steps, a smaller dead zone; jitter → I 0, less D, less startup force, a
 // larger dead zone; strong oscillation → P back to the stored one. By the means of the run, of what
 // was measured; the worst first. Each proposes one small step inside the register's range, and none
-// where there is no room. Pure; any thread.
+// where there is no room. Of a servo that never moved no gain is known. Pure; any thread.
+//   no motion    in no response it went further towards its target than noise goes
 //   oscillation  turned round four times or more, by more than the tolerance
 //   jitter       as often, by less
 //   overshoot    above 2 % of the way and twice the noise of leg_meter.h

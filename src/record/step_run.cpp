@@ -97,6 +97,8 @@ std::vector<StepDifference> compareSteps(const StepRun& before, const StepRun& a
 QString stepSymptomName(StepSymptom symptom)
 {
     switch (symptom) {
+    case StepSymptom::NoMotion:
+        return QStringLiteral("no-motion");
     case StepSymptom::Lag:
         return QStringLiteral("lag");
     case StepSymptom::SpeedLimit:
@@ -116,6 +118,8 @@ QString stepSymptomName(StepSymptom symptom)
 QString stepRemedyName(StepRemedy remedy)
 {
     switch (remedy) {
+    case StepRemedy::FreeMotion:
+        return QStringLiteral("free-motion");
     case StepRemedy::RaiseP:
         return QStringLiteral("raise-p");
     case StepRemedy::LowerP:

@@ -133,6 +133,7 @@ std::vector<StepDifference> compareSteps(const StepRun& before, const StepRun& a
 /// What is wrong with a response, and what the sheet's advice is against it (error-diagnosis rows
 /// 10 to 14).
 enum class StepSymptom : std::uint8_t {
+    NoMotion,
     Lag,
     SpeedLimit,
     Overshoot,
@@ -141,6 +142,7 @@ enum class StepSymptom : std::uint8_t {
     Oscillation
 };
 enum class StepRemedy : std::uint8_t {
+    FreeMotion, ///< power, torque limit and mechanism come before any gain
     RaiseP,
     LowerP, ///< back to the stored one, or less
     RaiseD,

@@ -85,6 +85,9 @@ Text stepChangeWords(StepChange change)
 Text stepSymptomWords(StepSymptom symptom)
 {
     switch (symptom) {
+    case StepSymptom::NoMotion:
+        return both("The servo did not move, so nothing is known about its gains.",
+                    "舵机没有运动，因此无法评价其增益。");
     case StepSymptom::Lag:
         return both("It lags behind: P is too small.", "跟随滞后：P 偏小。");
     case StepSymptom::SpeedLimit:
@@ -109,6 +112,9 @@ Text stepSymptomWords(StepSymptom symptom)
 Text stepRemedyWords(StepRemedy remedy)
 {
     switch (remedy) {
+    case StepRemedy::FreeMotion:
+        return both("Check supply, torque limit, alarms and mechanism, or use a larger step",
+                    "检查供电、扭矩限制、报警和机构，或加大阶跃幅度");
     case StepRemedy::RaiseP:
         return both("Raise P", "加大 P");
     case StepRemedy::LowerP:

@@ -159,6 +159,7 @@ private Q_SLOTS:
     void adviceIsTheSheets_data();
     void adviceIsTheSheets();
     void anOvershootThatIsGivenIsFound();
+    void aServoThatStandsGetsNoGains();
     void aRunSurvivesItsFile();
     void scatterIsNoDifference();
 };
@@ -645,6 +646,34 @@ void TestStepResponse::anOvershootThatIsGivenIsFound()
     const auto advice = jobs::adviseStep(*done, *servo.profile);
     QVERIFY(advises(advice, record::StepRemedy::RaiseD));
     QVERIFY(!advises(advice, record::StepRemedy::RaiseI));
+}
+
+/// Half of its responses begin where they should end.
+void TestStepResponse::aServoThatStandsGetsNoGains()
+{
+    SimBench bench(text("sts3215@1"));
+    device::Servo servo = bench.servo(1);
+    record::StepRun run;
+    run.axis.tolerance = 3;
+    run.gains = {{text("position_p"), 32}, {text("position_i"), 0}};
+    for (int number = 1; number <= 4; ++number) {
+        record::StepResponse one;
+        one.number = number;
+        one.start = 2048;
+        one.target = number % 2 == 1 ? 2058 : 2048;
+        one.missed = number % 2 == 1;
+        one.figures.steadyError = number % 2 == 1 ? -10 : 0;
+        for (int i = 0; i < 50; ++i)
+            one.samples.push_back({i * 10ms, 2048.0 + i % 2});
+        run.responses.push_back(one);
+    }
+    run.mean = record::meanOf(run.responses);
+    const auto advice = jobs::adviseStep(run, *servo.profile);
+    QCOMPARE(advice.size(), std::size_t(1));
+    QCOMPARE(advice[0].symptom, record::StepSymptom::NoMotion);
+    QVERIFY(advice[0].key.isEmpty());
+    run.responses[2].samples.back().position = 2054; // it did move once
+    QVERIFY(advises(jobs::adviseStep(run, *servo.profile), record::StepRemedy::RaiseP));
 }
 
 void TestStepResponse::aRunSurvivesItsFile()
