@@ -4,8 +4,9 @@
 # debootstrap, copies the commit that is checked out into it, and runs run.sh and test.sh there, which
 # install what the lists of packages name and nothing else.
 #   packaging/fresh.sh [run | test [CTEST OPTION...]]     without an argument: run, then test
-# Root only. Needs debootstrap, git, and 5 GB in TMPDIR (default: /var/tmp), which are free again at the
-# end. Sources, keys, proxy and certificates of apt are those of this machine.
+# CI=true makes warnings errors there too. Root only. Needs debootstrap, git, and 5 GB in TMPDIR
+# (default: /var/tmp), which are free again at the end. Sources, keys, proxy and certificates of apt are
+# those of this machine.
 set -euo pipefail
 
 # shellcheck source=packaging/common.sh
@@ -77,7 +78,7 @@ on_machine() {
         exec chroot "$root" env -i HOME=/root LANG=C.UTF-8 \
             PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
             ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
-            ${no_proxy:+no_proxy="$no_proxy"} \
+            ${no_proxy:+no_proxy="$no_proxy"} ${CI:+CI="$CI"} \
             sh -c "cd \"\$1\" && shift && exec env \"\$@\"" sh "$inside" "$@"' \
         bash "$root" "$inside" "$@" </dev/null
 }
