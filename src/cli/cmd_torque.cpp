@@ -5,6 +5,7 @@
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "device/motion.h"
+#include "device/release.h"
 
 #include <functional>
 
@@ -37,14 +38,19 @@ struct Task {
     Json result;
     QString shown;
     std::function<base::Result<void>(const device::Context&, device::Servo&)> act;
+    bool releases = false; ///< torque off goes out even if the servo cannot be identified
 };
 
 base::Result<void> doOne(Run& run, int id, const Task& task)
 {
     auto servo = run.servo(id);
-    if (!servo)
+    if (servo)
+        return task.act(*run.context(), *servo);
+    const auto connection = run.connect();
+    if (!task.releases || !connection)
         return tl::unexpected(servo.error());
-    return task.act(*run.context(), *servo);
+    return tl::unexpected(device::releaseUnidentified(
+        *run.context(), id, (*connection)->protocols(), std::move(servo.error())));
 }
 
 /// All servos get their turn, whatever becomes of the others: off must reach as many as it can.
@@ -89,7 +95,8 @@ base::Result<Exit> runTorque(Run& run, const Values& values)
     const Task task{"torque", QString::fromLatin1(state->word), translate("cli", state->shown),
                     [torque = state->torque](const device::Context& context, device::Servo& servo) {
                         return device::setTorque(context, servo, torque);
-                    }};
+                    },
+                    state->torque == device::Torque::Off};
     return doAll(run, *ids, task);
 }
 
@@ -100,7 +107,7 @@ base::Result<Exit> runStop(Run& run, const Values& values)
         return tl::unexpected(ids.error());
     if (const auto connection = run.connect(); !connection)
         return tl::unexpected(connection.error());
-    const Task task{"stopped", true, translate("cli", "stopped"), device::halt};
+    const Task task{"stopped", true, translate("cli", "stopped"), device::halt, true};
     return doAll(run, *ids, task);
 }
 
@@ -124,7 +131,10 @@ base::Result<Exit> runMode(Run& run, const Values& values)
     const auto report = device::switchMode(*run.context(), *servo, wanted);
     if (!report)
         return tl::unexpected(report.error());
-    run.finish(jsonWrites(*report).add("mode", wanted), writeText(*servo, *report));
+    Json document = jsonWrites(*report);
+    const catalog::Mode* now = servo->mode();
+    document.add("mode", report->allGood() && now != nullptr ? Json(now->key) : Json());
+    run.finish(std::move(document), writeText(*servo, *report));
     return exitCode(*report);
 }
 } // namespace
@@ -132,7 +142,9 @@ base::Result<Exit> runMode(Run& run, const Values& values)
 Command torqueCommand()
 {
     return {"torque",
-            QT_TRANSLATE_NOOP("cli", "switch torque; on holds where the servo is"),
+            QT_TRANSLATE_NOOP("cli",
+                              "switch torque; on holds where the servo is, off is sent whatever "
+                              "speaks against writing"),
             {{"ID… on|off|damp",
               QT_TRANSLATE_NOOP("cli", "servos (1 2 3, 1-6, 1,3), then what to do"), 2, many}},
             {},
@@ -142,7 +154,8 @@ Command torqueCommand()
 Command stopCommand()
 {
     return {"stop",
-            QT_TRANSLATE_NOOP("cli", "end the motion; torque stays as it is"),
+            QT_TRANSLATE_NOOP("cli", "end the motion; torque stays as it is, and goes off where "
+                                     "holding cannot be proven"),
             {{"ID", QT_TRANSLATE_NOOP("cli", "servos: 1 2 3, 1-6, 1,3"), 1, many}},
             {},
             runStop};

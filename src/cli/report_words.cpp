@@ -154,13 +154,16 @@ Json jsonWrites(const device::WriteReport& report)
 {
     Json::Array writes;
     for (const device::WriteResult& result : report.writes) {
-        writes.push_back(Json::object()
-                             .add("key", result.key)
-                             .add("address", result.address)
-                             .add("old", result.oldRaw)
-                             .add("new", result.newRaw)
-                             .add("read_back", result.readBack)
-                             .add("outcome", device::outcomeName(result.outcome)));
+        Json one = Json::object();
+        one.add("key", result.key)
+            .add("address", result.address)
+            .add("old", result.oldRaw)
+            .add("new", result.newRaw)
+            .add("read_back", result.readBack)
+            .add("outcome", device::outcomeName(result.outcome));
+        if (result.error)
+            one.add("error", jsonError(*result.error));
+        writes.push_back(std::move(one));
     }
     return Json::object()
         .add("id", report.id)

@@ -5,6 +5,8 @@
 #include "device/motion.h"
 #include "device/talk.h"
 
+#include <algorithm>
+
 namespace device {
 using base::ErrorCode;
 using catalog::Role;
@@ -90,7 +92,10 @@ base::Result<WriteReport> switchMode(const Context& context, Servo& servo, const
     options.dangerous = true;
     options.kind = base::IntentKind::Mode;
     auto report = write(context, servo, change->items, options);
-    if (report)
+    // What ended without a reading of the switch has not shown it.
+    const bool settled = report && std::none_of(report->writes.begin(), report->writes.end(),
+                                                [](const auto& one) { return one.error; });
+    if (settled && servo.raw(Role::TorqueSwitch) == 0)
         context.note(NoticeCode::TorqueStaysOff, servo.id);
     return report;
 }

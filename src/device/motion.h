@@ -11,10 +11,13 @@
 namespace device {
 enum class Torque : std::uint8_t { Off, On, Damp };
 
+/// Off is sent first and whatever stands against writing (two servos on one ID, a family in doubt,
+/// a line that never falls silent); the error then tells that it was sent, see device/release.h.
 base::Result<void> setTorque(const Context& context, Servo& servo, Torque torque);
 
 /// Ends the motion at once; torque stays on. Where nothing tells where to hold (step mode, turns
-/// not known, far outside the limits) torque is switched off, and that is noted.
+/// not known, far outside the limits) torque is switched off, and that is noted. Where holding
+/// cannot be proven, torque off is sent as with setTorque().
 base::Result<void> halt(const Context& context, Servo& servo);
 
 /// Torque off → switch (both limits in one write) → zero the new mode's command → read back. Torque

@@ -2,6 +2,7 @@
 #include "device/holding.h"
 #include "device/mode.h"
 #include "device/motion.h"
+#include "device/release.h"
 #include "device/write_access.h"
 
 #include <algorithm>
@@ -102,10 +103,28 @@ base::Result<void> switchOn(const Context& context, Servo& servo)
     return writeVerified(context, servo, *holding);
 }
 
+namespace {
+/// Sent first of all where it is not known yet that one servo answers: finding out takes its time,
+/// and may end in a refusal.
+base::Result<void> release(const Context& context, Servo& servo)
+{
+    if (!torqueOffOf(servo))
+        return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));
+    if (!context.bus.verifiedIds().contains(servo.protocol, servo.id, context.bus.baud()))
+        sendTorqueOff(context, servo);
+    auto off = beginWriting(context, servo, QStringLiteral("torque"));
+    if (off)
+        off = torqueOff(context, servo);
+    return off ? off : releaseAnyway(context, servo, std::move(off.error()));
+}
+} // namespace
+
 base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
 {
     const Owned owned = own(outer, {servo.id});
     const Context& context = owned.context;
+    if (wanted == Torque::Off)
+        return release(context, servo);
     if (const auto may = beginWriting(context, servo, QStringLiteral("torque")); !may)
         return may;
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
@@ -113,8 +132,6 @@ base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));
     if (wanted == Torque::Damp && !servo.profile->damping)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("damp"));
-    if (wanted == Torque::Off)
-        return torqueOff(context, servo);
     if (const auto fresh = readSettings(context, servo); !fresh)
         return fresh;
     if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
@@ -197,12 +214,9 @@ base::Result<void> sayHalt(const Context& context, Servo& servo)
         halted.error().code = ErrorCode::Refused;
     return halted;
 }
-} // namespace
 
-base::Result<void> halt(const Context& outer, Servo& servo)
+base::Result<void> haltInPlace(const Context& context, Servo& servo)
 {
-    const Owned owned = own(outer, {servo.id});
-    const Context& context = owned.context;
     if (const auto may = beginWriting(context, servo, QStringLiteral("torque")); !may)
         return may;
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
@@ -224,5 +238,13 @@ base::Result<void> halt(const Context& outer, Servo& servo)
     if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
         return fresh;
     return standStill(context, servo);
+}
+} // namespace
+
+base::Result<void> halt(const Context& outer, Servo& servo)
+{
+    const Owned owned = own(outer, {servo.id});
+    auto halted = haltInPlace(owned.context, servo);
+    return halted ? halted : releaseAnyway(owned.context, servo, std::move(halted.error()));
 }
 } // namespace device

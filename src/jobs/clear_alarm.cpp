@@ -160,6 +160,8 @@ base::Result<AlarmReport> clearAlarm(const device::Context& outer, device::Servo
         return tl::unexpected(allowed.error());
     if (context.stop.requested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
+    if (const auto may = device::beginWriting(context, servo, operation); !may)
+        return tl::unexpected(may.error());
     const std::size_t said = context.notices.size();
     if (const auto done = act(context, servo, *now); !done)
         return tl::unexpected(done.error());

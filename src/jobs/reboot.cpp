@@ -194,6 +194,8 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
     // Nothing else is sent meanwhile.
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
+    if (const auto may = device::beginWriting(context, servo, operation); !may)
+        return tl::unexpected(may.error());
     if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
         return tl::unexpected(off.error());
     if (context.stop.requested())

@@ -162,8 +162,8 @@ constexpr std::array servoEntries{
                                     "recorded."),
           QT_TRANSLATE_NOOP("text", "Connect one servo at a time and change its ID. If only this "
                                     "servo is connected, check leads and ground, then try again: "
-                                    "every attempt looks afresh. An emergency stop still reaches "
-                                    "both.")},
+                                    "every attempt looks afresh. Switching torque off still "
+                                    "reaches both.")},
     Entry{ErrorCode::IdentityDiffers,
           QT_TRANSLATE_NOOP("text", "another servo answers under this ID"),
           QT_TRANSLATE_NOOP("text", "The servo was exchanged since, or its ID was changed."),
@@ -271,6 +271,10 @@ Description describe(const base::Error& error)
     const Entry* entry = entryFor(error.code);
     Description words;
     words.what = whatHappened(error, *entry);
+    if (error.operation == QLatin1String("torque-off-sent"))
+        words.what = translate("text", "%1 Torque off was sent all the same; nothing proves that "
+                                       "it took effect.")
+                         .arg(words.what);
     words.cause = translate("text", entry->cause);
     words.remedy = translate("text", entry->remedy);
     if (error.code == ErrorCode::PortPermission)

@@ -39,6 +39,7 @@ private Q_SLOTS:
 
     void noCommandWrites_data();
     void noCommandWrites();
+    void torqueGoesOff();
     void anUnknownFirmwareIsTheReason();
     void theByteAtTheLockIsTheReason();
     void theTableIsRead();
@@ -50,9 +51,8 @@ void TestCliUnclear::noCommandWrites_data()
     QTest::addColumn<QString>("command");
     for (const char* command :
          {"write 1 max_temperature=61", "write 1 byte_13=61", "set-id 1 9", "set-baud 1 500000",
-          "torque 1 on", "torque 1 off", "move 1=2100", "center 1", "reboot 1",
-          "restore-defaults 1", "identify 1", "sweep 1 --from 1000 --to 2000 --delay 500",
-          "step-response 1 --size 100"})
+          "torque 1 on", "move 1=2100", "center 1", "reboot 1", "restore-defaults 1", "identify 1",
+          "sweep 1 --from 1000 --to 2000 --delay 500", "step-response 1 --size 100"})
         QTest::newRow(command) << text(command);
 }
 
@@ -69,6 +69,20 @@ void TestCliUnclear::noCommandWrites()
     const QString message = errorOf(ran)[QLatin1String("message")].toString();
     for (const char* fact : {"3.25", "byte order flag 1", "9.3 (STS3215"})
         QVERIFY2(message.contains(text(fact)), qPrintable(message));
+}
+
+void TestCliUnclear::torqueGoesOff()
+{
+    for (const char* command : {"torque 1 off", "stop 1"}) {
+        bytes::Bus bus({1}, std::chrono::milliseconds(0));
+        contradict(bus);
+        bus.setByte(1, 40, 1);
+        CliProgram cli;
+        cli.setPort(bus.port());
+        const Ran ran = cli.run(command);
+        QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+        QCOMPARE(bus.byteAt(1, 40), 0);
+    }
 }
 
 void TestCliUnclear::anUnknownFirmwareIsTheReason()

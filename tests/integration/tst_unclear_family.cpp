@@ -91,6 +91,8 @@ private Q_SLOTS:
     void theFactsAreNamed_data();
     void theFactsAreNamed();
     void emergencyStopIsAllowed();
+    void torqueGoesOff_data();
+    void torqueGoesOff();
     void onceTheLockIsWellItIsWrittenTo();
 };
 
@@ -112,9 +114,8 @@ void TestUnclearFamily::noPathWrites()
     const device::WriteItem item{
         lockOnly ? QStringLiteral("max_temperature") : QStringLiteral("byte_13"), 61};
     refused(device::write(context, servo, {item}, {}), bench, "write");
-    for (const auto torque : {device::Torque::On, device::Torque::Off, device::Torque::Damp})
+    for (const auto torque : {device::Torque::On, device::Torque::Damp})
         refused(device::setTorque(context, servo, torque), bench, "torque");
-    refused(device::halt(context, servo), bench, "halt");
     refused(move(context, servo), bench, "move");
     refused(jobs::changeId(context, servo, 9), bench, "set-id");
     refused(jobs::changeBaud(context, servo, 500'000), bench, "set-baud");
@@ -197,6 +198,35 @@ void TestUnclearFamily::emergencyStopIsAllowed()
     QVERIFY(verdicts);
     QVERIFY(verdicts->front().torque == jobs::StopVerdict::Torque::Off);
     QCOMPARE(bench.line.servos[0].table[40], std::uint8_t(0));
+}
+
+void TestUnclearFamily::torqueGoesOff_data()
+{
+    QTest::addColumn<bool>("lockOnly");
+    QTest::addColumn<bool>("halt");
+    for (const bool lockOnly : {false, true}) {
+        QTest::addRow("off, %s", lockOnly ? "lock" : "facts") << lockOnly << false;
+        QTest::addRow("stop, %s", lockOnly ? "lock" : "facts") << lockOnly << true;
+    }
+}
+
+/// Its switch has the same place in every table.
+void TestUnclearFamily::torqueGoesOff()
+{
+    QFETCH(bool, lockOnly);
+    QFETCH(bool, halt);
+    support::ByteServo servo = lockOnly ? strangeLock() : contradicting();
+    servo.table[40] = 1;
+    Bench bench(servo);
+    auto found = device::identify(bench.context(), 1);
+    QVERIFY(found);
+    const auto done = halt ? device::halt(bench.context(), *found)
+                           : device::setTorque(bench.context(), *found, device::Torque::Off);
+    QVERIFY(done); // reading has shown it
+    support::ByteServo off = servo;
+    off.table[40] = 0;
+    QCOMPARE(bench.line.servos[0].table, off.table);
+    QCOMPARE(bench.notices.back().code, device::NoticeCode::TorqueSwitchedOff);
 }
 
 void TestUnclearFamily::onceTheLockIsWellItIsWrittenTo()

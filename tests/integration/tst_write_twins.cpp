@@ -169,6 +169,8 @@ private Q_SLOTS:
     void noiseIsAskedAgainAndNotRemembered();
     void aLostReplyIsNoSecondServo();
     void anEmergencyStopIsNotKeptWaiting();
+    void torqueOffReachesBoth_data();
+    void torqueOffReachesBoth();
 };
 
 void TestWriteTwins::nothingIsWrittenToTwoResponders_data()
@@ -382,6 +384,38 @@ void TestWriteTwins::aLostReplyIsNoSecondServo()
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, ErrorCode::NoAnswer);
     QCOMPARE(refused.error().id, 1);
+}
+
+void TestWriteTwins::torqueOffReachesBoth_data()
+{
+    QTest::addColumn<bool>("halt");
+    QTest::addColumn<bool>("collide");
+    for (const bool collide : {false, true}) {
+        QTest::addRow("off, %s", collide ? "colliding" : "in turn") << false << collide;
+        QTest::addRow("stop, %s", collide ? "colliding" : "in turn") << true << collide;
+    }
+}
+
+void TestWriteTwins::torqueOffReachesBoth()
+{
+    QFETCH(bool, halt);
+    QFETCH(bool, collide);
+    Bytes bench;
+    bench.line.servos = {byteSts(1, 2048), byteSts(1, 900)};
+    bench.line.servos[1].table[14] = 90;
+    if (!collide)
+        bench.line.replies = ByteLine::Replies::OneAfterAnother;
+    for (support::ByteServo& one : bench.line.servos)
+        one.table[40] = 1;
+    bench.open();
+    device::Servo servo = bench.servo();
+    const auto done = halt ? device::halt(bench.context(), servo)
+                           : device::setTorque(bench.context(), servo, device::Torque::Off);
+    for (const support::ByteServo& one : bench.line.servos)
+        QCOMPARE(one.table[40], std::uint8_t(0));
+    QVERIFY(!done);
+    const auto words = text::describe(done.error());
+    QVERIFY2(words.what.contains(QLatin1String("Torque off was sent")), qPrintable(words.what));
 }
 
 void TestWriteTwins::anEmergencyStopIsNotKeptWaiting()

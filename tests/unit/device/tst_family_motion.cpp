@@ -92,6 +92,7 @@ private Q_SLOTS:
     void speedComesBackByAnyWay();
     void oldEvidenceIsNoAlarm();
     void modbusModesSettle();
+    void torqueOffThatIsRefusedIsSaid();
     void lxModesAreQuietBothWays();
     void framesOfAMove_data();
     void framesOfAMove();
@@ -346,6 +347,22 @@ void TestFamilyMotion::modbusModesSettle()
     QCOMPARE(bench.paper().raw(text("max_angle_limit")), std::int64_t(0));
     QVERIFY(device::switchMode(bench.context(), servo, text("position")));
     QCOMPARE(bench.paper().raw(text("max_angle_limit")), std::int64_t(4095));
+}
+
+/// Nothing is said of a torque that is still on.
+void TestFamilyMotion::torqueOffThatIsRefusedIsSaid()
+{
+    Bench bench(text("SMSMB"));
+    paper::Servo& servo = bench.paper();
+    const catalog::Register& torque = *servo.profile->byRole(Role::TorqueSwitch);
+    servo.poke(torque.key, 1);
+    device::Servo known = bench.servo();
+    servo.exceptions[torque.writeOffset] = 3;
+    const auto report = device::switchMode(bench.context(), known, text("speed"));
+    QVERIFY(report);
+    QVERIFY(!report->allGood());
+    QCOMPARE(servo.raw(torque.key), 1);
+    QCOMPARE(bench.noted(NoticeCode::TorqueStaysOff), 0);
 }
 
 void TestFamilyMotion::lxModesAreQuietBothWays()

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/release.h"
+
+#include "device/talk.h"
+
+namespace device {
+using base::ErrorCode;
+using base::Protocol;
+using catalog::Role;
+
+namespace {
+/// The operation of an error after which torque off was sent; text has words for it.
+const QString sentOperation = QStringLiteral("torque-off-sent");
+
+/// The context of what must reach the servo although writing to it is refused.
+Context unrestricted(const Context& context)
+{
+    Context stopping = context;
+    stopping.emergencyStop = true;
+    return stopping;
+}
+
+bool wentOut(const base::Result<void>& sent)
+{
+    return sent || answerLost(sent.error()) || sent.error().code == ErrorCode::LineBusy ||
+           sent.error().code == ErrorCode::Refused;
+}
+
+bool readsOff(const Context& context, Servo& servo)
+{
+    const auto off = torqueOffOf(servo);
+    const catalog::Register* reg =
+        servo.profile ? servo.profile->byRole(Role::TorqueSwitch) : nullptr;
+    if (!off)
+        return false;
+    const int offset = reg != nullptr ? reg->offset : off->offset;
+    const int count = static_cast<int>(off->data.size());
+    return readBlock(context, servo, offset, count) &&
+           servo.image.bytes(offset, count) == off->data;
+}
+} // namespace
+
+TorqueOffWrite torqueOffIn(Protocol protocol)
+{
+    constexpr int lxUnload = 8 * 31;
+    constexpr int modbusTorqueSwitch = 2 * 129;
+    constexpr int feetechTorqueSwitch = 40; // the same place in every table (protocol sheet §4)
+    switch (protocol) {
+    case Protocol::Lx:
+        return {lxUnload, {0}};
+    case Protocol::Modbus:
+        return {modbusTorqueSwitch, {0, 0}};
+    case Protocol::Feetech:
+        break;
+    }
+    return {feetechTorqueSwitch, {0}};
+}
+
+std::optional<TorqueOffWrite> torqueOffOf(const Servo& servo)
+{
+    const catalog::Register* torque =
+        servo.profile ? servo.profile->byRole(Role::TorqueSwitch) : nullptr;
+    if (torque != nullptr)
+        return TorqueOffWrite{torque->writeOffset,
+                              base::Bytes(static_cast<std::size_t>(torque->size), 0)};
+    if (servo.profile && servo.profile->writable)
+        return std::nullopt;
+    return torqueOffIn(servo.protocol);
+}
+
+bool sendTorqueOff(const Context& context, Servo& servo)
+{
+    const auto off = torqueOffOf(servo);
+    if (!off || !canSay(servo, protocol::Request::write(servo.id, off->offset, off->data,
+                                                        protocol::Repeat::Safe)))
+        return false;
+    return wentOut(writeBlock(unrestricted(context), servo, {off->offset, off->offset, off->data},
+                              protocol::Repeat::Safe));
+}
+
+base::Result<void> releaseAnyway(const Context& context, Servo& servo, base::Error why)
+{
+    if (!sendTorqueOff(context, servo))
+        return tl::unexpected(std::move(why));
+    if (why.code != ErrorCode::SeveralServos && readsOff(context, servo)) {
+        context.note(NoticeCode::TorqueSwitchedOff, servo.id);
+        return {};
+    }
+    why.operation = sentOperation;
+    return tl::unexpected(std::move(why));
+}
+
+base::Error releaseUnidentified(const Context& context, int id,
+                                const std::vector<Protocol>& protocols, base::Error why)
+{
+    bool sent = false;
+    for (const Protocol protocol : protocols) {
+        Servo unknown;
+        unknown.protocol = protocol;
+        unknown.id = id;
+        sent = sendTorqueOff(context, unknown) || sent;
+    }
+    if (sent)
+        why.operation = sentOperation;
+    return why;
+}
+} // namespace device

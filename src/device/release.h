@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Torque off that is sent whatever stands against writing: two servos on one ID, a family in doubt,
+// a line that never falls silent. In every Feetech table, as in each other protocol, the torque
+// switch has one place, so the frame does the same to whichever servo hears it. The job's thread.
+#pragma once
+
+#include "device/context.h"
+#include "device/servo.h"
+
+namespace device {
+/// The WRITE that takes torque off.
+struct TorqueOffWrite {
+    int offset = 0;
+    base::Bytes data{};
+};
+/// Where every servo of this protocol has its torque switch.
+TorqueOffWrite torqueOffIn(base::Protocol protocol);
+/// By the servo's own table, or its protocol where no table is known; null: it has no switch.
+std::optional<TorqueOffWrite> torqueOffOf(const Servo& servo);
+
+/// Sends it without asking anything beforehand. True: it went out on the wire.
+bool sendTorqueOff(const Context& context, Servo& servo);
+
+/// For what failed with `why`: torque off is sent all the same. Success where reading then shows
+/// it and a single servo answers; otherwise `why`, whose operation tells that it was sent.
+base::Result<void> releaseAnyway(const Context& context, Servo& servo, base::Error why);
+
+/// The same for an ID that could not be identified, in each of these protocols. Proves nothing.
+base::Error releaseUnidentified(const Context& context, int id,
+                                const std::vector<base::Protocol>& protocols, base::Error why);
+} // namespace device
