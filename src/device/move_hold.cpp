@@ -112,7 +112,7 @@ base::Result<void> storeMove(const Context& context, Servo& servo, std::int64_t 
         if (servo.image.bytes(patch.readOffset, patch.count()) == patch.data)
             return {};
         if (attempt + 1 < tries)
-            noteSentAgain(context, servo, stored.front().reg->key);
+            noteSentAgain(context, servo, false, stored.front().reg->key);
     }
     return tl::unexpected(base::Error{
         ErrorCode::Refused, QStringLiteral("move"), {}, servo.id, stored.front().reg->key});

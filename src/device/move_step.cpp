@@ -69,8 +69,9 @@ base::Result<void> settleStep(const Context& context, MovePlan& plan, const Bloc
                             {},
                             sent});
         }
-        noteSentAgain(context, *plan.servo);
+        noteSentAgain(context, *plan.servo, lost);
         const auto again = writeBlock(context, *plan.servo, block.patch, protocol::Repeat::Never);
+        lost = !again;
         if (again && plan.servo->answersWrites())
             return {};
         if (!again && !answerLost(again.error()))

@@ -146,10 +146,10 @@ bool answerLost(const base::Error& error)
     }
 }
 
-void noteSentAgain(const Context& context, const Servo& servo, const QString& key)
+void noteSentAgain(const Context& context, const Servo& servo, bool ackLost, const QString& key)
 {
-    context.note(servo.acknowledges() ? NoticeCode::AnswerLostSentAgain : NoticeCode::SentAgain,
-                 servo.id, key);
+    const bool lost = ackLost && servo.answersWrites();
+    context.note(lost ? NoticeCode::AnswerLostSentAgain : NoticeCode::SentAgain, servo.id, key);
 }
 
 base::Result<void> writeProven(const Context& context, Servo& servo, const Patch& patch)
@@ -164,7 +164,7 @@ base::Result<void> writeProven(const Context& context, Servo& servo, const Patch
         if (servo.image.bytes(patch.readOffset, patch.count()) == patch.data)
             return {};
         if (attempt + 1 < tries)
-            noteSentAgain(context, servo);
+            noteSentAgain(context, servo, !sent);
     }
     return base::fail(ErrorCode::Refused, QStringLiteral("write"), {}, servo.id);
 }
@@ -203,10 +203,7 @@ base::Result<void> writeVerified(const Context& context, Servo& servo, const Reg
                 attempt + 1};
         if (attempt + 1 == tries)
             break;
-        if (sent && servo.answersWrites())
-            context.note(NoticeCode::SentAgain, servo.id, differs->reg->key);
-        else
-            noteSentAgain(context, servo, differs->reg->key);
+        noteSentAgain(context, servo, !sent, differs->reg->key);
     }
     return tl::unexpected(last);
 }

@@ -61,9 +61,10 @@ void writeUnproven(const Context& context, Servo& servo, const catalog::Register
 /// True when a request went out and only its answer is missing: reading tells what happened.
 bool answerLost(const base::Error& error);
 
-/// Reading proved that a write never arrived, and it is sent again: said in the words that fit a
-/// language with acknowledgements, or without.
-void noteSentAgain(const Context& context, const Servo& servo, const QString& key = {});
+/// Reading proved that a write had no effect, and it is sent again. `ackLost`: an acknowledgement
+/// was due and did not come.
+void noteSentAgain(const Context& context, const Servo& servo, bool ackLost,
+                   const QString& key = {});
 
 /// A WRITE that may be repeated; where its answer is lost, or never comes (response level 0, LX),
 /// the block is read back and decides. Refused when it does not show what was written.

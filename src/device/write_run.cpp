@@ -151,7 +151,7 @@ bool WriteRun::writeStretch(std::size_t first, std::size_t last)
     const LockState lock = unlocked->close();
     takeLock(lock);
     if (lock == LockState::Closed && !unlocked->stayedOpen())
-        denyKept(first, last);
+        doubt(first, last);
     if (lock == LockState::Closed || !whole)
         return whole;
     refuseRest(last, {ErrorCode::LockOpen, QStringLiteral("write"), {}, m_servo.id});
@@ -167,15 +167,16 @@ void WriteRun::takeLock(LockState lock)
         m_report.lock = lock;
 }
 
-/// The lock had closed by itself before the end, so nobody knows what the EPROM took.
-void WriteRun::denyKept(std::size_t first, std::size_t last)
+/// The lock had closed by itself before the end: the servo restarted, or another one is here. Then
+/// nothing tells what the EPROM took, and a value that was read may be another servo's.
+void WriteRun::doubt(std::size_t first, std::size_t last)
 {
     for (std::size_t i = first; i < last; ++i) {
         WriteResult& result = m_report.writes[i];
-        if (result.outcome != WriteOutcome::Kept || keepingOf(*m_items[i].reg) != Keeping::Lock)
+        if (!result.readBack || keepingOf(*m_items[i].reg) != Keeping::Lock)
             continue;
-        result.outcome = WriteOutcome::Temporary;
-        result.error = base::Error{ErrorCode::Refused, QStringLiteral("keep"),
+        result.outcome = WriteOutcome::Unknown;
+        result.error = base::Error{ErrorCode::Uncertain, QStringLiteral("keep"),
                                    QStringLiteral("restarted"), m_servo.id, result.key};
     }
 }
@@ -284,7 +285,7 @@ void WriteRun::writeGroup(std::size_t first, std::size_t last)
         if (!untouched || unclear || !showsOld(first) || once)
             break;
         if (attempt + 1 < tries)
-            noteSentAgain(m_context, m_servo, m_items[first].reg->key);
+            noteSentAgain(m_context, m_servo, !sent, m_items[first].reg->key);
     }
     for (std::size_t i = first; i < last; ++i)
         keep(i);

@@ -53,7 +53,7 @@ private:
     void settle();
     void takeLock(LockState lock);
     void keep(std::size_t index);
-    void denyKept(std::size_t first, std::size_t last);
+    void doubt(std::size_t first, std::size_t last);
     void refuseRest(std::size_t first, const base::Error& why);
 
     const Context& m_context;

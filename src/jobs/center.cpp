@@ -99,7 +99,7 @@ base::Result<Place> calibrate(const device::Context& context, device::Servo& ser
         if (!proof || now.offset != before.offset)
             break;
         if (attempt + 1 < sends)
-            device::noteSentAgain(context, servo);
+            device::noteSentAgain(context, servo, sent->lost);
     }
     return base::fail(ErrorCode::Refused, operation, QString::number(now.position), servo.id);
 }
@@ -122,9 +122,11 @@ base::Result<CenterReport> centerUnlocked(const device::Context& context, device
               (after || after.error().code == ErrorCode::Refused);
     if (!after)
         return tl::unexpected(after.error());
-    if (certain && !eprom->stayedOpen())
-        return base::fail(ErrorCode::Refused, QStringLiteral("keep"), QStringLiteral("restarted"),
+    if (certain && !eprom->stayedOpen()) {
+        certain = false; // it stays open: nothing tells what is kept
+        return base::fail(ErrorCode::Uncertain, QStringLiteral("keep"), QStringLiteral("restarted"),
                           servo.id);
+    }
     report.offsetAfter = after->offset;
     report.positionAfter = after->position;
     return report;

@@ -63,7 +63,8 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
             protocol::Request::write(servo.id, reg.writeOffset, device::wireBytes(servo, reg, code),
                                      protocol::Repeat::Never);
         request.acknowledged = servo.answersWrites();
-        if (const auto sent = sendOnce(context, request.in(servo.protocol)); !sent)
+        const auto sent = sendOnce(context, request.in(servo.protocol));
+        if (!sent)
             return tl::unexpected(sent.error());
         context.bus.clock().sleepFor(device::epromWriteTime);
         const auto found = locate(context, servo, oldBaud, newBaud);
@@ -83,7 +84,7 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
             return {};
         }
         if (attempt + 1 < sends)
-            device::noteSentAgain(context, servo, reg.key);
+            device::noteSentAgain(context, servo, sent->lost, reg.key);
     }
     return base::fail(ErrorCode::Refused, operation, {}, servo.id);
 }
@@ -110,7 +111,7 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
             result = failedResult(result, followed.error());
         report.lock = eprom->close();
         if (report.lock == device::LockState::Closed && !eprom->stayedOpen())
-            denyKept(result);
+            doubt(result);
         if (context.bus.baud() != oldBaud)
             context.note(NoticeCode::RateChanged, servo.id, reg.key, context.bus.baud());
     }

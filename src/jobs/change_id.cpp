@@ -99,7 +99,7 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
             return {};
         // It still answers, and reads, as before: nothing has happened, so writing again is safe.
         if (attempt + 1 < sends)
-            device::noteSentAgain(context, servo, reg.key);
+            device::noteSentAgain(context, servo, sent->lost, reg.key);
     }
     return base::fail(ErrorCode::Refused, operation, {}, oldId);
 }
@@ -125,7 +125,7 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
         }
         report.lock = eprom->close();
         if (report.lock == device::LockState::Closed && !eprom->stayedOpen())
-            denyKept(result);
+            doubt(result);
         if (servo.id != oldId)
             context.note(NoticeCode::IdChanged, oldId, reg.key, servo.id);
     }

@@ -124,12 +124,12 @@ device::WriteResult failedResult(device::WriteResult result, const base::Error& 
     return result;
 }
 
-void denyKept(device::WriteResult& result)
+void doubt(device::WriteResult& result)
 {
-    if (result.outcome != device::WriteOutcome::Kept)
+    if (!result.readBack)
         return;
-    result.outcome = device::WriteOutcome::Temporary;
-    result.error = base::Error{ErrorCode::Refused, QStringLiteral("keep"),
+    result.outcome = device::WriteOutcome::Unknown;
+    result.error = base::Error{ErrorCode::Uncertain, QStringLiteral("keep"),
                                QStringLiteral("restarted"), -1, result.key};
 }
 

@@ -43,8 +43,9 @@ base::Result<void> requireSayable(const device::Servo& servo, const protocol::Re
 /// The result of a write that ended with `error`.
 device::WriteResult failedResult(device::WriteResult result, const base::Error& error);
 
-/// Takes "kept" back where the lock had closed by itself: the servo restarted in the middle.
-void denyKept(device::WriteResult& result);
+/// For a lock that had closed by itself: the servo restarted in the middle, or another one is here,
+/// so whatever was read proves nothing and the outcome is unknown.
+void doubt(device::WriteResult& result);
 
 /// True when nothing is owed any more: every outcome is known and the lock is proven closed.
 bool certainEnd(const device::WriteReport& report);

@@ -112,11 +112,11 @@ base::Result<void> restore(const device::Context& context, device::Servo& servo,
         report.changed = differences(before, servo);
         const bool lost = sent->lost || !before.answersWrites();
         if (!lost || !report.changed.empty())
-            break;
+            return {};
         if (attempt + 1 < sends)
-            context.note(device::NoticeCode::AnswerLostSentAgain, servo.id);
+            device::noteSentAgain(context, before, sent->lost);
     }
-    return {};
+    return base::fail(ErrorCode::Uncertain, operation, QStringLiteral("nothing-changed"), servo.id);
 }
 } // namespace
 

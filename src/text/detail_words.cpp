@@ -25,8 +25,6 @@ constexpr std::array tokens{
     Token{"damp", QT_TRANSLATE_NOOP("text", "it has no damping")},
     Token{"torque", QT_TRANSLATE_NOOP("text", "it has no torque switch")},
     Token{"position", QT_TRANSLATE_NOOP("text", "it does not report its position")},
-    Token{"restarted",
-          QT_TRANSLATE_NOOP("text", "it restarted meanwhile, so the value is not kept")},
     Token{"after-failure", QT_TRANSLATE_NOOP("text", "an earlier register did not take its value")},
     Token{"register", QT_TRANSLATE_NOOP("text", "its memory table has no such register")},
     Token{"bridge", QT_TRANSLATE_NOOP("text", "nobody could follow it through a TCP bridge")},

@@ -217,6 +217,23 @@ constexpr std::array refused{
                  QT_TRANSLATE_NOOP("text", "Step back the other way.")},
 };
 
+constexpr std::array uncertain{
+    RefusalWords{"restarted",
+                 QT_TRANSLATE_NOOP("text", "it restarted or was exchanged in the middle, so it is "
+                                           "unknown whether the value is kept"),
+                 QT_TRANSLATE_NOOP("text", "Its supply failed for a moment, or another servo was "
+                                           "plugged in under this ID."),
+                 QT_TRANSLATE_NOOP("text", "Check plug and supply, connect the servo that was "
+                                           "written to, then look at the open change (recover).")},
+    RefusalWords{"nothing-changed",
+                 QT_TRANSLATE_NOOP("text", "it did not acknowledge, and every value is as before, "
+                                           "so it is unknown whether it did it"),
+                 QT_TRANSLATE_NOOP("text", "Its firmware ignores this command, or its settings "
+                                           "were the defaults already."),
+                 QT_TRANSLATE_NOOP("text", "Compare its memory table with the defaults, and write "
+                                           "what differs.")},
+};
+
 template <typename List>
 const RefusalWords* findIn(const List& list, const QString& detail)
 {
@@ -240,6 +257,8 @@ const RefusalWords* refusalWords(const base::Error& error)
         return findIn(consent, error.detail);
     if (error.code == base::ErrorCode::Refused)
         return findIn(refused, error.detail);
+    if (error.code == base::ErrorCode::Uncertain)
+        return findIn(uncertain, error.detail);
     if (error.code == base::ErrorCode::Preempted)
         return findIn(preempted, error.detail);
     if (error.code == base::ErrorCode::Held)

@@ -74,6 +74,7 @@ private Q_SLOTS:
     void silentServoIsNoAnswer();
     void journalKeepsTheOldValue();
     void brownOutIsNotCalledKept();
+    void anExchangedServoIsNotJudged();
 };
 
 void TestSafeWrite::keptSurvivesPowerOff_data()
@@ -429,10 +430,35 @@ void TestSafeWrite::brownOutIsNotCalledKept()
     const auto report =
         device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
     QVERIFY(report);
-    QCOMPARE(report->writes[0].outcome, WriteOutcome::Temporary);
+    QCOMPARE(report->writes[0].outcome, WriteOutcome::Unknown);
     QVERIFY(!report->allGood());
+    QCOMPARE(openIntents(bench), std::size_t(1));
     bench.powerCycle();
     QCOMPARE(bench.raw(1, QStringLiteral("max_temperature")), 70);
+}
+
+/// After the value has arrived another servo of the kind is plugged in: what it shows is its own.
+void TestSafeWrite::anExchangedServoIsNotJudged()
+{
+    SimBench bench(twoServos);
+    device::Servo servo = bench.servo(1);
+    bool written = false;
+    bench.tap().onWrite = [&](const base::Bytes& frame) {
+        const bool readBack = frame[4] == support::Read && frame[5] <= 13 && written;
+        written = written || (frame[4] == support::Write && frame[5] == 13);
+        if (!readBack)
+            return;
+        written = false;
+        bench.powerCycle();
+        bench.poke(1, QStringLiteral("max_temperature"), 70);
+    };
+    const auto report =
+        device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+    QVERIFY(report);
+    QCOMPARE(report->writes[0].readBack, std::optional<std::int64_t>(70));
+    QCOMPARE(report->writes[0].outcome, WriteOutcome::Unknown);
+    QVERIFY(!report->openIntent.isEmpty());
+    QCOMPARE(openIntents(bench), std::size_t(1));
 }
 
 QTEST_GUILESS_MAIN(TestSafeWrite)

@@ -23,6 +23,7 @@ public:
     std::vector<Request> said; ///< every request that went out, in order
     bool loseAcks = false;     ///< writes are carried out, their answers are lost
     int deafWrites = 0;        ///< so many writes never arrive
+    int ignoredWrites = 0;     ///< so many are acknowledged and do nothing
     int cutAfter = -1;         ///< so many requests still pass, then the link is gone
     bool bridge = false;       ///< a port without a rate of its own
     bool emergencyNow = false; ///< torque goes off everywhere and the request ends with Preempted
@@ -181,8 +182,12 @@ private:
             return unanswered(request) ? Outcome(bus::Outcome{})
                                        : failed(request, base::ErrorCode::NoAnswer);
         }
+        const bool ignored = ignoredWrites > 0;
+        ignoredWrites -= ignored ? 1 : 0;
         const auto heard = addressed(request);
         for (Servo* servo : heard) {
+            if (ignored)
+                continue;
             if (const auto reason = servo->exceptions.find(request.address);
                 reason != servo->exceptions.end())
                 return failed(request, base::ErrorCode::Refused, exceptionName(reason->second));

@@ -42,6 +42,8 @@ private Q_SLOTS:
     void newIdSurvivesLostAnswers();
     void newIdThatNeverArrives_data() { newIdIsKept_data(); }
     void newIdThatNeverArrives();
+    void newIdThatIsIgnored();
+    void restoreThatNothingShows();
     void newIdWithTheLinkCut_data() { newIdIsKept_data(); }
     void newIdWithTheLinkCut();
     void idsThatCannotBe_data();
@@ -128,6 +130,40 @@ void TestFamilyChanges::newIdThatNeverArrives()
     const bool lx = family == text("LX");
     QCOMPARE(bench.noted(NoticeCode::SentAgain), lx ? 1 : 0);
     QCOMPARE(bench.noted(NoticeCode::AnswerLostSentAgain), lx ? 0 : 1);
+}
+
+/// Acknowledged, so no acknowledgement was lost.
+void TestFamilyChanges::newIdThatIsIgnored()
+{
+    Bench bench(text("STS"));
+    device::Servo servo = bench.servo();
+    const int place = servo.profile->byRole(Role::Id)->writeOffset;
+    bench.bus.onRequest = [&](const protocol::Request& request) {
+        if (request.op == Op::Write && request.address == place)
+            bench.bus.ignoredWrites = 1;
+    };
+    const auto report = jobs::changeId(bench.context(), servo, 9);
+    QVERIFY(report);
+    QCOMPARE(report->writes[0].outcome, WriteOutcome::Refused);
+    QCOMPARE(bench.noted(NoticeCode::SentAgain), 1);
+    QCOMPARE(bench.noted(NoticeCode::AnswerLostSentAgain), 0);
+}
+
+void TestFamilyChanges::restoreThatNothingShows()
+{
+    Bench bench(text("STS"));
+    bench.paper().settle(text("position_p"), 60);
+    device::Servo servo = bench.servo();
+    bench.bus.onRequest = [&](const protocol::Request& request) {
+        if (request.op == Op::Restore)
+            bench.bus.deafWrites = 1;
+    };
+    const auto report = jobs::restoreDefaults(bench.context(), servo);
+    QVERIFY(!report);
+    QCOMPARE(report.error().code, ErrorCode::Uncertain);
+    QCOMPARE(report.error().detail, text("nothing-changed"));
+    QVERIFY(lockClosed(bench.paper()));
+    QCOMPARE(bench.openIntents(), std::size_t(1));
 }
 
 void TestFamilyChanges::newIdWithTheLinkCut()
