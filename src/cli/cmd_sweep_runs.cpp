@@ -20,7 +20,7 @@ Json servoJson(const record::TestRun& run, const record::TestServo& servo)
         .add("firmware", servo.firmware)
         .add("verdict", record::gradeName(servo.verdict))
         .add("label", servo.label)
-        .add("reference", servo.reference && record::canBeReference(run));
+        .add("reference", servo.reference && record::canBeReference(run, servo));
 }
 
 Json runJson(const record::TestRun& run)
@@ -50,6 +50,8 @@ QString referenceText(const record::TestRun& run, const record::TestServo& servo
 {
     if (servo.reference && !record::canBeReference(run))
         return translate("cli", "ignored: did not finish");
+    if (servo.reference && !record::canBeReference(run, servo))
+        return translate("cli", "ignored: failed");
     return servo.reference ? QStringLiteral("★") : QString();
 }
 

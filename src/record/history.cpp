@@ -13,6 +13,8 @@
 #include <QFileInfo>
 #include <QUuid>
 
+#include <algorithm>
+
 namespace record {
 namespace {
 constexpr qsizetype pieceSize = qsizetype(1) << 20; ///< before it is compressed
@@ -221,6 +223,12 @@ base::Result<void> History::setReference(std::int64_t number, int servo, bool re
             if (!canBeReference(*tested))
                 return base::fail(base::ErrorCode::Refused, QStringLiteral("history"),
                                   QStringLiteral("unfinished-reference"));
+            const auto& servos = tested->servos;
+            if (std::any_of(servos.begin(), servos.end(), [&](const TestServo& one) {
+                    return one.id == servo && !canBeReference(*tested, one);
+                }))
+                return base::fail(base::ErrorCode::Refused, QStringLiteral("history"),
+                                  QStringLiteral("failed-reference"), servo);
             const auto cleared = m_file->run(
                 QStringLiteral("UPDATE run_servos SET reference = 0 WHERE reference = 1 AND model "
                                "= (SELECT model FROM run_servos WHERE run = ? AND id = ?)"),
@@ -238,6 +246,11 @@ bool canBeReference(const TestRun& run)
 {
     const auto end = sweepEndFromName(run.end);
     return end && canBeReference(*end);
+}
+
+bool canBeReference(const TestRun& run, const TestServo& servo)
+{
+    return canBeReference(run) && servo.verdict != Grade::Fail;
 }
 
 TestRun headOf(const SweepRun& run)

@@ -65,11 +65,13 @@ struct RunFilter {
 
 /// A run that did not finish has no verdict on a good servo.
 bool canBeReference(const TestRun& run);
+/// Nor can a servo that failed.
+bool canBeReference(const TestRun& run, const TestServo& servo);
 
 struct ReferenceServo {
     TestRun run;
     TestServo servo;
-    bool isUsable() const { return canBeReference(run); } ///< earlier versions marked any
+    bool isUsable() const { return canBeReference(run, servo); } ///< earlier versions marked any
 };
 
 class History {
@@ -100,7 +102,7 @@ public:
     base::Result<void> setLabel(std::int64_t number, int servo, const QString& label);
     base::Result<void> setNote(std::int64_t number, const QString& note);
     /// Takes the mark from the model's reference before. Refused "unfinished-reference": the run
-    /// did not finish.
+    /// did not finish; "failed-reference": this servo failed.
     base::Result<void> setReference(std::int64_t number, int servo, bool reference);
     base::Result<std::optional<ReferenceServo>> reference(const QString& model) const;
 

@@ -61,6 +61,11 @@ constexpr RefusalWords unfinishedReference{
     QT_TRANSLATE_NOOP("text", "A test that was stopped or broken off has no verdict on a good "
                               "servo."),
     QT_TRANSLATE_NOOP("text", "Choose a test that ran to its end.")};
+constexpr RefusalWords failedReference{
+    "failed-reference",
+    QT_TRANSLATE_NOOP("text", "this servo failed the test, so it cannot be a reference"),
+    QT_TRANSLATE_NOOP("text", "A reference is what later tests of its model are compared with."),
+    QT_TRANSLATE_NOOP("text", "Choose a servo that passed.")};
 } // namespace
 
 const RefusalWords* historyWords(const base::Error& error)
@@ -83,6 +88,7 @@ const RefusalWords* historyWords(const base::Error& error)
                                                                   : nullptr;
     case ErrorCode::Refused:
         return error.detail == QLatin1String(unfinishedReference.detail) ? &unfinishedReference
+               : error.detail == QLatin1String(failedReference.detail)   ? &failedReference
                                                                          : nullptr;
     default:
         return nullptr;

@@ -160,6 +160,16 @@ std::vector<int> RunsDialog::rows() const
     return found;
 }
 
+/// Empty: it can be one.
+QString RunsDialog::whyNoReference(const record::TestRun& run, const record::TestServo& servo)
+{
+    if (!record::canBeReference(run))
+        return tr("This test did not finish, so it cannot be a reference");
+    return record::canBeReference(run, servo)
+               ? QString()
+               : tr("This servo failed the test, so it cannot be a reference");
+}
+
 void RunsDialog::updateButtons()
 {
     const std::vector<int> chosen = rows();
@@ -167,15 +177,18 @@ void RunsDialog::updateButtons()
     m_report->setEnabled(one);
     m_label->setEnabled(one);
     const bool is = one && m_model->servo(chosen.front()).reference;
-    const bool refused = one && !is && !record::canBeReference(m_model->run(chosen.front()));
-    m_reference->setEnabled(one && !refused);
+    QString refusal;
+    if (one && !is)
+        refusal = whyNoReference(m_model->run(chosen.front()), m_model->servo(chosen.front()));
+    m_reference->setEnabled(one && refusal.isEmpty());
     m_compare->setEnabled(chosen.size() == 2);
     m_delete->setEnabled(!chosen.empty());
     m_reference->setText(is ? tr("Clear reference") : tr("Mark as reference"));
     m_reference->setAccessibleName(m_reference->text());
-    const QString mark = refused ? tr("This test did not finish, so it cannot be a reference")
-                                 : tr("Hold later tests of this model against this servo; a "
-                                      "model has one reference");
+    const QString mark = !refusal.isEmpty()
+                             ? refusal
+                             : tr("Hold later tests of this model against this servo; a model has "
+                                  "one reference");
     m_reference->setToolTip(is ? tr("This servo is no longer what others are held against") : mark);
     if (m_model->rowCount() == 0)
         m_hint->setText(m_filter->text().trimmed().isEmpty()

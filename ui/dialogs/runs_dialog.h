@@ -31,6 +31,7 @@ private:
     void retranslate();
     void ask();
     void fill(const base::Result<std::vector<record::TestRun>>& runs);
+    static QString whyNoReference(const record::TestRun& run, const record::TestServo& servo);
     void updateButtons();
     std::vector<int> rows() const; ///< the selected ones, from the top
     void openReport();

@@ -85,7 +85,8 @@ void RunsDialog::compare()
     int a = chosen[1]; // the newest stands at the top
     int b = chosen[0];
     const auto isReference = [this](int row) {
-        return m_model->servo(row).reference && record::canBeReference(m_model->run(row));
+        const record::TestServo& servo = m_model->servo(row);
+        return servo.reference && record::canBeReference(m_model->run(row), servo);
     };
     if (isReference(b) && !isReference(a))
         std::swap(a, b);

@@ -72,6 +72,8 @@ QString RunsModel::cell(int row, RunColumn column) const
     case RunColumn::Reference:
         if (one.reference && !record::canBeReference(test))
             return translate("ui::RunsDialog", "ignored: did not finish");
+        if (one.reference && !record::canBeReference(test, one))
+            return translate("ui::RunsDialog", "ignored: failed");
         return one.reference ? translate("ui::RunsDialog", "★ reference") : QString();
     case RunColumn::Label:
         return QString(one.label).simplified();

@@ -213,6 +213,12 @@ void TestStoredVerdict::anUnfinishedRunIsNoReference()
     QVERIFY(!history->reference(text("STS3215")).value()->isUsable());
     QVERIFY(history->setReference(stopped, 5, false)); // the mark can be taken away
     QVERIFY(!history->reference(text("STS3215")).value());
+    // A servo that failed is none either.
+    QVERIFY(history->file().run(text("UPDATE run_servos SET verdict = 'fail' WHERE run = ?"),
+                                {qint64(good)}));
+    const auto failed = history->setReference(good, 5, true);
+    QVERIFY(!failed);
+    QCOMPARE(failed.error().detail, text("failed-reference"));
 }
 
 QTEST_GUILESS_MAIN(TestStoredVerdict)
