@@ -64,9 +64,10 @@ Table tableOf(const std::vector<record::HistoryWrite>& writes,
         table.add({shown(write.number), shownTime(write.at), QString::number(write.servoId),
                    write.model, write.label, write.key,
                    profiles.valueText(write, write.oldRaw, text::inChinese()),
-                   profiles.valueText(write, write.newRaw, text::inChinese()), outcomeShown(write),
-                   text::intentWord(write.kind, write.temporary, write.oldRaw == write.newRaw),
-                   write.port});
+                   write.newRaw ? profiles.valueText(write, *write.newRaw, text::inChinese())
+                                : QStringLiteral("–"),
+                   outcomeShown(write),
+                   text::intentWord(write.kind, write.temporary, write.ownDefaults), write.port});
     return table;
 }
 

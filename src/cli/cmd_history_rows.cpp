@@ -55,13 +55,6 @@ base::Result<std::vector<record::HistoryWrite>> together(const record::HistoryLo
     return own;
 }
 
-bool sameValues(const std::vector<record::HistoryWrite>& writes)
-{
-    return std::all_of(writes.begin(), writes.end(), [](const record::HistoryWrite& write) {
-        return write.oldRaw == write.newRaw;
-    });
-}
-
 base::Result<Exit> show(Run& run, const Values& values)
 {
     const auto number = parseNumber(values.word("WRITE"));
@@ -82,11 +75,10 @@ base::Result<Exit> show(Run& run, const Values& values)
     table.right({1, 2, 3});
     Json::Array rows;
     for (const record::HistoryWrite& write : *writes) {
-        const auto value = [&](std::int64_t raw) {
-            return profiles.valueText(write, raw, text::inChinese());
+        const auto value = [&](const std::optional<std::int64_t>& raw) {
+            return raw ? profiles.valueText(write, *raw, text::inChinese()) : QStringLiteral("–");
         };
-        table.add({write.key, value(write.oldRaw), value(write.newRaw),
-                   write.readBack ? value(*write.readBack) : QStringLiteral("–"),
+        table.add({write.key, value(write.oldRaw), value(write.newRaw), value(write.readBack),
                    text::writeOutcomeWord(write.outcome)});
         rows.push_back(Json::object()
                            .add("number", write.number)
@@ -112,7 +104,7 @@ base::Result<Exit> show(Run& run, const Values& values)
             .add("program", head.program)
             .add("detail", head.detail)
             .add("writes", std::move(rows)),
-        text::intentWord(head.kind, head.temporary, sameValues(*writes)) + QStringLiteral(": ") +
+        text::intentWord(head.kind, head.temporary, head.ownDefaults) + QStringLiteral(": ") +
             translate("cli", "%1, servo %2 %3, on %4 at %5 baud, by %6")
                 .arg(head.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
                      QString::number(head.servoId),

@@ -104,8 +104,15 @@ base::Result<Place> calibrate(const device::Context& context, device::Servo& ser
     return base::fail(ErrorCode::Refused, operation, QString::number(now.position), servo.id);
 }
 
+/// How the journal's row ends. Certain: nothing is open any more.
+struct CenterEnd {
+    bool certain = false;
+    device::WriteOutcome outcome = device::WriteOutcome::NotSent;
+    std::optional<std::int64_t> readBack{};
+};
+
 base::Result<CenterReport> centerUnlocked(const device::Context& context, device::Servo& servo,
-                                          const Place& before, bool& certain)
+                                          const Place& before, CenterEnd& end)
 {
     CenterReport report;
     report.offsetBefore = before.offset;
@@ -113,17 +120,19 @@ base::Result<CenterReport> centerUnlocked(const device::Context& context, device
     auto eprom =
         device::UnlockedEprom::open(context, servo, *servo.profile->byRole(Role::PositionOffset));
     if (!eprom) {
-        certain = device::closeLock(context, servo) == device::LockState::Closed;
+        end.certain = device::closeLock(context, servo) == device::LockState::Closed;
         return tl::unexpected(eprom.error());
     }
     const auto after = calibrate(context, servo, before);
     report.lock = eprom->close();
-    certain = report.lock == device::LockState::Closed &&
-              (after || after.error().code == ErrorCode::Refused);
+    end.certain = report.lock == device::LockState::Closed &&
+                  (after || after.error().code == ErrorCode::Refused);
+    end.outcome = after ? device::WriteOutcome::Kept : device::WriteOutcome::Refused;
+    end.readBack = servo.raw(Role::PositionOffset);
     if (!after)
         return tl::unexpected(after.error());
-    if (certain && !eprom->stayedOpen()) {
-        certain = false; // it stays open: nothing tells what is kept
+    if (end.certain && !eprom->stayedOpen()) {
+        end.certain = false; // it stays open: nothing tells what is kept
         return base::fail(ErrorCode::Uncertain, QStringLiteral("keep"), QStringLiteral("restarted"),
                           servo.id);
     }
@@ -158,9 +167,14 @@ base::Result<CenterReport> center(const device::Context& outer, device::Servo& s
                                     {{offset.key, offset.address, before->offset, before->offset}});
     if (!uuid)
         return tl::unexpected(uuid.error());
-    bool certain = false;
-    auto report = centerUnlocked(context, servo, *before, certain);
-    endIntent(context, *uuid, servo.id, certain, report.has_value());
+    CenterEnd end;
+    auto report = centerUnlocked(context, servo, *before, end);
+    if (end.certain) {
+        context.record(*uuid, servo.id,
+                       {report ? QStringLiteral("done") : QStringLiteral("failed"),
+                        {},
+                        {{offset.key, end.readBack, device::outcomeName(end.outcome)}}});
+    }
     if (report)
         context.note(NoticeCode::TorqueStaysOff, servo.id);
     return report;

@@ -30,6 +30,16 @@ std::vector<base::JournalItem> epromItems(const device::Servo& servo)
     return items;
 }
 
+/// What stands there now, read afresh. A value that did not change may stand in RAM only, so
+/// "kept" is not claimed.
+std::vector<base::ItemEnd> itemEnds(const device::Servo& servo)
+{
+    std::vector<base::ItemEnd> ends;
+    for (const base::JournalItem& item : epromItems(servo))
+        ends.push_back({item.key, item.newRaw, QStringLiteral("done")});
+    return ends;
+}
+
 std::vector<int> ratesOf(const device::Servo& servo, int present)
 {
     std::vector<int> rates{present};
@@ -160,8 +170,8 @@ base::Result<RestoreReport> restoreDefaults(const device::Context& outer, device
     }
     report.newId = servo.id;
     report.newBaud = context.bus.baud();
-    const bool certain = done.has_value() && report.lock == device::LockState::Closed;
-    endIntent(context, *uuid, servo.id, certain, done.has_value());
+    if (done && report.lock == device::LockState::Closed)
+        context.record(*uuid, servo.id, {QStringLiteral("done"), {}, itemEnds(servo)});
     if (!done)
         return tl::unexpected(done.error());
     return report;

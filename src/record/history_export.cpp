@@ -259,7 +259,7 @@ QVariantList valuesOf(const HistoryWrite& write)
             write.key,
             write.address,
             number(write.oldRaw),
-            number(write.newRaw),
+            write.newRaw ? number(*write.newRaw) : QVariant(),
             write.readBack ? number(*write.readBack) : QVariant(),
             write.outcome,
             write.temporary,

@@ -39,7 +39,9 @@ struct HistoryWrite {
     QString key{};
     int address = 0;
     std::int64_t oldRaw = 0;
-    std::int64_t newRaw = 0;
+    /// None: the servo itself chose it (centering, factory defaults), and nobody has read it.
+    std::optional<std::int64_t> newRaw{};
+    bool ownDefaults = false; ///< the whole intent: the servo took what it had stored itself
     std::optional<std::int64_t> readBack{};
     /// The words of device::outcomeName(); where only the outcome of the whole is known (old
     /// journals, manoeuvres): "done", "undone", "failed", "abandoned"; empty: interrupted, open.

@@ -12,7 +12,8 @@ QString rowsOf(const QString& inner)
     return QStringLiteral(
                "SELECT w.number, w.intent, i.uuid, w.place, w.servo, s.id, s.model, s.label, w.at, "
                "i.kind, i.temporary, w.\"key\", w.address, w.old, w.new, w.read_back, w.outcome, "
-               "i.outcome, i.detail, i.port, i.baud, i.program FROM (%1) w JOIN intents i ON "
+               "i.outcome, i.detail, i.port, i.baud, i.program, EXISTS (SELECT 1 FROM writes o "
+               "WHERE o.intent = w.intent AND o.old <> o.new) FROM (%1) w JOIN intents i ON "
                "i.number = w.intent JOIN servos s ON s.number = w.servo "
                "ORDER BY w.at DESC, w.number DESC")
         .arg(inner);
@@ -48,6 +49,10 @@ HistoryWrite writeIn(const QVariantList& row)
     write.port = row.value(column++).toString();
     write.baud = row.value(column++).toInt();
     write.program = row.value(column++).toString();
+    const bool knownBefore = row.value(column++).toBool();
+    write.ownDefaults = write.kind == base::IntentKind::Restore && !knownBefore;
+    if (write.ownDefaults || write.kind == base::IntentKind::Calibrate)
+        write.newRaw = write.readBack;
     return write;
 }
 

@@ -5,7 +5,7 @@
 #include "text/translate.h"
 
 namespace text {
-QString intentWord(base::IntentKind kind, bool temporary, bool same)
+QString intentWord(base::IntentKind kind, bool temporary, bool ownDefaults)
 {
     using base::IntentKind;
     switch (kind) {
@@ -20,7 +20,8 @@ QString intentWord(base::IntentKind kind, bool temporary, bool same)
     case IntentKind::Calibrate:
         return translate("History", "centre");
     case IntentKind::Restore:
-        return same ? translate("History", "restore defaults") : translate("History", "restore");
+        return ownDefaults ? translate("History", "restore defaults")
+                           : translate("History", "restore");
     case IntentKind::Identify:
         return translate("History", "identify");
     case IntentKind::Trial:

@@ -7,8 +7,8 @@
 #include <QString>
 
 namespace text {
-/// `same`: no new value was known beforehand, the servo took its own defaults.
-QString intentWord(base::IntentKind kind, bool temporary, bool same);
+/// `ownDefaults`: no new value was known beforehand, the servo took its own defaults.
+QString intentWord(base::IntentKind kind, bool temporary, bool ownDefaults);
 /// The outcome of a register, or of the whole intent where only that is known; empty: it is open.
 QString writeOutcomeWord(const QString& outcome);
 } // namespace text

@@ -268,6 +268,10 @@ void TestChanges::centring()
         sent += frame[4] == support::Write && frame[5] == 40 && frame[6] == 128 ? 1 : 0;
     QCOMPARE(sent, 1);
     QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    const auto entries = bench.journal().entries().value();
+    QCOMPARE(entries.back().end->items.size(), std::size_t(1));
+    QCOMPARE(entries.back().end->items[0].readBack, report->offsetAfter);
+    QCOMPARE(entries.back().end->items[0].outcome, text("kept"));
     bench.powerCycle();
     QVERIFY(std::abs(bench.raw(1, text("present_position")) - 2048) <= 12);
     QCOMPARE(locksOpen(bench), 0);
@@ -294,6 +298,10 @@ void TestChanges::restoring()
     QVERIFY(std::find(report->changed.begin(), report->changed.end(), text("max_temperature")) !=
             report->changed.end());
     QCOMPARE(report->newId, 7); // everything but the ID
+    const auto entries = bench.journal().entries().value();
+    for (const base::ItemEnd& end : entries.back().end->items)
+        QCOMPARE(end.readBack, std::optional(bench.raw(7, end.key)));
+    QVERIFY(entries.back().end->items.size() == entries.back().intent.items.size());
     QCOMPARE(report->lock, LockState::Closed);
     QCOMPARE(locksOpen(bench), 0);
 }

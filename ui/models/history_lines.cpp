@@ -148,9 +148,9 @@ HistoryLine HistoryWords::line(const record::HistoryWrite& row) const
                   who(row.model, row.servoId, row.label),
                   m_profiles.registerName(row, chinese),
                   value(row.oldRaw),
-                  value(row.newRaw),
+                  row.newRaw ? value(*row.newRaw) : QStringLiteral("–"),
                   sign + text::writeOutcomeWord(row.outcome),
-                  text::intentWord(row.kind, row.temporary, row.oldRaw == row.newRaw),
+                  text::intentWord(row.kind, row.temporary, row.ownDefaults),
                   row.port};
     line.tone = good ? Tone::Good : row.outcome.isEmpty() ? Tone::Warn : Tone::Bad;
     line.tip = tipOf(

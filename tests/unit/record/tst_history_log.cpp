@@ -72,7 +72,7 @@ std::vector<std::int64_t> newValues(const std::vector<HistoryWrite>& writes)
 {
     std::vector<std::int64_t> values;
     for (const HistoryWrite& write : writes)
-        values.push_back(write.newRaw);
+        values.push_back(write.newRaw.value());
     return values;
 }
 using Values = std::vector<std::int64_t>;
@@ -124,6 +124,7 @@ private Q_SLOTS:
     }
 
     void writesAreFound();
+    void valuesTheServoChoseAreThoseThatWereRead();
     void pagesJoin();
     void aServoIsWhatItsLabelSays();
     void theLabelFollowsToTheNewId();
@@ -182,6 +183,31 @@ void TestHistoryLog::writesAreFound()
 }
 
 /// Whatever the filter: all pages together are the list, each row once.
+void TestHistoryLog::valuesTheServoChoseAreThoseThatWereRead()
+{
+    record::HistoryJournal journal(m_path, program);
+    const auto end = [&](std::int64_t old, IntentKind kind, std::optional<std::int64_t> readBack) {
+        const char* key = kind == IntentKind::Calibrate ? "position_offset" : "position_p";
+        const QString uuid = journal.begin(intentOf(1, key, old, old, kind)).value();
+        base::IntentEnd done{text("done"), {}, {}};
+        if (readBack)
+            done.items = {{text(key), readBack, text("done")}};
+        QVERIFY(journal.end(uuid, done));
+    };
+    end(0, IntentKind::Calibrate, -549);
+    pass();
+    end(60, IntentKind::Restore, 32);
+    pass();
+    end(60, IntentKind::Restore, {}); // by an earlier version
+    const auto writes = open()->log().writes().value();
+    QCOMPARE(writes.size(), std::size_t(3));
+    QVERIFY(!writes[0].newRaw && writes[0].ownDefaults);
+    QCOMPARE(writes[1].newRaw, std::optional<std::int64_t>(32));
+    QVERIFY(writes[1].ownDefaults);
+    QCOMPARE(writes[2].newRaw, std::optional<std::int64_t>(-549));
+    QCOMPARE(writes[2].oldRaw, 0);
+}
+
 void TestHistoryLog::pagesJoin()
 {
     for (int i = 0; i < 25; ++i)
