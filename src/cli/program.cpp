@@ -43,9 +43,8 @@ Exit runCommand(const Parsed& parsed, Console& console, const base::Stop& stop)
                     translate("cli", "  File, and how many lines: %1").arg(journal.detail));
     if (done)
         return *done == Exit::Done && run.notRecorded() ? Exit::File : *done;
-    console.print(run.takeNotices());
-    run.dropUnusedSnapshots();
-    return report(done.error(), console);
+    run.fail(done.error());
+    return exitCode(done.error().code);
 }
 } // namespace
 

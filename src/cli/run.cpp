@@ -2,6 +2,7 @@
 #include "cli/run.h"
 
 #include "cli/arguments.h"
+#include "cli/report_words.h"
 #include "cli/translate.h"
 #include "device/reader.h"
 #include "device/write_access.h"
@@ -293,5 +294,16 @@ void Run::finish(Json document, const QString& text)
     if (!m_notices.empty())
         document.add("notes", takeNoticesAsJson());
     m_console.write(document.text());
+}
+
+void Run::fail(const base::Error& error)
+{
+    dropUnusedSnapshots();
+    if (m_console.json()) {
+        finish(Json::object().add("error", jsonError(error)), {});
+        return;
+    }
+    m_console.print(takeNotices());
+    m_console.say(errorText(error));
 }
 } // namespace cli

@@ -45,13 +45,13 @@ public:
     /// For commands whose document is a file of its own: said on stderr in JSON mode too.
     base::Result<void> saveFirstAndSay(device::Servo& servo);
     base::Result<void> saveFirst(const device::Context& context, device::Servo& servo);
-    /// For a command that has failed: what was saved is taken away again if no change was begun.
-    void dropUnusedSnapshots();
-
     /// Shows the result: the document with the notices in JSON mode, else the text and the notices.
     void finish(Json document, const QString& text);
     /// The notices since the last call, as lines.
     QString takeNotices();
+    /// The document of a command that has failed: the error with the notices in JSON mode, else the
+    /// notices as text and the error on stderr. What was saved first and is of no use is removed.
+    void fail(const base::Error& error);
     /// Only used by commands that write their document piece by piece.
     Json takeNoticesAsJson();
 
@@ -62,6 +62,8 @@ public:
     void setDefaultPort(const QString& port);
 
 private:
+    /// What was saved is taken away again if no change was begun.
+    void dropUnusedSnapshots();
     void addSaved(Json& document) const;
     void dropRepeatedNotices();
     base::Result<QString> choosePort();
