@@ -13,15 +13,28 @@ using base::ErrorCode;
 using base::IntentKind;
 
 namespace {
-/// Of a snapshot's rows each is known by itself; of others the whole is.
-std::vector<base::ItemEnd> itemEnds(const base::Intent& intent, const Recovered& recovered,
+/// Of a snapshot's rows each is known by itself; of others the whole is. What finishing had to
+/// write was not written back then: it has an intent of its own, with its time, and here only what
+/// it was found with is known.
+std::vector<base::ItemEnd> itemEnds(const base::Intent& intent, const Settled& settled,
                                     const QString& word)
 {
-    if (!isSnapshotRestore(intent) || !recovered.report)
-        return {};
-    std::vector<base::ItemEnd> ends = recovered.report->itemEnds();
+    const bool undone = word == QLatin1String("undone");
+    std::vector<base::ItemEnd> ends;
+    if (isSnapshotRestore(intent) && settled.report)
+        ends = settled.report->itemEnds();
     for (base::ItemEnd& end : ends)
-        end.outcome = word == QLatin1String("undone") ? word : end.outcome;
+        end.outcome = undone ? word : end.outcome;
+    if (undone)
+        return ends;
+    const QString unknown = device::outcomeName(device::WriteOutcome::Unknown);
+    for (const device::WriteItem& item : settled.writtenNow) {
+        const auto known = std::find_if(ends.begin(), ends.end(),
+                                        [&](const auto& end) { return end.key == item.key; });
+        if (known != ends.end())
+            ends.erase(known);
+        ends.push_back({item.key, item.raw, unknown});
+    }
     return ends;
 }
 
@@ -116,8 +129,8 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
             return recovered;
         }
     }
-    Settled settled = settle(context, intent, servo, action);
-    recovered.report = std::move(settled.report);
+    const Settled settled = settle(context, intent, servo, action);
+    recovered.report = settled.report;
     recovered.torqueIsOff = settled.torqueIsOff;
     if (!settled.result) {
         recovered.error = settled.result.error();
@@ -128,7 +141,7 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
     const QString word = action == RecoverAction::Finish && intent.kind != IntentKind::Trial
                              ? QStringLiteral("done")
                              : QStringLiteral("undone");
-    context.record(intent.uuid, servo.id, {word, {}, itemEnds(intent, recovered, word)});
+    context.record(intent.uuid, servo.id, {word, {}, itemEnds(intent, settled, word)});
     recovered.done = true;
     return recovered;
 }

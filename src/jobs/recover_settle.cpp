@@ -256,7 +256,11 @@ Settled settleRows(const device::Context& context, const base::Intent& intent, d
         if (const auto off = torqueOff(context, servo, items); !off)
             return {off};
     }
+    std::vector<device::WriteItem> found;
+    for (const device::WriteItem& item : items.write)
+        found.push_back({item.key, *servo.raw(item.key)});
     Settled settled = writeItems(context, intent, servo, items.write, action);
+    settled.writtenNow = std::move(found);
     if (settled.result)
         settled.result = reassert(context, intent, servo, items.reassert);
     if (settled.result && changesMode(intent, servo))

@@ -14,6 +14,8 @@ struct Settled {
     /// Of a snapshot's restore every row, also those that had only to be proved; of others what was
     /// written. Nullopt where nothing was, or nothing had to be.
     std::optional<device::WriteReport> report{};
+    /// What was written only now, with the value it was found with.
+    std::vector<device::WriteItem> writtenNow{};
     bool torqueIsOff = false; ///< proven; only asked for where a snapshot was restored
 };
 /// `servo`: as look() has found it.
