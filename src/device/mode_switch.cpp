@@ -4,6 +4,7 @@
 #include "device/mode.h"
 #include "device/motion.h"
 #include "device/talk.h"
+#include "device/temporary_values.h"
 
 #include <algorithm>
 
@@ -47,7 +48,27 @@ base::Result<void> addLimits(const Context& context, const Servo& servo, Switch&
     return {};
 }
 
-/// Reads the settings, writes nothing. No items: the servo is in that mode.
+/// The servo is in the mode, but perhaps until power-off only: what makes it the mode is written
+/// once more.
+base::Result<void> addTemporary(const Context& context, const Servo& servo, Switch& change)
+{
+    const auto temporary = temporaryValues(context.journal, servo);
+    if (!temporary)
+        return tl::unexpected(temporary.error());
+    const auto again = [&](const catalog::Register* reg) {
+        return reg != nullptr && mayBeTemporary(*temporary, reg->key, servo.raw(*reg));
+    };
+    const catalog::Register* min = servo.profile->byRole(Role::MinAngle);
+    const catalog::Register* max = servo.profile->byRole(Role::MaxAngle);
+    if (change.target->limitsZero && (again(min) || again(max)) && change.items.empty())
+        change.items = {{min->key, 0}, {max->key, 0}};
+    const catalog::Register* mode = servo.profile->byRole(Role::OperatingMode);
+    if (change.target->operatingMode && again(mode))
+        change.items.push_back({mode->key, *change.target->operatingMode});
+    return {};
+}
+
+/// Reads the settings, writes nothing. No items: the servo is in that mode, and keeps it.
 base::Result<Switch> workOut(const Context& context, Servo& servo, const QString& modeKey)
 {
     Switch change;
@@ -65,8 +86,12 @@ base::Result<Switch> workOut(const Context& context, Servo& servo, const QString
         return tl::unexpected(done.error());
     const catalog::Register* mode = servo.profile->byRole(Role::OperatingMode);
     const auto& number = change.target->operatingMode;
-    if (mode != nullptr && number && servo.raw(*mode) != *number)
+    if (mode != nullptr && number && servo.raw(*mode) != *number) {
         change.items.push_back({mode->key, *number});
+        return change;
+    }
+    if (const auto done = addTemporary(context, servo, change); !done)
+        return tl::unexpected(done.error());
     return change;
 }
 } // namespace

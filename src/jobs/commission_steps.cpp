@@ -65,21 +65,22 @@ void addImpossible(const CommissionSpec& spec, CommissionWork& work,
         troubles.push_back({QStringLiteral("no-centring"), servo.profile->series});
 }
 
-void addTemplate(const CommissionSpec& spec, CommissionWork& work,
+void addTemplate(const device::Context& context, const CommissionSpec& spec, CommissionWork& work,
                  std::vector<CommissionTrouble>& troubles)
 {
     if (!spec.settings)
         return;
     RestoreChoice choice;
     choice.dangerous = spec.dangerous;
-    work.plan = planRestore(work.servo, *spec.settings, choice);
+    work.plan = planRestore(context, work.servo, *spec.settings, choice);
     if (work.plan->otherModel)
         troubles.push_back({QStringLiteral("other-model"), spec.settings->servo.model});
     QStringList left;
     for (const RestoreRow* row : work.plan->unmapped())
         left.append(row->key);
     for (const RestoreRow& row : work.plan->rows) {
-        const bool differs = row.wanted && row.now != row.wanted;
+        const bool differs = row.wanted && (row.now != row.wanted ||
+                                            row.reasons.testFlag(RestoreReason::OnlyTemporary));
         if (differs && row.reasons.testFlag(RestoreReason::NeedsConsent) && !row.ticked)
             left.append(row.key);
     }
@@ -147,7 +148,7 @@ checkServo(const device::Context& context, const CommissionSpec& spec, Commissio
     if (!work.servo.profile->writable)
         troubles.push_back({QStringLiteral("not-writable"), work.servo.profile->modelName});
     addImpossible(spec, work, troubles);
-    addTemplate(spec, work, troubles);
+    addTemplate(context, spec, work, troubles);
     return troubles;
 }
 

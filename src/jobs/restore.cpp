@@ -62,11 +62,13 @@ std::vector<base::Intent> brokenOff(const device::Context& context, const device
 } // namespace
 
 base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo& servo,
-                                     const RestorePlan& plan, const RestoreOptions& options,
+                                     const RestorePlan& given, const RestoreOptions& options,
                                      const ProgressFn& progress)
 {
-    if (const auto fit = checkPlan(servo, plan, options); !fit)
+    if (const auto fit = checkPlan(servo, given, options); !fit)
         return tl::unexpected(fit.error());
+    RestorePlan plan = given;
+    tickTemporary(outer, plan, options.dangerous);
     RestoreOutcome outcome;
     outcome.oldId = outcome.newId = servo.id;
     outcome.oldBaud = outcome.newBaud = servo.baud;

@@ -2,6 +2,7 @@
 #include "jobs/restore_plan.h"
 
 #include "device/remembered_speed.h"
+#include "device/temporary_values.h"
 #include "jobs/restore_rows.h"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ constexpr std::array reasonNames{
     ReasonName{RestoreReason::NotChosen, "not-chosen"},
     ReasonName{RestoreReason::OtherModelLimit, "other-model-limit"},
     ReasonName{RestoreReason::WouldAlarm, "would-alarm"},
+    ReasonName{RestoreReason::OnlyTemporary, "only-temporary"},
 };
 
 bool has(const RestoreRow& row, RestoreReason reason)
@@ -263,6 +265,24 @@ RestorePlan planRestore(const device::Context& context, const device::Servo& ser
 {
     RestorePlan plan = planRestore(servo, snapshot, choice);
     plan.positionSpeed = device::rememberedSpeed(context.journal, servo).value_or(std::nullopt);
+    tickTemporary(context, plan, choice.dangerous);
     return plan;
+}
+
+void tickTemporary(const device::Context& context, RestorePlan& plan, bool dangerous)
+{
+    const auto temporary = device::temporaryValues(context.journal, plan.servo);
+    if (!temporary)
+        return;
+    for (RestoreRow& row : plan.rows) {
+        if (!has(row, RestoreReason::Same) || has(row, RestoreReason::Identity) ||
+            !device::mayBeTemporary(*temporary, row.key, row.now))
+            continue;
+        row.reasons.setFlag(RestoreReason::Same, false);
+        row.reasons |= RestoreReason::OnlyTemporary;
+        row.mayTick = tickable(row, *plan.servo.profile);
+        row.ticked = row.mayTick && !has(row, RestoreReason::NotChosen) &&
+                     (!has(row, RestoreReason::NeedsConsent) || dangerous);
+    }
 }
 } // namespace jobs

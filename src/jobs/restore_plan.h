@@ -36,6 +36,8 @@ enum class RestoreReason : std::uint32_t {
     /// and with consent, is off by itself
     OtherModelLimit = 1U << 17U,
     WouldAlarm = 1U << 18U, ///< by its readings the servo would be in an alarm at once
+    /// Has the value, but by a write that was to last until power-off: written once more, to stay
+    OnlyTemporary = 1U << 19U,
 };
 Q_DECLARE_FLAGS(RestoreReasons, RestoreReason)
 QString restoreReasonName(RestoreReason reason);        ///< "off-unless-asked", for JSON and text
@@ -113,9 +115,14 @@ std::vector<const RestoreRow*> leftOut(const RestorePlan& plan);
 /// `servo`: its whole table read (device::readAll). Ticks are set as the choice says.
 RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snapshot,
                         const RestoreChoice& choice = {});
-/// With the speed that is remembered for position modes; without it where the journal cannot tell.
+/// With the speed that is remembered for position modes, and with the rows marked that are as the
+/// file has them until power-off only; without both where the journal cannot tell.
 RestorePlan planRestore(const device::Context& context, const device::Servo& servo,
                         const record::Snapshot& snapshot, const RestoreChoice& choice = {});
+
+/// Of the rows that need nothing but to be kept: marks them, and ticks those that may be ticked by
+/// themselves. For a plan that was made without the journal.
+void tickTemporary(const device::Context& context, RestorePlan& plan, bool dangerous);
 
 /// Rows that would put the servo into an alarm it is not in now, ticked or not. Owned by the plan.
 std::vector<const RestoreRow*> alarmsToCome(const RestorePlan& plan);
@@ -127,10 +134,11 @@ struct RestoreWrite {
     std::optional<std::int64_t> from{};
     std::int64_t to = 0;
     RestoreStage stage = RestoreStage::Rest;
+    bool again = false; ///< the servo has the value, perhaps until power-off only
     bool operator==(const RestoreWrite&) const = default;
 };
-/// Exactly the ticked rows that differ, in the order of writing. Empty: a restore says nothing on
-/// the wire that could change the servo.
+/// Exactly the ticked rows that differ or are not kept, in the order of writing. Empty: a restore
+/// says nothing on the wire that could change the servo.
 std::vector<RestoreWrite> writesOf(const RestorePlan& plan);
 
 /// All that will happen, for --dry-run and the window.

@@ -104,11 +104,21 @@ bool Restorer::finishEarlier(const std::vector<base::Intent>& intents)
     return true;
 }
 
+/// What the servo shows already may have to be kept; finishing an earlier try may have done that.
+bool Restorer::isOwed(const RestoreWrite& write) const
+{
+    const bool kept =
+        std::any_of(m_outcome.rows.begin(), m_outcome.rows.end(), [&](const auto& row) {
+            return row.write.key == write.key && row.write.outcome == WriteOutcome::Kept;
+        });
+    return m_servo.raw(write.key) != write.to || (write.again && !kept);
+}
+
 base::Result<void> Restorer::writeRegisters(const std::vector<RestoreWrite>& writes)
 {
     std::vector<device::WriteItem> items;
     for (const RestoreWrite& write : writes) {
-        if (!isOwnJob(write) && m_servo.raw(write.key) != write.to)
+        if (!isOwnJob(write) && isOwed(write))
             items.push_back({write.key, write.to});
     }
     if (items.empty())
@@ -197,10 +207,9 @@ base::Result<void> Restorer::writeAll(const std::vector<RestoreWrite>& writes)
 {
     if (const auto fresh = readNow(m_context, m_servo, writes); !fresh)
         return fresh;
-    const bool differs = std::any_of(writes.begin(), writes.end(), [&](const RestoreWrite& write) {
-        return m_servo.raw(write.key) != write.to;
-    });
-    if (!differs) {
+    const bool owed = std::any_of(writes.begin(), writes.end(),
+                                  [&](const RestoreWrite& write) { return isOwed(write); });
+    if (!owed) {
         closeOpenLock();
         return {};
     }

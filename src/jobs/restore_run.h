@@ -33,6 +33,7 @@ private:
     /// written.
     base::Result<void> writeAll(const std::vector<RestoreWrite>& writes);
     /// The registers, in one transaction. Errors: nothing was written.
+    bool isOwed(const RestoreWrite& write) const;
     base::Result<void> writeRegisters(const std::vector<RestoreWrite>& writes);
     /// ID and rate, each as a job of its own.
     void writeIdentity(const std::vector<RestoreWrite>& writes);

@@ -64,8 +64,9 @@ std::vector<RestoreWrite> writesOf(const RestorePlan& plan)
 {
     std::vector<RestoreWrite> writes;
     for (const RestoreRow& row : plan.rows) {
-        if (row.ticked && row.wanted && row.now != row.wanted)
-            writes.push_back({row.key, row.address, row.now, *row.wanted, row.stage});
+        const bool again = row.reasons.testFlag(RestoreReason::OnlyTemporary);
+        if (row.ticked && row.wanted && (again || row.now != row.wanted))
+            writes.push_back({row.key, row.address, row.now, *row.wanted, row.stage, again});
     }
     std::sort(writes.begin(), writes.end(), [&](const RestoreWrite& a, const RestoreWrite& b) {
         return orderOf(a, *plan.servo.profile) < orderOf(b, *plan.servo.profile);

@@ -59,6 +59,9 @@ constexpr std::array reasons{
     Words{"other-model-limit", QT_TRANSLATE_NOOP("text", "limit of another model"),
           QT_TRANSLATE_NOOP("text", "Limits of voltage, temperature, current and torque belong to "
                                     "a model. Off unless you select the row yourself.")},
+    Words{"only-temporary", QT_TRANSLATE_NOOP("text", "not kept yet"),
+          QT_TRANSLATE_NOOP("text", "The servo has this value, but by a temporary write that ends "
+                                    "at power-off. It is written once more, to be kept.")},
     Words{"would-alarm", QT_TRANSLATE_NOOP("text", "would cause an alarm now"),
           QT_TRANSLATE_NOOP("text", "The present reading is outside this limit: the servo would "
                                     "be in an alarm as soon as it is written.")},

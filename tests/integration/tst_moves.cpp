@@ -98,6 +98,7 @@ private Q_SLOTS:
     void otherLxServosKeepWhatTheyHold();
     void modeSwitchIsQuiet_data();
     void modeSwitchIsQuiet();
+    void aTemporaryModeIsWrittenToBeKept();
     void limitsComeBack_data();
     void limitsComeBack();
     void editingTheModeRegisterIsTheSameManoeuvre();
@@ -510,6 +511,23 @@ void TestMoves::modeSwitchIsQuiet()
     bench.poke(1, text("torque_switch"), 1);
     bench.letTimePass(1s);
     QVERIFY(std::abs(shaft(bench, 1) - before) < 1.0);
+}
+
+void TestMoves::aTemporaryModeIsWrittenToBeKept()
+{
+    SimBench bench(text("sts3215@1"));
+    device::Servo one = bench.servo(1);
+    device::WriteOptions options;
+    options.temporary = true;
+    options.dangerous = true;
+    QVERIFY(device::write(bench.context(), one, {{text("operating_mode"), 1}}, options)->allGood());
+    const auto switched = device::switchMode(bench.context(), one, text("speed"));
+    QVERIFY(switched && switched->allGood());
+    QCOMPARE(switched->writes.size(), std::size_t(1));
+    QCOMPARE(switched->writes[0].outcome, device::WriteOutcome::Kept);
+    QVERIFY(device::switchMode(bench.context(), one, text("speed"))->writes.empty());
+    bench.powerCycle();
+    QCOMPARE(bench.raw(1, text("operating_mode")), 1);
 }
 
 void TestMoves::limitsComeBack_data()

@@ -109,6 +109,8 @@ private Q_SLOTS:
     void aChangeSinceThePlanIsNotLost();
     void aStopBeforeTheFirstWriteWritesNothing();
     void theTableIsSavedOnlyBeforeAWrite();
+    void aTemporaryValueIsWrittenToBeKept_data();
+    void aTemporaryValueIsWrittenToBeKept();
     void aLockLeftOpenIsClosed();
     void aLockThatStaysOpenIsAFailure();
     void aBrokenOffRestoreIsFinishedLikeOne_data();
@@ -530,6 +532,50 @@ void TestRestore::theTableIsSavedOnlyBeforeAWrite()
     QVERIFY(bench.onlyAsked());
 }
 
+void TestRestore::aTemporaryValueIsWrittenToBeKept_data()
+{
+    QTest::addColumn<bool>("knownToThePlan");
+    QTest::newRow("planned with the journal") << true;
+    QTest::newRow("planned without it") << false;
+}
+
+void TestRestore::aTemporaryValueIsWrittenToBeKept()
+{
+    QFETCH(const bool, knownToThePlan);
+    SimBench bench(text("sts3215@1"));
+    device::Servo servo = support::wholeServo(bench);
+    const auto write = [&](std::int64_t raw, bool temporary) {
+        device::WriteOptions options;
+        options.temporary = temporary;
+        QVERIFY(
+            device::write(bench.context(), servo, {{text("position_p"), raw}}, options)->allGood());
+    };
+    write(40, false);
+    const record::Snapshot snapshot = saved(bench);
+    write(32, false);
+    write(40, true);
+
+    servo = support::wholeServo(bench);
+    const auto plan = knownToThePlan ? jobs::planRestore(bench.context(), servo, snapshot)
+                                     : jobs::planRestore(servo, snapshot);
+    QCOMPARE(keysOf(jobs::writesOf(plan)),
+             knownToThePlan ? QStringList{text("position_p")} : QStringList());
+    const auto outcome = jobs::restore(bench.context(), servo, plan, {});
+    QVERIFY(outcome);
+    QCOMPARE(outcome->verdict, RestoreVerdict::Done);
+    QCOMPARE(outcome->rows.size(), std::size_t(1));
+    QCOMPARE(outcome->rows[0].write.outcome, device::WriteOutcome::Kept);
+    QVERIFY(!support::lockIsOpen(bench));
+
+    // Now it is so already, and stays so.
+    const auto again = jobs::restore(bench.context(), servo, plan, {});
+    QCOMPARE(again->verdict, knownToThePlan ? RestoreVerdict::Done : RestoreVerdict::AlreadySo);
+    bench.powerCycle();
+    QCOMPARE(bench.raw(1, text("position_p")), 40);
+    servo = support::wholeServo(bench);
+    QVERIFY(jobs::writesOf(jobs::planRestore(bench.context(), servo, snapshot)).empty());
+}
+
 void TestRestore::aLockLeftOpenIsClosed()
 {
     SimBench bench(text("sts3215@1"));
@@ -643,6 +689,15 @@ void TestRestore::aBrokenOffRestoreIsFinishedLikeOne()
     const auto entries = bench.journal().entries().value();
     QCOMPARE(entries.front().end->outcome, text("done"));
     QCOMPARE(entries.front().end->items.size(), std::size_t(7));
+    // What was written only now is no part of what happened then.
+    for (const base::ItemEnd& end : entries.front().end->items) {
+        const auto& late = entries.back().intent.items;
+        const auto now = std::find_if(late.begin(), late.end(),
+                                      [&](const auto& item) { return item.key == end.key; });
+        QCOMPARE(end.outcome, now == late.end() ? text("kept") : text("unknown"));
+        if (now != late.end())
+            QCOMPARE(end.readBack, std::optional(now->oldRaw));
+    }
     QCOMPARE(entries.back().intent.kind, base::IntentKind::Restore);
 
     // What was missing went out in the order of the intent, which is not that of the addresses.

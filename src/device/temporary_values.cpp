@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/temporary_values.h"
+
+#include "base/journal.h"
+#include "device/persistence.h"
+
+#include <algorithm>
+
+namespace device {
+namespace {
+constexpr int entriesLookedAt = 1000;
+
+/// The servo took what it had stored itself (0x06), so no value was known beforehand.
+bool tookOwnDefaults(const base::Intent& intent)
+{
+    return intent.kind == base::IntentKind::Restore &&
+           std::none_of(intent.items.begin(), intent.items.end(),
+                        [](const auto& item) { return item.oldRaw != item.newRaw; });
+}
+
+/// Follows one register through the entries.
+class Follow {
+public:
+    Follow(std::map<QString, std::int64_t>& values, const base::JournalEntry& entry)
+        : m_values(values)
+        , m_entry(entry)
+    {}
+
+    void take(const base::JournalItem& item)
+    {
+        const base::ItemEnd* end = endOf(item.key);
+        const QString outcome = end != nullptr ? end->outcome
+                                : m_entry.end  ? m_entry.end->outcome
+                                               : QString();
+        if (is(outcome, "refused") || is(outcome, "not-sent"))
+            return;
+        const std::int64_t shown = end != nullptr && end->readBack ? *end->readBack : item.newRaw;
+        const bool temporary = m_entry.intent.temporary;
+        if (is(outcome, "undone")) {
+            if (!temporary) // what is put back to stay has been written with the lock open
+                m_values.erase(item.key);
+            return;
+        }
+        if (!temporary && (is(outcome, "kept") || is(outcome, "done"))) {
+            if (!tookOwnDefaults(m_entry.intent) || shown != item.oldRaw)
+                m_values.erase(item.key);
+            return;
+        }
+        m_values[item.key] = shown;
+    }
+
+private:
+    static bool is(const QString& outcome, const char* word)
+    {
+        return outcome == QLatin1String(word);
+    }
+    const base::ItemEnd* endOf(const QString& key) const
+    {
+        if (!m_entry.end)
+            return nullptr;
+        const auto& items = m_entry.end->items;
+        const auto found = std::find_if(items.begin(), items.end(),
+                                        [&](const auto& item) { return item.key == key; });
+        return found == items.end() ? nullptr : &*found;
+    }
+
+    std::map<QString, std::int64_t>& m_values;
+    const base::JournalEntry& m_entry;
+};
+} // namespace
+
+base::Result<std::map<QString, std::int64_t>> temporaryValues(const base::Journal& journal,
+                                                              const Servo& servo)
+{
+    const auto entries = journal.entriesOf(servo.identity(), entriesLookedAt);
+    if (!entries)
+        return tl::unexpected(entries.error());
+    std::map<QString, std::int64_t> values;
+    for (const base::JournalEntry& entry : *entries) {
+        Follow follow(values, entry);
+        for (const base::JournalItem& item : entry.intent.items) {
+            const catalog::Register* reg = servo.profile->find(item.key);
+            if (reg != nullptr && lasting(*reg) && keepingOf(*reg) != Keeping::Always)
+                follow.take(item);
+        }
+    }
+    return values;
+}
+
+bool mayBeTemporary(const std::map<QString, std::int64_t>& temporary, const QString& key,
+                    std::optional<std::int64_t> now)
+{
+    const auto found = temporary.find(key);
+    return found != temporary.end() && now == found->second;
+}
+} // namespace device
