@@ -59,6 +59,7 @@ struct StepTest::Live {
     std::optional<jobs::SweepProgress> progress{};
     std::optional<record::StepRun> run{};
     std::vector<record::StepAdvice> advice{};
+    std::vector<int> torqueLeft{}; ///< IDs
 };
 
 StepTest::StepTest(Desk& desk, QObject* parent)
@@ -96,6 +97,7 @@ bool StepTest::start(const StepTestOrder& order)
         const std::lock_guard lock(live->mutex);
         live->progress = progress;
     };
+    watch.onTorqueLeft = [live](int id, const base::Error&) { live->torqueLeft.push_back(id); };
     Task task;
     task.name = QStringLiteral("step-response");
     task.effect = Effect::Moves;
@@ -149,17 +151,24 @@ void StepTest::drain(Live& live)
 
 void StepTest::finish(const std::shared_ptr<Live>& live, const TaskEnd& end)
 {
-    drain(*live);
+    takeResult(*live, end);
+    if (!live->torqueLeft.empty())
+        Q_EMIT torqueLeft(live->torqueLeft);
+}
+
+void StepTest::takeResult(Live& live, const TaskEnd& end)
+{
+    drain(live);
     m_drainTimer.stop();
     m_job.reset();
     m_running = false;
     m_live.clear();
-    if (!live->run) {
+    if (!live.run) {
         Q_EMIT failed(end.error.value_or(base::Error{ErrorCode::Stopped, QStringLiteral("step")}));
         return;
     }
-    m_runs.push_back(std::move(*live->run));
-    m_advice = std::move(live->advice);
+    m_runs.push_back(std::move(*live.run));
+    m_advice = std::move(live.advice);
     // The first one of the servo's own values is what the others are held against: it stays.
     if (m_runs.size() > mostRuns)
         m_runs.erase(m_runs.begin() + (m_runs.front().spec.trial.empty() ? 1 : 0));

@@ -56,7 +56,8 @@ Q_SIGNALS:
     void responded(); ///< live() has grown
     void ended();     ///< runs() has, or its oldest are gone
     void failed(const base::Error& error);
-    void keptChanged(); ///< earlier() may be another
+    void torqueLeft(const std::vector<int>& ids); ///< as SweepTest's
+    void keptChanged();                           ///< earlier() may be another
     void saved(const QString& path);
     void saveFailed(const base::Error& error);
 
@@ -69,6 +70,7 @@ private:
     };
     void drain(Live& live);
     void finish(const std::shared_ptr<Live>& live, const TaskEnd& end);
+    void takeResult(Live& live, const TaskEnd& end);
     void happened(const Event& event);
 
     Desk& m_desk;

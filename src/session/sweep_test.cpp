@@ -56,6 +56,7 @@ struct SweepTest::Ending {
     std::shared_ptr<jobs::SweepRecording> recording{};
     std::optional<record::SweepRun> run{};
     QString path{};
+    std::vector<int> torqueLeft{}; ///< IDs
 };
 
 SweepTest::SweepTest(Desk& desk, QObject* parent)
@@ -184,6 +185,7 @@ bool SweepTest::start(const SweepTestOrder& order)
         const std::lock_guard lock(live->mutex);
         live->legs.emplace_back(servo, leg);
     };
+    watch.onTorqueLeft = [ending](int id, const base::Error&) { ending->torqueLeft.push_back(id); };
     watch.onProgress = [live](const jobs::SweepProgress& progress) {
         const std::lock_guard lock(live->mutex);
         live->progress = progress;
@@ -293,9 +295,11 @@ void SweepTest::finish(Ending& ending, const TaskEnd& end)
         if (m_recording && m_recording->failure())
             Q_EMIT saveFailed(*m_recording->failure());
         Q_EMIT ended();
-        return;
+    } else {
+        Q_EMIT failed(end.error.value_or(base::Error{ErrorCode::Stopped, QStringLiteral("sweep")}));
     }
-    Q_EMIT failed(end.error.value_or(base::Error{ErrorCode::Stopped, QStringLiteral("sweep")}));
+    if (!ending.torqueLeft.empty())
+        Q_EMIT torqueLeft(ending.torqueLeft);
 }
 
 std::vector<record::SweepMetric> SweepTest::figures(std::size_t servo) const

@@ -72,6 +72,8 @@ Q_SIGNALS:
     void legged(); ///< new legs; at most as often
     void ended();
     void failed(const base::Error& error); ///< nothing has moved, or it could not come to the start
+    /// After ended() or failed(): torque was to be switched off, which could not be proved.
+    void torqueLeft(const std::vector<int>& ids);
     void saved(const QString& path);
     void saveFailed(const base::Error& error);
 

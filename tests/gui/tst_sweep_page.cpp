@@ -2,6 +2,7 @@
 // The sweep page on the simulated bus: opening it moves nothing, it proposes a range and a delay
 // that fit, tells when the delay is too short, asks before the first move, shows what is measured
 // while it runs, ends by Stop and by Esc, and writes its report.
+#include "device/motion.h"
 #include "gui/window_bench.h"
 #include "record/sweep_json.h"
 #include "sim/sim_link.h"
@@ -64,6 +65,17 @@ struct SweepBench : gui::WindowBench {
         type("sweepEnd", QStringLiteral("2200"));
         find<QSpinBox>("sweepCycles")->setValue(cycles);
         find<QSpinBox>("sweepPause")->setValue(delay);
+    }
+    void torqueOn()
+    {
+        session::Task task;
+        task.name = QStringLiteral("torque");
+        task.effect = session::Effect::Energises;
+        task.work = [](session::TaskContext& context) {
+            return device::setTorque(context.device, context.servo, device::Torque::On);
+        };
+        desk().perform(selection().current(), std::move(task));
+        QVERIFY(QTest::qWaitFor([this] { return !entry().stopped; }));
     }
     /// Presses Run, and agrees to the question of the first time.
     void run()
@@ -166,6 +178,11 @@ private Q_SLOTS:
         bench.click("sweepRun");
         auto* no = bench.find<QPushButton>("questionNo");
         QVERIFY(no != nullptr);
+        QString said;
+        for (const QLabel* label : no->window()->findChildren<QLabel*>())
+            said += label->text();
+        QVERIFY2(said.contains(QStringLiteral("hold their position with torque on")),
+                 qPrintable(said));
         QTest::mouseClick(no, Qt::LeftButton);
         QVERIFY(!bench.test().running());
         QCOMPARE(bench.now("torque_switch"), 0);
@@ -258,11 +275,46 @@ private Q_SLOTS:
         QCOMPARE(bench.now("torque_switch"), 0);
         QVERIFY(!bench.test().run()->servos[0].legs.empty());
         // Until torque has been switched on again nothing moves, and it says so.
-        QTRY_VERIFY(bench.find<QPushButton>("sweepRun")->isEnabled());
-        bench.click("sweepRun");
+        QTRY_VERIFY(bench.text("sweepOutlook").contains(QStringLiteral("emergency stop: ID 1.")));
+        QVERIFY(!bench.find<QPushButton>("sweepRun")->isEnabled());
+        QCOMPARE(bench.now("torque_switch"), 0);
+        // Nor when it is asked to in another way; then the banner says so.
+        session::SweepTestOrder order;
+        order.spec = bench.test().run()->spec;
+        order.servos = bench.test().servos();
+        order.limits = {bench.test().run()->servos[0].limits};
+        QVERIFY(bench.test().start(order));
         QTRY_VERIFY(!bench.test().running());
         QVERIFY(bench.find<QWidget>("sweepBanner")->isVisible());
         QCOMPARE(bench.now("torque_switch"), 0);
+        bench.torqueOn();
+        QTRY_VERIFY(bench.find<QPushButton>("sweepRun")->isEnabled());
+    }
+
+    /// What is looked at elsewhere is not what is tested.
+    void ticksStayWhenAnotherServoIsSelected()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2,sts3215@3")));
+        QTRY_COMPARE(bench.desk().servos().size(), std::size_t(3));
+        auto* table = bench.find<QTableWidget>("sweepServos");
+        QTRY_COMPARE(table->rowCount(), 3);
+        const auto ticks = [table] {
+            QList<bool> ticked;
+            for (int row = 0; row < table->rowCount(); ++row)
+                ticked.append(table->item(row, 0)->checkState() == Qt::Checked);
+            return ticked;
+        };
+        QTRY_COMPARE(ticks(), (QList<bool>{true, false, false}));
+        table->item(2, 0)->setCheckState(Qt::Checked);
+        bench.selection().select(bench.desk().servos()[1]);
+        QTest::qWait(100);
+        QCOMPARE(ticks(), (QList<bool>{true, false, true}));
+        // Without a tick of the user's own the selection is what is tested.
+        table->item(0, 0)->setCheckState(Qt::Unchecked);
+        table->item(2, 0)->setCheckState(Qt::Unchecked);
+        bench.selection().select(bench.desk().servos()[2]);
+        QTRY_COMPARE(ticks(), (QList<bool>{false, false, true}));
     }
 
     /// The plug is out when the key is pressed: the stop waits for it, and is proved like any.

@@ -4,6 +4,7 @@
 #include "report/html_page.h"
 #include "report/sweep_words.h"
 #include "text/language.h"
+#include "text/translate.h"
 
 #include <cmath>
 
@@ -82,5 +83,21 @@ QString reasonText(const record::VerdictLine& line)
     const auto bound = line.grade == Grade::Fail ? line.limit.fail : line.limit.warn;
     const QString& form = said(line.limit.atLeast ? words.under : words.over);
     return form.arg(bound ? sweepValue(bound, line.limit.unit) : QString());
+}
+
+QString torqueLeftText(const std::vector<int>& ids)
+{
+    QStringList names;
+    for (const int id : ids)
+        names.append(QStringLiteral("ID %1").arg(id));
+    return text::translate("ui::SweepPage", "Torque could not be switched off: %1.")
+        .arg(names.join(QStringLiteral(", ")));
+}
+
+QString torqueLeftRemedy()
+{
+    return text::translate("ui::SweepPage",
+                           "It may still hold. Press the emergency stop or cut its "
+                           "supply.");
 }
 } // namespace ui

@@ -20,4 +20,7 @@ Tone gradeTone(record::Grade grade);
 /// "> 8": above this it warns or fails; "–" for no limit.
 QString limitText(const record::SweepLimit& limit, const std::optional<double>& bound);
 QString reasonText(const record::VerdictLine& line); ///< "above 8 step"
+/// Torque was to be switched off at the end, which could not be proved.
+QString torqueLeftText(const std::vector<int>& ids);
+QString torqueLeftRemedy();
 } // namespace ui

@@ -5,6 +5,7 @@
 #include "report/sweep_words.h"
 #include "text/language.h"
 #include "ui/dialogs/ask.h"
+#include "ui/models/sweep_cells.h"
 #include "ui/pages/step_form.h"
 #include "ui/pages/step_gains.h"
 #include "ui/pages/step_results.h"
@@ -62,6 +63,11 @@ void StepPage::connectAll()
     connect(&m_test, &session::StepTest::progressed, this, &StepPage::showProgress);
     connect(&m_test, &session::StepTest::ended, this, &StepPage::ended);
     connect(&m_test, &session::StepTest::failed, this, &StepPage::failed);
+    connect(&m_test, &session::StepTest::torqueLeft, this, [this](const std::vector<int>& ids) {
+        m_banner->present([ids] {
+            return BannerWords{Tone::Bad, torqueLeftText(ids), {}, torqueLeftRemedy()};
+        });
+    });
     connect(&m_test, &session::StepTest::keptChanged, this, &StepPage::showState);
     connect(&m_selection, &Selection::changed, this, &StepPage::servoChosen);
     for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
@@ -191,7 +197,10 @@ void StepPage::askFirst(bool trial)
     question.text = tr("ID %1 · %2 gets torque and moves by itself, as fast as it can, until the "
                        "run has ended.")
                         .arg(entry->servo.id)
-                        .arg(entry->servo.profile->modelName);
+                        .arg(entry->servo.profile->modelName) +
+                    QLatin1Char('\n') +
+                    tr("Afterwards it holds its position with torque on. The same applies if you "
+                       "stop the run or close the window during it.");
     question.risk = tr("Nothing may be in its way, and nobody's fingers. Esc takes torque off all "
                        "servos at once.");
     question.yes = tr("Start");

@@ -45,10 +45,11 @@ QString settingsOf(const session::ServoEntry* entry)
         return {};
     const catalog::Mode* mode = entry->servo.mode();
     const auto span = device::goalSpan(entry->servo);
-    return QStringLiteral("%1 %2 %3")
+    return QStringLiteral("%1 %2 %3 %4")
         .arg(mode != nullptr ? mode->key : QString())
         .arg(span ? span->min : 0)
-        .arg(span ? span->max : 0);
+        .arg(span ? span->max : 0)
+        .arg(entry->stopped);
 }
 
 bool wrongMode(const session::SweepLook& look)
@@ -106,7 +107,7 @@ void SweepPage::build(session::Settings& settings)
     row->addLayout(left);
     row->addWidget(m_results, 1);
     column->addLayout(row, 1);
-    new FloatOver(m_banner, this, FloatOver::Corner::BottomRight);
+    new FloatOver(m_banner, m_results->chart(), FloatOver::Corner::BottomRight);
 }
 
 /// Always in sight, however long the fields above are.
@@ -195,6 +196,11 @@ void SweepPage::connectAll()
     connect(&m_test, &session::SweepTest::progressed, this, &SweepPage::showProgress);
     connect(&m_test, &session::SweepTest::ended, this, &SweepPage::ended);
     connect(&m_test, &session::SweepTest::failed, this, &SweepPage::failed);
+    connect(&m_test, &session::SweepTest::torqueLeft, this, [this](const std::vector<int>& ids) {
+        m_banner->present([ids] {
+            return BannerWords{Tone::Bad, torqueLeftText(ids), {}, torqueLeftRemedy()};
+        });
+    });
     for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
                               &session::Desk::servosCleared, &session::Desk::taskChanged})
         connect(&m_desk, signal, this, &SweepPage::showState);
@@ -253,19 +259,39 @@ void SweepPage::look()
         return;
     if (!whyNot().isEmpty()) {
         m_looks.clear();
+        noteSettings(m_servos->ticked());
         showState();
         return;
     }
     m_test.look(order());
 }
 
+void SweepPage::noteSettings(const std::vector<session::ServoRef>& servos)
+{
+    m_settingsSeen.clear();
+    for (const session::ServoRef ref : servos)
+        m_settingsSeen[ref] = settingsOf(m_desk.servo(ref));
+}
+
+/// Of those that take part: an emergency stop holds them.
+QStringList SweepPage::heldByStop() const
+{
+    QStringList held;
+    for (const session::ServoRef ref : m_servos->ticked()) {
+        if (const session::ServoEntry* entry = m_desk.servo(ref); entry->stopped)
+            held.append(QStringLiteral("ID %1").arg(entry->servo.id));
+    }
+    return held;
+}
+
 /// What is proposed changes the test, so that it has to be looked at once more.
 void SweepPage::takeLooks(const std::vector<session::SweepLook>& looks)
 {
     m_looks = looks;
-    m_settingsSeen.clear();
+    std::vector<session::ServoRef> looked;
     for (const session::SweepLook& one : looks)
-        m_settingsSeen[one.servo] = settingsOf(m_desk.servo(one.servo));
+        looked.push_back(one.servo);
+    noteSettings(looked);
     if (!looks.empty()) {
         const record::SweepSpec before = m_form->spec();
         const session::SweepLook& first = looks.front();
@@ -290,6 +316,10 @@ QString SweepPage::whyNot() const
         return tr("The search goes on; the test can be started when it has ended.");
     if (m_servos->ticked().empty())
         return tr("Choose a servo in the list, or tick one below.");
+    if (const QStringList held = heldByStop(); !held.isEmpty())
+        return tr("Held by the emergency stop: %1. Switch torque on first; the Operate page does "
+                  "it for all selected servos.")
+            .arg(held.join(QStringLiteral(", ")));
     return m_form->complaint();
 }
 
@@ -336,11 +366,12 @@ void SweepPage::showProgress()
 
 void SweepPage::run()
 {
-    if (m_asked) {
+    const session::SweepTestOrder now = order();
+    const Consent consent{now.servos, now.spec.releaseAtEnd};
+    if (m_consent == consent) {
         start();
         return;
     }
-    const session::SweepTestOrder now = order();
     QStringList names;
     for (const session::ServoRef ref : now.servos) {
         const session::ServoEntry* entry = m_desk.servo(ref);
@@ -351,15 +382,25 @@ void SweepPage::run()
     question.title = tr("Start the test?");
     question.text = tr("These servos get torque and move by themselves until the test has ended: "
                        "%1")
-                        .arg(names.join(QStringLiteral(", ")));
+                        .arg(names.join(QStringLiteral(", "))) +
+                    QLatin1Char('\n') + torqueAfterwards(now.spec.releaseAtEnd);
     question.risk = tr("Nothing may be in their way, and nobody's fingers. Esc takes torque off "
                        "all servos at once.");
     question.yes = tr("Start");
     question.guard = this;
-    ask(this, question, [this] {
-        m_asked = true;
+    ask(this, question, [this, consent] {
+        m_consent = consent;
         start();
     });
+}
+
+/// However it ends, apart from faults and the emergency stop; also of servos without torque before.
+QString SweepPage::torqueAfterwards(bool released)
+{
+    return released ? tr("Afterwards their torque is off. The same applies if you stop the test or "
+                         "close the window during it.")
+                    : tr("Afterwards they hold their position with torque on. The same applies if "
+                         "you stop the test or close the window during it.");
 }
 
 void SweepPage::start()

@@ -39,6 +39,12 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    /// What was said before servos moved, and agreed to.
+    struct Consent {
+        std::vector<session::ServoRef> servos;
+        bool released = false; ///< torque off afterwards
+        bool operator==(const Consent&) const = default;
+    };
     void build(session::Settings& settings);
     QWidget* buildRun();
     void connectAll();
@@ -48,6 +54,9 @@ private:
     void takeLooks(const std::vector<session::SweepLook>& looks);
     void servoChosen();
     void settingsRead(session::ServoRef ref);
+    void noteSettings(const std::vector<session::ServoRef>& servos);
+    QStringList heldByStop() const;
+    static QString torqueAfterwards(bool released);
     void run();
     void start();
     void ended();
@@ -84,6 +93,6 @@ private:
     session::ServoRef m_shown = 0;                       ///< the fields are about it
     std::map<session::ServoRef, QString> m_settingsSeen; ///< mode and limits when it was looked at
     std::vector<session::ReferenceResult> m_references;  ///< of the latest test
-    bool m_asked = false;                                ///< whether it may move, in this session
+    std::optional<Consent> m_consent;                    ///< that was given in this session
 };
 } // namespace ui

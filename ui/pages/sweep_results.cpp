@@ -115,6 +115,11 @@ SweepResults::SweepResults(session::Desk& desk, session::SweepTest& test,
     enableReports();
 }
 
+QWidget* SweepResults::chart() const
+{
+    return m_chart;
+}
+
 void SweepResults::connectTest()
 {
     connect(&m_test, &session::SweepTest::began, this, &SweepResults::begin);

@@ -28,6 +28,7 @@ class SweepResults final : public QWidget {
     Q_OBJECT
 
 public:
+    QWidget* chart() const; ///< messages may float over it
     SweepResults(session::Desk& desk, session::SweepTest& test, session::Settings& settings,
                  QWidget* parent);
 

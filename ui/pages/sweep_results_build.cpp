@@ -156,13 +156,15 @@ QWidget* SweepResults::buildReport()
     m_saved->setOpenExternalLinks(true);
     m_saved->setTextInteractionFlags(Qt::TextBrowserInteraction);
     m_saved->hide();
-    column->addWidget(m_histogramTitle);
-    column->addWidget(m_histogram, 1);
-    column->addWidget(m_end);
-    column->addWidget(m_comparison);
+    // The buttons stand first: what comes and goes below them must not move them, and messages
+    // float at the bottom.
     column->addWidget(m_reportTitle);
     column->addWidget(buttons);
     column->addWidget(m_saved);
+    column->addWidget(m_end);
+    column->addWidget(m_comparison);
+    column->addWidget(m_histogramTitle);
+    column->addWidget(m_histogram, 1);
     return side;
 }
 } // namespace ui

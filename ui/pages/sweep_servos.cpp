@@ -13,6 +13,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace ui {
 namespace {
 enum Column { Servo, Start, End, Verdicts, ColumnCount };
@@ -125,6 +127,8 @@ void SweepServos::rebuild()
     const auto gone = [this](const auto& one) { return m_desk.servo(one) == nullptr; };
     const std::size_t before = m_ticked.size();
     std::erase_if(m_ticked, gone);
+    if (m_ticked.empty() && std::exchange(m_byHand, false))
+        followSelection();
     std::erase_if(m_ranges, [&](const auto& one) { return gone(one.first); });
     showLimits();
     if (before != m_ticked.size())
@@ -224,6 +228,7 @@ void SweepServos::edited(QTableWidgetItem* item)
             m_ticked.insert(ref);
         else
             m_ticked.erase(ref);
+        m_byHand = !m_ticked.empty();
     } else {
         record::SweepRange& range = m_ranges[ref];
         (item->column() == Start ? range.from : range.to) = item->text().trimmed();
@@ -231,8 +236,11 @@ void SweepServos::edited(QTableWidgetItem* item)
     Q_EMIT changed();
 }
 
+/// What the user has ticked stays, whatever is looked at elsewhere, until the last tick is gone.
 void SweepServos::followSelection()
 {
+    if (m_byHand)
+        return;
     const auto& chosen = m_selection.chosen();
     m_ticked = {chosen.begin(), chosen.end()};
     m_rebuild.start();

@@ -79,6 +79,7 @@ private:
     const QAbstractItemView::EditTriggers m_editTriggers;
     QTimer m_rebuild; ///< several changes of the list are one
     std::set<session::ServoRef> m_ticked;
+    bool m_byHand = false; ///< m_ticked is the user's choice, not the selection
     std::map<session::ServoRef, record::SweepRange> m_ranges;
     std::map<session::ServoRef, Verdict> m_verdicts;
     mutable std::map<QString, std::optional<record::SweepLimits>> m_modelLimits; ///< as read
