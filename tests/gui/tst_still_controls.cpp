@@ -306,6 +306,31 @@ private Q_SLOTS:
         }
     }
 
+    void theReportButtonsStayInSight_data() { sizesAndLanguages(); }
+    void theReportButtonsStayInSight()
+    {
+        QFETCH(QString, language);
+        QFETCH(QSize, size);
+        WindowBench bench(language);
+        bench.window->resize(size);
+        bench.page = QStringLiteral("sweep");
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        const QStringList names{QStringLiteral("sweepReport_html"),
+                                QStringLiteral("sweepReport_pdf"), QStringLiteral("sweepEarlier")};
+        Watch watch(bench, names);
+        QCOMPARE(watch.count(), std::size_t(3));
+        for (const char* label : {"sweepSaved", "sweepEnd", "sweepComparison"}) {
+            auto* words = bench.find<QLabel>(label);
+            words->setText(QStringLiteral("one<br>two<br>three"));
+            words->show();
+            VERIFY_STILL(watch, label);
+        }
+        bench.find<ui::Banner>("sweepBanner")
+            ->present({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
+        QCoreApplication::processEvents();
+        QCOMPARE(coveredBy(bench, "sweepBanner", names), QString());
+    }
+
     void theMemoryPageKeepsItsWriteButtons_data() { sizesAndLanguages(); }
     void theMemoryPageKeepsItsWriteButtons()
     {
