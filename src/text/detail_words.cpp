@@ -147,8 +147,12 @@ QString specialCase(const base::Error& error)
                    ? what
                    : translate("text", "%1 (%2)", "sentence, technical detail").arg(what, saying);
     }
-    if (const RefusalWords* words = refusalWords(error))
-        return translate("text", words->what);
+    if (const RefusalWords* words = refusalWords(error)) {
+        const QString held = heldByStop(error);
+        const QString what = translate("text", words->what);
+        return held.isEmpty() ? what
+                              : translate("text", "%1 (servos %2)", "what, IDs").arg(what, held);
+    }
     if (const QString bar = writeBarCase(error); !bar.isEmpty())
         return bar;
     switch (error.code) {

@@ -245,6 +245,12 @@ const RefusalWords* findIn(const List& list, const QString& detail)
 }
 } // namespace
 
+QString heldByStop(const base::Error& error)
+{
+    return error.code == base::ErrorCode::Preempted ? error.detail.section(QLatin1Char(' '), 1)
+                                                    : QString();
+}
+
 const RefusalWords* refusalWords(const base::Error& error)
 {
     if (const RefusalWords* words = serverWords(error))
@@ -260,7 +266,7 @@ const RefusalWords* refusalWords(const base::Error& error)
     if (error.code == base::ErrorCode::Uncertain)
         return findIn(uncertain, error.detail);
     if (error.code == base::ErrorCode::Preempted)
-        return findIn(preempted, error.detail);
+        return findIn(preempted, error.detail.section(QLatin1Char(' '), 0, 0));
     if (error.code == base::ErrorCode::Held)
         return findIn(held, error.detail);
     if (error.code == base::ErrorCode::BadArgument)

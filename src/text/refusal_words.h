@@ -15,4 +15,6 @@ struct RefusalWords {
 
 /// Null: nothing particular is known about this error.
 const RefusalWords* refusalWords(const base::Error& error);
+/// "2, 3": the servos that an emergency stop holds, where a task concerned more than one of them.
+QString heldByStop(const base::Error& error);
 } // namespace text
