@@ -533,10 +533,6 @@
         <translation>ID %1 · 首次更改前已保存内存表：%2</translation>
     </message>
     <message>
-        <source>ID %1 · %2: done</source>
-        <translation>ID %1 · %2：完成</translation>
-    </message>
-    <message>
         <source>Stop sent: torque off for everybody on the bus</source>
         <translation>已发送停止指令：总线上全部卸力</translation>
     </message>
@@ -639,6 +635,86 @@
     <message>
         <source>, NOT RECORDED</source>
         <translation>，未记录</translation>
+    </message>
+    <message>
+        <source>Servos may still be moving; switch off their supply.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sent yet: the link is lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stop is sent first when the link is back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sent: no port is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The emergency stop was not sent: no port was open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servos may still be moving. Press Esc to stop them now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not closed: ID %1 could not be stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Esc for torque off, or switch off the supply.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>. Stopped before: ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>. STILL MOVING: ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off the supply to stop it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the goal follows the control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goal sent: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweep test</source>
+        <translation type="unfinished">扫描测试</translation>
+    </message>
+    <message>
+        <source>step response</source>
+        <translation type="unfinished">阶跃响应</translation>
+    </message>
+    <message>
+        <source>commissioning</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1388,6 +1464,10 @@
         <source>Family unclear: read only</source>
         <translation>系列不明：只读</translation>
     </message>
+    <message>
+        <source>unreadable answers</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ServoTasks</name>
@@ -1556,10 +1636,6 @@
         <translation>完成</translation>
     </message>
     <message>
-        <source>Write what is missing, prove it, and close the lock</source>
-        <translation>写入缺少的部分，回读确认，并上锁</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>撤销</translation>
     </message>
@@ -1650,18 +1726,6 @@
     <message>
         <source>identify</source>
         <translation>识别</translation>
-    </message>
-    <message>
-        <source>nothing of it was written</source>
-        <translation>完全没有写入</translation>
-    </message>
-    <message>
-        <source>all of it was written</source>
-        <translation>已全部写入</translation>
-    </message>
-    <message>
-        <source>part of it was written</source>
-        <translation>只写入了一部分</translation>
     </message>
     <message>
         <source>another servo, or other values: hands off</source>
@@ -1951,6 +2015,46 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <source>%1, %2: %3, on %4, %5</source>
         <translation>%1，%2：%3，端口 %4，%5</translation>
     </message>
+    <message>
+        <source>The servo has the settings from before the test: nothing had to be put back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The settings from before the test have been put back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the settings from before the test back and prove them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write what is missing, prove it, and close the lock. Undo then takes back the whole change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the old values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the new values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>some new, some old values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something answers, but nothing readable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>values of later writes, which stay</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Trend</name>
@@ -2013,6 +2117,23 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>%1 (worked out)</source>
         <translation>%1（推算）</translation>
+    </message>
+</context>
+<context>
+    <name>UndoWords</name>
+    <message numerus="yes">
+        <source>%n settings</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>ID %1 · %2</source>
+        <translation type="unfinished">ID %1 · %2</translation>
+    </message>
+    <message>
+        <source>ID %1 · %2: %3 → %4</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2683,10 +2804,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>没有模式 “%1”；可用的有 %2</translation>
     </message>
     <message>
-        <source>switch torque; on holds where the servo is</source>
-        <translation>切换扭矩开关；打开后保持在当前位置</translation>
-    </message>
-    <message>
         <source>servos (1 2 3, 1-6, 1,3), then what to do</source>
         <translation>舵机（1 2 3、1-6、1,3），最后是要做的操作</translation>
     </message>
@@ -3059,10 +3176,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>stopped</source>
         <translation>已停止</translation>
-    </message>
-    <message>
-        <source>end the motion; torque stays as it is</source>
-        <translation>停止运动；扭矩开关不变</translation>
     </message>
     <message>
         <source>position, multiturn, speed, pwm, step, current or motor, as the family has them</source>
@@ -4160,6 +4273,54 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>also changes begun on another port than this one; without it the exit code is 1 while any of those is open</source>
         <translation>也包括在其他端口上开始的修改；不加此项时，只要其中还有未了结的，退出码即为 1</translation>
     </message>
+    <message>
+        <source>The EPROM lock is open because a change of this servo was interrupted; to finish or undo it: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something answers, but nothing readable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>later writes have replaced it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 registers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trial was not run.</source>
+        <translation>试用未运行。</translation>
+    </message>
+    <message>
+        <source>Servo %1: most moves are too short for a verdict: targets count as reached within %2 steps, so moves need at least %3 steps.</source>
+        <translation>舵机 %1：大多数行程太短，无法得出结论：距目标 %2 步以内即视为到位，因此每个行程至少需要 %3 步。</translation>
+    </message>
+    <message>
+        <source>ignored: failed</source>
+        <translation>已忽略：不合格</translation>
+    </message>
+    <message>
+        <source>switch torque; on holds where the servo is, off is sent whatever speaks against writing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end the motion; torque stays as it is, and goes off where holding cannot be proven</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An interrupted change is open on this port (ID %1). To look at it, finish it or undo it: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servo %1 may still have torque: switching it off after the test failed (%2). Use &quot;torque %1 off&quot;, or cut its supply.</source>
+        <translation>舵机 %1 可能仍有扭矩：测试后卸力失败（%2）。请执行“torque %1 off”，或切断其供电。</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -4834,10 +4995,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>The EPROM lock was found open.</source>
         <translation>发现 EPROM 没有上锁。</translation>
-    </message>
-    <message>
-        <source>it restarted meanwhile, so the value is not kept</source>
-        <translation>期间舵机重启，数值未能保存</translation>
     </message>
     <message>
         <source>its memory table has no such register</source>
@@ -6146,10 +6303,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>有两个舵机用该 ID 应答</translation>
     </message>
     <message>
-        <source>Connect one servo at a time and change its ID. If only this servo is connected, check leads and ground, then try again: every attempt looks afresh. An emergency stop still reaches both.</source>
-        <translation>请逐个连接舵机并修改 ID。如果只接了这一个舵机，请检查连线和地线后重试：每次都会重新检查。急停对两个舵机仍然有效。</translation>
-    </message>
-    <message>
         <source>not in the model list</source>
         <translation>不在型号表中</translation>
     </message>
@@ -6218,12 +6371,69 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>这样的行可能记录了中断的更改：请检查当时所用舵机的 EPROM 锁和设置。</translation>
     </message>
     <message>
-        <source>Not recorded: the change was made, but its result could not be saved to the history (%3). It stays listed as open; look at it with recover when the history can be written again.</source>
-        <translation>未记录：更改已完成，但结果无法保存到历史记录（%3）。它仍列为未写完；历史记录可写后，请用 recover 查看。</translation>
-    </message>
-    <message>
         <source>not sent</source>
         <translation>未发送</translation>
+    </message>
+    <message>
+        <source>%1 (servos %2)</source>
+        <comment>what, IDs</comment>
+        <translation>%1（舵机 %2）</translation>
+    </message>
+    <message>
+        <source>Connect one servo at a time and change its ID. If only this servo is connected, check leads and ground, then try again: every attempt looks afresh. Switching torque off still reaches both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 Torque off was sent all the same; nothing proves that it took effect.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this servo failed the test, so it cannot be a reference</source>
+        <translation>该舵机测试不合格，不能作为参考</translation>
+    </message>
+    <message>
+        <source>A reference is what later tests of its model are compared with.</source>
+        <translation>参考用于与该型号以后的测试对比。</translation>
+    </message>
+    <message>
+        <source>Choose a servo that passed.</source>
+        <translation>请选择一个合格的舵机。</translation>
+    </message>
+    <message>
+        <source>Not recorded: the outcome of this change could not be saved to the history (%3). It stays listed as open; look at it with recover when the history can be written again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it restarted or was exchanged in the middle, so it is unknown whether the value is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its supply failed for a moment, or another servo was plugged in under this ID.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check plug and supply, connect the servo that was written to, then look at the open change (recover).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it did not acknowledge, and every value is as before, so it is unknown whether it did it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its firmware ignores this command, or its settings were the defaults already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare its memory table with the defaults, and write what differs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not kept yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The servo has this value, but by a temporary write that ends at power-off. It is written once more, to be kept.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6553,6 +6763,13 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Tick off what you have looked at</source>
         <translation>检查过的打勾</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Commands</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1：%2</translation>
     </message>
 </context>
 <context>
@@ -6923,6 +7140,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>A servo of this kind was left unfinished; it was to have ID %1. If this is that servo, click &quot;%2&quot;; otherwise it is set up as a new one.</source>
         <translation>有一个同型号的舵机未完成，它应得到 ID %1。如果就是这一个，请点“%2”；否则按新舵机设置。</translation>
+    </message>
+    <message>
+        <source>%1, ID %2</source>
+        <translation type="unfinished">%1，ID %2</translation>
     </message>
 </context>
 <context>
@@ -7986,6 +8207,53 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::LeaveQuestion</name>
+    <message>
+        <source>Servo %1 is turning. Stop it before closing?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servos %1 are turning. Stop them before closing?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servo %1 is turning. Stop it before disconnecting?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servos %1 are turning. Stop them before disconnecting?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping ends the motion; torque stays on where the servo can hold its position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left turning, it does not stop by itself, and ServoDesk can no longer stop it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left moving, it goes on to its goal, and ServoDesk can no longer stop it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop and disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it turning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave them turning</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::LimitsDialog</name>
     <message>
         <source>Give these limits a name: the report says by which ones a servo was judged.</source>
@@ -8761,10 +9029,6 @@ Asked more than once: %9</source>
         <translation>无报警</translation>
     </message>
     <message>
-        <source>alarms: not read</source>
-        <translation>报警：未读取</translation>
-    </message>
-    <message>
         <source>not read yet</source>
         <translation>尚未读取</translation>
     </message>
@@ -8803,6 +9067,18 @@ Asked more than once: %9</source>
     <message>
         <source>moving: not known</source>
         <translation>移动：未知</translation>
+    </message>
+    <message>
+        <source>Unreadable answers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alarms: –</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not known: the servo does not answer, or what tells of faults has not been read</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9294,6 +9570,14 @@ Asked more than once: %9</source>
         <source>ignored: did not finish</source>
         <translation>已忽略：未完成</translation>
     </message>
+    <message>
+        <source>This servo failed the test, so it cannot be a reference</source>
+        <translation>该舵机测试不合格，不能作为参考</translation>
+    </message>
+    <message>
+        <source>ignored: failed</source>
+        <translation>已忽略：不合格</translation>
+    </message>
 </context>
 <context>
     <name>ui::SearchPanel</name>
@@ -9384,6 +9668,10 @@ Asked more than once: %9</source>
     <message>
         <source>Servos that have answered; choosing one reads it and writes nothing. With Ctrl or Shift several are chosen, to move together</source>
         <translation>有应答的舵机；选择只读取，不写入。按住 Ctrl 或 Shift 可选择多个，一起运动</translation>
+    </message>
+    <message>
+        <source>Commissioning is running: its page shows the servos.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10195,6 +10483,10 @@ Asked more than once: %9</source>
         <source>Progress of the run</source>
         <translation>运行进度</translation>
     </message>
+    <message>
+        <source>Afterwards it holds its position with torque on. The same applies if you stop the run or close the window during it.</source>
+        <translation>结束后舵机保持位置，扭矩开启。中途停止或关闭窗口也是如此。</translation>
+    </message>
 </context>
 <context>
     <name>ui::StepResults</name>
@@ -10734,6 +11026,30 @@ Asked more than once: %9</source>
     <message>
         <source>Progress of the test</source>
         <translation>测试进度</translation>
+    </message>
+    <message>
+        <source>Torque could not be switched off: %1.</source>
+        <translation>未能卸力：%1。</translation>
+    </message>
+    <message>
+        <source>It may still hold. Press the emergency stop or cut its supply.</source>
+        <translation>舵机可能仍在保持位置。请按急停，或切断其供电。</translation>
+    </message>
+    <message>
+        <source>most moves are too short for a verdict: targets count as reached within %1 steps, so moves need at least %2 steps.</source>
+        <translation>大多数行程太短，无法得出结论：距目标 %1 步以内即视为到位，因此每个行程至少需要 %2 步。</translation>
+    </message>
+    <message>
+        <source>Held by the emergency stop: %1. Switch torque on first; the Operate page does it for all selected servos.</source>
+        <translation>被急停锁定：%1。请先打开扭矩；在操作页可一次打开所有所选舵机的扭矩。</translation>
+    </message>
+    <message>
+        <source>Afterwards their torque is off. The same applies if you stop the test or close the window during it.</source>
+        <translation>结束后舵机卸力。中途停止测试或关闭窗口也是如此。</translation>
+    </message>
+    <message>
+        <source>Afterwards they hold their position with torque on. The same applies if you stop the test or close the window during it.</source>
+        <translation>结束后舵机保持位置，扭矩开启。中途停止测试或关闭窗口也是如此。</translation>
     </message>
 </context>
 <context>
