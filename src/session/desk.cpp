@@ -3,6 +3,8 @@
 
 #include "session/desk_work.h"
 
+#include <algorithm>
+
 namespace session {
 using namespace std::chrono_literals;
 
@@ -93,6 +95,7 @@ void Desk::connectTo(const PortRequest& request)
         forgetServos();
     m_request = request;
     m_intentsLooked = false;
+    m_answers.clear();
     m_opening = true;
     setState(LinkState::Opening);
     m_openThread->start([this, request] {
@@ -135,16 +138,39 @@ void Desk::opened(base::Result<std::unique_ptr<Connection>> result)
     }
     setState(LinkState::Open);
     tell({.kind = Event::Kind::Connected, .task = m_connection->bus().portName()});
+    if (std::exchange(m_stopNotSent, false))
+        tell({.kind = Event::Kind::StopNotSent, .earlier = true});
 }
 
-void Desk::disconnectFrom()
+void Desk::disconnectFrom(AtClose moving)
 {
     if (m_state == LinkState::Off && !m_connection) {
         m_nextRequest.reset();
         return;
     }
+    if (m_leaving) { // asked for again while servos are being stopped
+        if (moving == AtClose::LeaveMoving)
+            closeNow();
+        return;
+    }
+    m_leaving = Leaving{moving};
+    if (m_state != LinkState::Open || moving == AtClose::LeaveMoving || driven().empty()) {
+        closeNow();
+        return;
+    }
+    dropQueue(base::ErrorCode::Stopped, true);
+    stopSearch();
+    stopTest(); // hours may be left of it
+    haltDriven();
+}
+
+void Desk::closeNow()
+{
     if (m_state == LinkState::Lost && !m_connection) {
+        m_leaving.reset();
         setState(LinkState::Off);
+        if (m_closing)
+            QMetaObject::invokeMethod(this, &Desk::closed, Qt::QueuedConnection);
         return;
     }
     dropQueue(base::ErrorCode::Stopped, true);
@@ -154,12 +180,12 @@ void Desk::disconnectFrom()
     goOn();
 }
 
-void Desk::close()
+void Desk::close(AtClose moving)
 {
     m_closing = true;
     m_nextRequest.reset();
-    const bool idle = !m_connection && !m_opening;
-    disconnectFrom();
+    const bool idle = m_state == LinkState::Off && !m_connection && !m_opening;
+    disconnectFrom(moving);
     if (idle)
         QMetaObject::invokeMethod(this, &Desk::closed, Qt::QueuedConnection);
 }
@@ -172,8 +198,30 @@ void Desk::powerCycle()
         known.turns.reset();
 }
 
+/// What a job reads comes into the list when it has ended; that its servos answer is seen here.
+void Desk::noteHeard()
+{
+    const auto statistics = m_connection->bus().statistics().byId;
+    for (const auto& [id, counters] : statistics) {
+        std::uint64_t& before = m_answers[id];
+        if (std::exchange(before, counters.ok) == counters.ok)
+            continue;
+        const auto answers = [this, id = id](const auto& item) {
+            const device::Servo& servo = item.second.servo;
+            return servo.id == id && (!hasBaud() || servo.baud == baud());
+        };
+        const auto first = std::find_if(m_servos.begin(), m_servos.end(), answers);
+        const bool alone = first != m_servos.end() && std::find_if(std::next(first), m_servos.end(),
+                                                                   answers) == m_servos.end();
+        if (alone)
+            first->second.lastSeen = now();
+    }
+}
+
 void Desk::lookAtLink()
 {
+    if (m_connection)
+        noteHeard();
     if (!m_connection || !m_connection->bus().lost())
         return;
     setState(LinkState::Lost);
@@ -208,8 +256,12 @@ void Desk::goOn()
 
 void Desk::finishClosing()
 {
+    const Leaving left = std::exchange(m_leaving, std::nullopt).value_or(Leaving{});
     setState(LinkState::Off);
-    tell({.kind = Event::Kind::Disconnected, .task = m_request.name});
+    tell({.kind = Event::Kind::Disconnected,
+          .task = m_request.name,
+          .halted = left.halted,
+          .moving = left.moving});
     if (m_closing) {
         // Not from within the call that asked for it: a window being closed cannot be closed.
         QMetaObject::invokeMethod(this, &Desk::closed, Qt::QueuedConnection);

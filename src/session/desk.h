@@ -29,6 +29,19 @@ namespace session {
 struct ApplyOrder;
 struct RestoreOrder;
 
+/// A servo that goes on without the program.
+struct MovingServo {
+    ServoRef servo = 0;
+    bool endless = false; ///< speed, PWM or current: it does not stop by itself
+};
+
+/// What becomes of servos that this program has set in motion when the port closes.
+enum class AtClose : std::uint8_t {
+    Stop,        ///< as far as they answer; the port closes in any case
+    StopOrStay,  ///< where one could not be stopped the port stays open: stayedOpen()
+    LeaveMoving, ///< the user has said so
+};
+
 class Desk final : public QObject {
     Q_OBJECT
 
@@ -52,9 +65,12 @@ public:
     void connectTo(const PortRequest& request);
     /// Ends searches and polls, finishes the writes asked for, drops other tasks that wait. The
     /// list stays, greyed by the state.
-    void disconnectFrom();
+    void disconnectFrom(AtClose moving = AtClose::Stop);
     /// Like disconnectFrom(), for closing the window: closed() follows, once.
-    void close();
+    void close(AtClose moving = AtClose::Stop);
+    /// Reads which of the servos that were moved or energised from here still turn; motionFound
+    /// follows. Writes nothing.
+    void findMotion();
     void powerCycle(); ///< simulated servos only
 
     // --- search ---
@@ -82,10 +98,11 @@ public:
     void restore(ServoRef ref, const RestoreOrder& order);
     /// One after the other, at the port's rate.
     void apply(ApplyOrder order);
-    bool busy() const;    ///< a task runs or waits
-    bool testing() const; ///< a lasting task runs; see Task::lasting
-    void stopTask();      ///< the running task; those that wait are dropped
-    void stopTest();      ///< the running one, if it is a lasting one; nothing else
+    bool busy() const;                     ///< a task runs or waits
+    std::optional<bool> testHolds() const; ///< Task::holdsAfterwards of the one that runs
+    bool testing() const;                  ///< a lasting task runs; see Task::lasting
+    void stopTask();                       ///< the running task; those that wait are dropped
+    void stopTest(); ///< the running one, if it is a lasting one; nothing else
 
     /// Regular reading of what `user` ("memory", "operate", "record") wants to see, of servos that
     /// answer at the port's rate. Replaces this user's wish before; no parts: ends it.
@@ -95,7 +112,7 @@ public:
 
     void acknowledgeAlarms(ServoRef ref);
     /// A goal was sent: shown in charts and recordings.
-    void noteMove(ServoRef ref, const QString& text);
+    void noteMove(ServoRef ref, const QString& text, bool dragged = false);
 
     const UndoStep* nextUndo() const;
     const UndoStep* nextRedo() const;
@@ -122,6 +139,8 @@ Q_SIGNALS:
     void linkChanged();
     void connectFailed(const base::Error& error);
     void closed();
+    void motionFound(const std::vector<session::MovingServo>& moving);
+    void stayedOpen(); ///< after AtClose::StopOrStay; an Event names the servos
 
     void searchChanged(); ///< started or ended
     void searchProgress(const jobs::Progress& progress);
@@ -156,6 +175,20 @@ private:
     void goOn();
     void finishClosing();
     void forgetServos();
+    void noteHeard();
+
+    // closing while servos move (desk_leave.cpp)
+    struct Leaving {
+        AtClose how = AtClose::Stop;
+        std::size_t open = 0; ///< servos that are still asked
+        std::vector<ServoRef> halted{};
+        std::vector<ServoRef> moving{};
+    };
+    std::vector<ServoRef> driven() const;
+    void haltDriven();
+    void halted(ServoRef ref, bool moved, const std::optional<base::Error>& error);
+    void leave();
+    void closeNow();
     void tell(Event event);
 
     // search (desk_search.cpp)
@@ -206,6 +239,7 @@ private:
     // interrupted writes (desk_intents.cpp)
     void recoverIntents(jobs::RecoverAction action, const QString& uuid, bool anyPort);
     void followRecovered(const jobs::Recovered& one);
+    void coverRecovered(const jobs::Recovered& one);
 
     // feed (desk_feed.cpp)
     bool mayFeed() const;
@@ -221,7 +255,8 @@ private:
     void checkStop(ServoRef ref, const std::shared_ptr<PendingCheck>& check);
     void takeVerdict(ServoRef ref, PendingCheck& check, const jobs::StopVerdict& verdict,
                      const std::optional<base::Error>& error);
-    bool refusedByStop(const Work& work) const;
+    /// Names the servos that are held.
+    std::optional<base::Error> refusalByStop(const Work& work) const;
     void maybeReleased(const Work& ended);
     void storeHere(ServoRef ref);
 
@@ -232,8 +267,11 @@ private:
     std::optional<PortRequest> m_nextRequest; ///< connect when the present one is closed
     bool m_opening = false; ///< the opening of a port has not ended, wanted or not
     bool m_closing = false;
+    std::optional<Leaving> m_leaving; ///< the port closes when these have been stopped
+    bool m_stopNotSent = false;       ///< an emergency stop found no port
     std::unique_ptr<Connection> m_connection;
     QTimer m_look;
+    std::map<int, std::uint64_t> m_answers; ///< by ID, when the bus was looked at last
 
     std::map<ServoRef, ServoEntry> m_servos;
     std::vector<ServoRef> m_order; ///< as shown: by ID, then protocol and rate

@@ -106,8 +106,9 @@ void Desk::mark(record::MarkKind kind, const ServoEntry* about, const QString& t
     Q_EMIT marked({now(), kind, about != nullptr ? about->servo.id : -1, text});
 }
 
-void Desk::noteMove(ServoRef ref, const QString& text)
+void Desk::noteMove(ServoRef ref, const QString& text, bool dragged)
 {
     mark(record::MarkKind::Move, servo(ref), text);
+    tell({.kind = Event::Kind::Moved, .servo = ref, .path = dragged ? QString() : text});
 }
 } // namespace session

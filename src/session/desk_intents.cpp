@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/persistence.h"
 #include "record/journal_takeover.h"
 #include "session/desk_work.h"
 #include "session/safety_snapshot.h"
@@ -110,8 +111,10 @@ void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid, bool 
             m_intentsLooked = false; // nobody knows whether there are none
             return;
         }
-        for (const jobs::Recovered& one : look->found)
+        for (const jobs::Recovered& one : look->found) {
+            coverRecovered(one);
             followRecovered(one);
+        }
         Q_EMIT openIntents(look->found, look->elsewhere);
     };
     enqueue(work);
@@ -132,6 +135,49 @@ void Desk::followRecovered(const jobs::Recovered& one)
     merge(*known, moved, now());
     readTable(ref);
     loadHistory(ref);
+}
+
+/// What the interrupted write had changed in this session could be undone by itself, and would
+/// leave a mixture behind. Once it is finished Undo takes back all of it; once it is undone
+/// nothing.
+void Desk::coverRecovered(const jobs::Recovered& one)
+{
+    const base::Intent& intent = one.before.intent;
+    const bool snapshot =
+        intent.kind == base::IntentKind::Restore && jobs::restoresSnapshot(intent);
+    const ServoRef ref = find(intent.servo.protocol, one.before.foundId);
+    const ServoEntry* known = servo(ref);
+    if (!one.done || known == nullptr || !known->servo.profile ||
+        !(snapshot || intent.kind == base::IntentKind::Write))
+        return;
+    UndoStep whole{ref, {}, {}, intent.temporary};
+    for (const base::JournalItem& item : intent.items) {
+        const catalog::Register* reg = known->servo.profile->find(item.key);
+        const bool settled = reg != nullptr && reg->writable() && !reg->motion &&
+                             (snapshot || device::lasting(*reg));
+        if (!settled || item.oldRaw == item.newRaw)
+            continue;
+        whole.before.push_back({item.key, item.oldRaw});
+        whole.after.push_back({item.key, item.newRaw});
+    }
+    const auto isIn = [](const std::vector<device::WriteItem>& all, const device::WriteItem& item) {
+        return std::any_of(all.begin(), all.end(), [&](const device::WriteItem& each) {
+            return each.key == item.key && each.raw == item.raw;
+        });
+    };
+    std::erase_if(m_undo, [&](const UndoStep& step) {
+        const auto covered = [&](const auto& items, const auto& by) {
+            return std::all_of(items.begin(), items.end(),
+                               [&](const device::WriteItem& item) { return isIn(by, item); });
+        };
+        return step.servo == ref && covered(step.before, whole.before) &&
+               covered(step.after, whole.after);
+    });
+    if (one.action == jobs::RecoverAction::Finish && !whole.before.empty()) {
+        m_undo.push_back(whole);
+        m_redo.clear();
+    }
+    Q_EMIT undoChanged();
 }
 
 void Desk::forgetIntent(const QString& uuid)

@@ -9,8 +9,14 @@
 namespace session {
 void Desk::emergencyStop()
 {
-    if (!m_connection)
+    if (!m_connection || m_connection->bus().lost()) {
+        if (m_running)
+            m_running->stop.request();
+        m_stopNotSent = true;
+        tell({.kind = Event::Kind::StopNotSent});
         return;
+    }
+    m_stopNotSent = false;
     m_connection->bus().emergency();
     if (m_running)
         m_running->stop.request(); // it may be between two requests, where nothing is preempted
@@ -23,7 +29,7 @@ void Desk::emergencyStop()
     m_checkAfterSearch = m_search && m_search->started && !m_search->staysHere;
     if (!m_checkAfterSearch)
         checkStop();
-    tell({.kind = Event::Kind::Stopped});
+    tell({.kind = Event::Kind::Stopped, .owed = m_connection->bus().away()});
     const std::vector<ServoRef> all = m_order; // who hears of it may change the list
     for (const ServoRef ref : all)
         Q_EMIT servoChanged(ref);
@@ -89,15 +95,24 @@ void Desk::takeVerdict(ServoRef ref, PendingCheck& check, const jobs::StopVerdic
 }
 
 /// After a stop only torque may be switched on.
-bool Desk::refusedByStop(const Work& work) const
+std::optional<base::Error> Desk::refusalByStop(const Work& work) const
 {
     if (work.task.effect != Effect::Moves)
-        return false;
-    const auto refs = work.refs();
-    return std::any_of(refs.begin(), refs.end(), [this](ServoRef ref) {
+        return std::nullopt;
+    base::Error refusal{base::ErrorCode::Preempted, {}, QStringLiteral("torque-first")};
+    QStringList held;
+    for (const ServoRef ref : work.refs()) {
         const ServoEntry* known = servo(ref);
-        return known != nullptr && known->stopped;
-    });
+        if (known == nullptr || !known->stopped)
+            continue;
+        held.append(QString::number(known->servo.id));
+        refusal.id = refusal.id < 0 ? known->servo.id : refusal.id;
+    }
+    if (held.isEmpty())
+        return std::nullopt;
+    if (held.size() > 1)
+        refusal.detail += QLatin1Char(' ') + held.join(QStringLiteral(", "));
+    return refusal;
 }
 
 /// What an LX servo stores since the stop is the place where it was then. It may have been turned

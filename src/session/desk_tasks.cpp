@@ -17,14 +17,18 @@ bool losesTurns(const QString& task)
 /// What everybody beside a test may read; see Task::lasting.
 constexpr base::Duration testFeed = std::chrono::seconds(1);
 
-bool heardSince(const device::Servo& servo, base::Duration since)
+/// When the newest of its values was read.
+std::optional<base::Duration> newestReading(const device::Servo& servo)
 {
-    return servo.profile &&
-           std::any_of(servo.profile->registers.begin(), servo.profile->registers.end(),
-                       [&](const catalog::Register& reg) {
-                           const auto at = servo.image.readAt(reg.offset);
-                           return at && *at >= since;
-                       });
+    std::optional<base::Duration> newest;
+    if (!servo.profile)
+        return newest;
+    for (const catalog::Register& reg : servo.profile->registers) {
+        const auto at = servo.image.readAt(reg.offset);
+        if (at && (!newest || *at > *newest))
+            newest = at;
+    }
+    return newest;
 }
 } // namespace
 
@@ -36,6 +40,11 @@ bool Desk::busy() const
 bool Desk::testing() const
 {
     return m_running && m_running->task.lasting;
+}
+
+std::optional<bool> Desk::testHolds() const
+{
+    return testing() ? m_running->task.holdsAfterwards : std::nullopt;
 }
 
 void Desk::stopTask()
@@ -67,8 +76,12 @@ void Desk::enqueue(std::shared_ptr<Work> work)
         endUnrun(*work, {open ? base::ErrorCode::NoAnswer : base::ErrorCode::LinkLost});
         return;
     }
-    if (refusedByStop(*work)) {
-        endUnrun(*work, {base::ErrorCode::Preempted, {}, QStringLiteral("torque-first")});
+    if (m_leaving && !work->readOnly) {
+        endUnrun(*work, {base::ErrorCode::Stopped});
+        return;
+    }
+    if (const auto refusal = refusalByStop(*work)) {
+        endUnrun(*work, *refusal);
         return;
     }
     // Behind one that waits for its turn it would come hours later, when nobody thinks of it.
@@ -109,6 +122,12 @@ void Desk::startNext()
         return;
     }
     m_running->startedAt = now();
+    if (m_running->task.effect != Effect::None) {
+        for (const ServoRef ref : m_running->refs())
+            m_servos.at(ref).driven = true;
+    }
+    if (m_running->task.lasting)
+        tell({.kind = Event::Kind::Began, .servo = m_running->ref, .task = m_running->task.name});
     const bool elsewhere =
         m_running->ref == 0 || (hasBaud() && m_running->own.servo.baud != baud());
     m_running->movesRate = m_running->movesRate || elsewhere;
@@ -229,6 +248,12 @@ void Desk::workEnded(const std::shared_ptr<Work>& work)
         if (!work->readOnly && !onlyMoves)
             loadHistory(ref);
     }
+    if (work->task.lasting) {
+        tell({.kind = Event::Kind::Ended,
+              .servo = work->ref,
+              .task = work->task.name,
+              .error = work->error});
+    }
     if (!work->task.quiet) {
         tell({.kind = Event::Kind::Task,
               .servo = work->ref,
@@ -257,11 +282,16 @@ void Desk::Work::partEnded(Desk& desk, const Part& part) const
     if (known == nullptr)
         return;
     const bool blamed = error && (error->id == part.servo.id || (error->id < 0 && part.ref == ref));
-    if (blamed && error->code == base::ErrorCode::NoAnswer) {
+    const bool garbage = error && error->code == base::ErrorCode::Garbled;
+    const auto heard = newestReading(part.servo);
+    if (heard)
+        known->lastSeen = std::max(known->lastSeen, *heard);
+    if (blamed && (error->code == base::ErrorCode::NoAnswer || garbage)) {
         known->silent = true;
-    } else if ((!error && task.others.empty()) || heardSince(part.servo, startedAt)) {
-        known->lastSeen = desk.now();
+        known->garbled = garbage;
+    } else if ((!error && task.others.empty()) || (heard && *heard >= startedAt)) {
         known->silent = false;
+        known->garbled = false;
     }
     if (!part.savedPath.isEmpty()) {
         known->snapshotPath = part.savedPath;
@@ -277,7 +307,8 @@ void Desk::endUnrun(Work& work, base::Error why)
 {
     why.operation = work.task.name;
     work.error = std::move(why);
-    if (const ServoEntry* known = servo(work.ref))
+    const ServoEntry* known = servo(work.ref);
+    if (known != nullptr && work.error->id < 0)
         work.error->id = known->servo.id;
     m_inbox.post([this, merged = work.merged, done = work.task.done, guard = work.task.guard,
                   error = work.error, ref = work.ref] {

@@ -182,17 +182,17 @@ void Drive::moveEnded(const Sending& sending, const TaskEnd& end)
         if (plan.relative && sending.servos == m_servos)
             m_lastStep = sending.wish;
         if (sending.wish.how != MoveHow::Async && sending.marked)
-            noteMove(ref, plan);
+            noteMove(ref, plan, sending.wish.dragged);
     }
     tell(end);
     Q_EMIT sent(sending.wish);
     sendNext();
 }
 
-void Drive::noteMove(ServoRef ref, const device::MovePlan& plan)
+void Drive::noteMove(ServoRef ref, const device::MovePlan& plan, bool dragged)
 {
     if (const ServoEntry* known = m_desk.servo(ref))
-        m_desk.noteMove(ref, goalWords(known->servo, plan));
+        m_desk.noteMove(ref, goalWords(known->servo, plan), dragged);
 }
 
 /// Execute offers what may wait in its servo, and nothing else.

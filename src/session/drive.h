@@ -78,7 +78,7 @@ private:
     void deskHappened(const Event& event);
     void forgetGone();
     void send(const MoveWish& wish);
-    void noteMove(ServoRef ref, const device::MovePlan& plan);
+    void noteMove(ServoRef ref, const device::MovePlan& plan, bool dragged = false);
     void noteHeld(const std::vector<ServoRef>& servos, const std::vector<device::MovePlan>& plans);
     void sendNext();
     void moveEnded(const Sending& sending, const TaskEnd& end);

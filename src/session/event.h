@@ -40,7 +40,12 @@ struct Event {
         TableSaved,  ///< path: before the first write of the session
         Written,     ///< report; or error: nothing was written
         Task,        ///< task names it; error if it failed
-        Stopped,     ///< emergency stop sent
+        Moved,       ///< a goal was sent; path says which, empty: it follows a control
+        Began,       ///< a lasting task, named by task
+        Ended,       ///< a lasting task; error if it did not succeed
+        Stopped,     ///< emergency stop sent, or owed
+        StopNotSent, ///< there was no port to send it on
+        NotHalted,   ///< the port stays open: `moving` could not be stopped
         StopChecked, ///< `stop` says whether torque is off everywhere
         Failed,      ///< anything else that went wrong
     };
@@ -56,5 +61,11 @@ struct Event {
     bool undone = false; ///< the write was an undo
     bool redone = false; ///< it was a redo
     StopCheck stop{};
+    bool owed = false;    ///< the stop is sent first when the link is back
+    bool earlier = false; ///< a stop that was not sent, said again once a port is open
+    /// Of Disconnected and NotHalted: servos that were stopped before the port closed, and those
+    /// that still turned then.
+    std::vector<ServoRef> halted{};
+    std::vector<ServoRef> moving{};
 };
 } // namespace session

@@ -154,7 +154,8 @@ void Feeder::look(ServoEntry& entry, const Reading& reading)
 {
     if (reading.answered)
         entry.statusAt = reading.at;
-    const LinkWatch::News news = entry.link.reading(reading.answered, reading.at);
+    const LinkWatch::News news =
+        entry.link.reading(reading.answered, reading.at, reading.error == base::ErrorCode::Garbled);
     if (news == LinkWatch::News::Lost) {
         entry.silent = true;
         m_batch.marks.push_back({entry.link.silentSince().value_or(reading.at), MarkKind::LinkError,
@@ -163,7 +164,9 @@ void Feeder::look(ServoEntry& entry, const Reading& reading)
         entry.turns.reset(); // it may have been without supply
         m_batch.marks.push_back({reading.at, MarkKind::LinkBack, entry.servo.id, {}});
     }
-    if (news != LinkWatch::News::None)
+    const bool garbled = entry.link.lost() && entry.link.garbled();
+    const bool otherTrouble = std::exchange(entry.garbled, garbled) != garbled;
+    if (news != LinkWatch::News::None || otherTrouble)
         m_batch.news.insert(entry.ref);
     if (!reading.answered)
         return;

@@ -13,8 +13,12 @@ class LinkWatch {
 public:
     enum class News : std::uint8_t { None, Lost, Back };
 
-    News reading(bool answered, base::Duration at)
+    /// `garbled`: not answered, but something unreadable came.
+    News reading(bool answered, base::Duration at, bool garbled = false)
     {
+        if (garbled)
+            m_garbledAt = at;
+        m_latest = at;
         if (answered) {
             const bool back = m_lost;
             *this = {};
@@ -29,6 +33,8 @@ public:
         return News::Lost;
     }
     bool lost() const { return m_lost; }
+    /// The latest of the lost readings were garbage, not silence.
+    bool garbled() const { return m_garbledAt && m_latest - *m_garbledAt < garbageLasts; }
     /// Of the first lost reading; nullopt while it answers.
     std::optional<base::Duration> silentSince() const
     {
@@ -38,8 +44,11 @@ public:
 private:
     static constexpr int fewest = 4;
     static constexpr base::Duration longest = std::chrono::milliseconds(250);
+    static constexpr base::Duration garbageLasts = std::chrono::seconds(1);
     int m_missed = 0;
     bool m_lost = false;
     base::Duration m_since{};
+    base::Duration m_latest{};
+    std::optional<base::Duration> m_garbledAt{};
 };
 } // namespace session

@@ -36,12 +36,14 @@ struct ServoEntry {
     bool heardLate = false;
     base::Duration lastSeen{};
     bool silent = false;       ///< did not answer when it was last asked
+    bool garbled = false;      ///< silent, but something unreadable came in its place
     base::Duration statusAt{}; ///< of the regular reading that brought servo.status
     LinkWatch link;            ///< by regular readings
     AlarmLatch alarms;         ///< until acknowledged
     device::TurnCounter turns;
     /// By an emergency stop: nothing may move it until torque is switched on again.
     bool stopped = false;
+    bool driven = false; ///< this program has moved or energised it
 
     bool reading = false;         ///< its table is being read
     bool tableRead = false;       ///< the whole table has been read at least once

@@ -45,6 +45,9 @@ struct Task {
     /// A test of minutes or hours. While it runs the wire is its own: others are read once a
     /// second, tables when it has ended, and what writes or searches is refused (Held, "test").
     bool lasting = false;
+    /// A test that moves its servos: they hold afterwards, or have no torque, also when it is
+    /// stopped. None: it leaves torque as it is.
+    std::optional<bool> holdsAfterwards{};
     std::function<base::Result<void>(TaskContext&)> work; ///< job thread
     QPointer<QObject> guard;                              ///< `done` is dropped when it is gone
     std::function<void(const TaskEnd&)> done{};           ///< main thread

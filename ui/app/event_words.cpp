@@ -167,13 +167,98 @@ EventWords stopChecked(const Event& event, const session::Desk& desk)
     return words;
 }
 
+QString supplyOff()
+{
+    return text::translate("EventWords", "Servos may still be moving; switch off their supply.");
+}
+
+EventWords stopSent(const Event& event)
+{
+    if (!event.owed)
+        return warned(
+            text::translate("EventWords", "Stop sent: torque off for everybody on the bus"));
+    return {text::translate("EventWords", "Not sent yet: the link is lost."),
+            {supplyOff(),
+             text::translate("EventWords", "The stop is sent first when the link is back.")},
+            Tone::Bad,
+            QStringLiteral("✗")};
+}
+
+EventWords stopNotSent(const Event& event)
+{
+    if (!event.earlier)
+        return {text::translate("EventWords", "Not sent: no port is open."),
+                {supplyOff()},
+                Tone::Bad,
+                QStringLiteral("✗")};
+    return {text::translate("EventWords", "The emergency stop was not sent: no port was open."),
+            {text::translate("EventWords", "Servos may still be moving. Press Esc to stop them "
+                                           "now.")},
+            Tone::Bad,
+            QStringLiteral("✗")};
+}
+
+EventWords notHalted(const Event& event, const session::Desk& desk)
+{
+    return {text::translate("EventWords", "Not closed: ID %1 could not be stopped.")
+                .arg(idsOf(event.moving, desk)),
+            {text::translate("EventWords", "Press Esc for torque off, or switch off the supply.")},
+            Tone::Bad,
+            QStringLiteral("✗")};
+}
+
+EventWords disconnected(const Event& event, const session::Desk& desk)
+{
+    EventWords words = plain(text::translate("EventWords", "Port closed: %1").arg(event.task));
+    if (!event.halted.empty())
+        words.line +=
+            text::translate("EventWords", ". Stopped before: ID %1").arg(idsOf(event.halted, desk));
+    if (!event.moving.empty()) {
+        words = {words.line + text::translate("EventWords", ". STILL MOVING: ID %1")
+                                  .arg(idsOf(event.moving, desk)),
+                 {text::translate("EventWords", "Switch off the supply to stop it.")},
+                 Tone::Bad,
+                 QStringLiteral("✗")};
+    }
+    return words;
+}
+
+QString about(const Event& event, const QString& what)
+{
+    return event.id < 0 ? what
+                        : text::translate("EventWords", "ID %1 · %2").arg(event.id).arg(what);
+}
+
+/// A new action takes the place of what was said of the one before.
+EventWords moved(const Event& event)
+{
+    return plain(
+        about(event, event.path.isEmpty()
+                         ? text::translate("EventWords", "the goal follows the control")
+                         : text::translate("EventWords", "goal sent: %1").arg(event.path)));
+}
+
+EventWords ended(const Event& event, const session::Desk& desk)
+{
+    if (event.error && event.error->code == base::ErrorCode::Preempted)
+        return {}; // the stop has been said
+    if (event.error && event.error->code != base::ErrorCode::Stopped)
+        return failed(*event.error, desk.servo(event.servo));
+    return plain(
+        event.error
+            ? text::translate("EventWords", "%1: stopped").arg(about(event, taskWord(event.task)))
+            : text::translate("EventWords", "%1: ended").arg(about(event, taskWord(event.task))));
+}
+
 EventWords sentence(const Event& event, const session::Desk& desk)
 {
     switch (event.kind) {
     case Event::Kind::Connected:
         return good(text::translate("EventWords", "Connected: %1").arg(event.task));
     case Event::Kind::Disconnected:
-        return plain(text::translate("EventWords", "Port closed: %1").arg(event.task));
+        return disconnected(event, desk);
+    case Event::Kind::NotHalted:
+        return notHalted(event, desk);
     case Event::Kind::LinkLost:
         return failed({base::ErrorCode::LinkLost, QStringLiteral("read"), event.task});
     case Event::Kind::SearchEnded:
@@ -187,12 +272,19 @@ EventWords sentence(const Event& event, const session::Desk& desk)
         return written(event, desk);
     case Event::Kind::Task:
         return event.error ? failed(*event.error, desk.servo(event.servo))
-                           : good(text::translate("EventWords", "ID %1 · %2: done")
-                                      .arg(event.id)
-                                      .arg(taskWord(event.task)));
+                           : good(text::translate("EventWords", "%1: done")
+                                      .arg(about(event, taskWord(event.task))));
+    case Event::Kind::Moved:
+        return moved(event);
+    case Event::Kind::Began:
+        return plain(
+            text::translate("EventWords", "%1: running").arg(about(event, taskWord(event.task))));
+    case Event::Kind::Ended:
+        return ended(event, desk);
     case Event::Kind::Stopped:
-        return warned(
-            text::translate("EventWords", "Stop sent: torque off for everybody on the bus"));
+        return stopSent(event);
+    case Event::Kind::StopNotSent:
+        return stopNotSent(event);
     case Event::Kind::StopChecked:
         return stopChecked(event, desk);
     case Event::Kind::Failed:
@@ -220,6 +312,9 @@ QString taskWord(const QString& task)
         {"recover", QT_TRANSLATE_NOOP("EventWords", "interrupted writes")},
         {"read", QT_TRANSLATE_NOOP("EventWords", "read the table")},
         {"write", QT_TRANSLATE_NOOP("EventWords", "write")},
+        {"sweep", QT_TRANSLATE_NOOP("EventWords", "sweep test")},
+        {"step-response", QT_TRANSLATE_NOOP("EventWords", "step response")},
+        {"commission", QT_TRANSLATE_NOOP("EventWords", "commissioning")},
     };
     for (const auto& [name, word] : words) {
         if (task == QLatin1String(name))

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is read regularly on a simulated bus: everybody's wishes at once, in as few packets as the
 // family allows, beside whatever else the bus does; what was not answered is told too.
+#include "device/reader.h"
+
 #include "session_bench.h"
+#include <atomic>
 #include <set>
 
 using namespace std::chrono_literals;
@@ -178,6 +181,59 @@ private Q_SLOTS:
         QTRY_VERIFY(heard.has(record::MarkKind::LinkBack, 1));
         QTRY_VERIFY(bench.desk.communication(ref).answering);
         QVERIFY(bench.entry(ref).shown(reg));
+    }
+
+    /// What a task reads tells at once that the servo is there, and only as long as it is.
+    void aServoThatATaskReadsIsHeard()
+    {
+        Bench bench(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        std::atomic<bool> reads{true};
+        session::Task task;
+        task.name = QStringLiteral("test");
+        task.lasting = true;
+        task.work = [&reads](session::TaskContext& context) -> base::Result<void> {
+            while (!context.stop.requested()) {
+                if (reads)
+                    (void)device::readRoles(context.device, context.servo,
+                                            {catalog::Role::PresentPosition});
+                context.device.bus.clock().sleepFor(20ms);
+            }
+            return {};
+        };
+        bench.desk.perform(ref, std::move(task));
+        QTRY_VERIFY(bench.desk.testing());
+        const base::Duration begun = bench.desk.now();
+        QTRY_VERIFY(bench.entry(ref).lastSeen > begun + 500ms);
+        reads = false;
+        QVERIFY(QTest::qWaitFor([&] { return bench.desk.now() > begun + 1500ms; }));
+        const base::Duration heard = bench.entry(ref).lastSeen;
+        bench.desk.stopTask();
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.entry(ref).lastSeen, heard); // its end is no answer
+    }
+
+    /// Garbage in the place of an answer is not called silence.
+    void garbageIsNotSilence()
+    {
+        Bench bench(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(bench.search());
+        const ServoRef ref = bench.at(1);
+        Listener heard(bench.desk);
+        bench.desk.wish(user, {{{ref, {position}}}, {}});
+        QTRY_VERIFY(heard.answered(ref) > 0);
+        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.corrupt = 1; });
+        QTRY_VERIFY(bench.entry(ref).silent);
+        QTRY_VERIFY(bench.entry(ref).garbled);
+        bench.withWire([](sim::VirtualBus& bus) {
+            bus.config().faults.corrupt = 0;
+            bus.config().faults.muteIds = {1};
+        });
+        QTRY_VERIFY(!bench.entry(ref).garbled);
+        QVERIFY(bench.entry(ref).silent);
+        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
+        QTRY_VERIFY(!bench.entry(ref).silent);
     }
 
     /// The rate shown is the rate of what came.

@@ -163,11 +163,18 @@ private Q_SLOTS:
         QCOMPARE(bench.run(bench.at(2), work, Effect::Moves, {ref})->code,
                  base::ErrorCode::Preempted);
         QVERIFY(!ran);
+        const auto both = bench.run(ref, work, Effect::Moves, {bench.at(2)});
+        QCOMPARE(both->id, 1);
+        QCOMPARE(both->detail, QStringLiteral("torque-first 1, 2"));
         QVERIFY(bench.write(ref, positionP, 40)); // a setting moves nothing
         QCOMPARE(bench.outcome(ref, positionP), std::optional(device::WriteOutcome::Kept));
         QVERIFY(bench.entry(ref).stopped);
 
         QVERIFY(!bench.run(ref, torqueOn, Effect::Energises));
+        // The one that is held is named, whichever the task begins with.
+        const auto other = bench.run(ref, work, Effect::Moves, {bench.at(2)});
+        QCOMPARE(other->id, 2);
+        QCOMPARE(other->detail, QStringLiteral("torque-first"));
         QVERIFY(!bench.entry(ref).stopped);
         QVERIFY(bench.entry(bench.at(2)).stopped); // for each servo
         QVERIFY(bench.write(ref, goal, 2100, true));

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/motion_check.h"
+
+#include "device/reader.h"
+
+#include <cstdlib>
+
+namespace jobs {
+using catalog::Role;
+
+namespace {
+/// Enough for three steps of the slowest move (LX: 1000 steps in 30 s).
+constexpr base::Duration gap = std::chrono::milliseconds(100);
+constexpr std::int64_t torqueIsOn = 1;
+
+bool hasFlag(const device::Servo& servo)
+{
+    return servo.profile->byRole(Role::Moving) != nullptr;
+}
+
+/// Without a flag two places tell. The last step of the encoder comes and goes.
+base::Result<Motion> comparePlaces(const device::Context& context, device::Servo& servo)
+{
+    const auto before = servo.raw(Role::PresentPosition);
+    context.bus.clock().sleepFor(gap);
+    if (const auto read = device::readRoles(context, servo, {Role::PresentPosition}); !read)
+        return tl::unexpected(read.error());
+    const auto after = servo.raw(Role::PresentPosition);
+    const bool moved = before && after && std::abs(*after - *before) > 1;
+    return moved ? Motion::ToGoal : Motion::Rest;
+}
+} // namespace
+
+Motion lastKnownMotion(const device::Servo& servo)
+{
+    if (!servo.profile || servo.raw(Role::TorqueSwitch) != torqueIsOn)
+        return Motion::Rest;
+    const catalog::Mode* mode = servo.mode();
+    if (mode == nullptr)
+        return Motion::Rest;
+    if (mode->command != Role::GoalPosition)
+        return servo.raw(mode->command).value_or(0) != 0 ? Motion::Endless : Motion::Rest;
+    return servo.raw(Role::Moving).value_or(0) != 0 ? Motion::ToGoal : Motion::Rest;
+}
+
+base::Result<Motion> readMotion(const device::Context& context, device::Servo& servo)
+{
+    if (!servo.profile)
+        return Motion::Rest;
+    if (const auto read = device::readSettings(context, servo); !read)
+        return tl::unexpected(read.error());
+    const catalog::Mode* mode = servo.mode();
+    const Role command = mode != nullptr ? mode->command : Role::GoalPosition;
+    const auto read =
+        device::readRoles(context, servo, {command, Role::PresentPosition, Role::Moving});
+    if (!read)
+        return tl::unexpected(read.error());
+    const bool toGoal = mode != nullptr && command == Role::GoalPosition &&
+                        servo.raw(Role::TorqueSwitch) == torqueIsOn;
+    if (toGoal && !hasFlag(servo))
+        return comparePlaces(context, servo);
+    return lastKnownMotion(servo);
+}
+} // namespace jobs
