@@ -6,6 +6,7 @@
 #include <QDialog>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 
 namespace {
 const QString condition = QStringLiteral("unload_condition");
@@ -46,6 +47,32 @@ private Q_SLOTS:
                      std::optional<std::int64_t>(yes ? *before ^ 1 : *before));
         }
         QTRY_VERIFY2(message().startsWith(QStringLiteral("Redone")), qPrintable(message()));
+    }
+
+    /// The button says what it changes back and in which servo, and shows that one.
+    void undoNamesWhatItTakesBack()
+    {
+        gui::WindowBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2")));
+        const session::ServoRef first = bench.selection().current();
+        bench.desk().write(first, {{{QStringLiteral("position_p"), 40}}});
+        QVERIFY(bench.settled());
+        QVERIFY(bench.choose(2));
+        bench.desk().write(bench.selection().current(), {{{QStringLiteral("position_d"), 20}}});
+        QVERIFY(bench.settled());
+        QAction* undo = bench.action(ui::Command::Undo);
+        auto* button = bench.find<QToolButton>("undoButton");
+        QVERIFY2(button->text().contains(QLatin1String("ID 2")), qPrintable(button->text()));
+        undo->trigger();
+        QVERIFY(bench.settled());
+        QVERIFY2(button->text().contains(QLatin1String("ID 1")), qPrintable(button->text()));
+        QVERIFY2(undo->toolTip().contains(QStringLiteral("40 → 32")), qPrintable(undo->toolTip()));
+        undo->trigger(); // while servo 2 is selected
+        QCOMPARE(bench.selection().current(), first);
+        QVERIFY(bench.settled());
+        QCOMPARE(bench.raw("position_p"), std::optional<std::int64_t>(32));
+        QVERIFY(!button->text().contains(QLatin1String("ID")));
+        QVERIFY(bench.action(ui::Command::Redo)->text().contains(QLatin1String("ID 1")));
     }
 
     void whatIsHarmlessIsRedoneAtOnce()

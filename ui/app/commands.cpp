@@ -2,6 +2,7 @@
 #include "ui/app/commands.h"
 
 #include "ui/app/language_switch.h"
+#include "ui/models/undo_words.h"
 
 #include <QCoreApplication>
 #include <QIcon>
@@ -109,7 +110,7 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
     {Command::OpenRecording, QT_TRANSLATE_NOOP("Commands", "Op&en a recording…"),
      QT_TRANSLATE_NOOP("Commands", "Show a recording in the chart"), "document-open", "Ctrl+O", Always},
     {Command::TorqueOffAll, QT_TRANSLATE_NOOP("Commands", "&Torque off — all"),
-     QT_TRANSLATE_NOOP("Commands", "Take torque off the whole bus at once (Esc, also in a field of the motion panel; whatever is open: Shift+Esc)"), "process-stop", "", Open},
+     QT_TRANSLATE_NOOP("Commands", "Take torque off the whole bus at once (Esc, also in a field of the motion panel; whatever is open: Shift+Esc)"), "process-stop", "", Always},
     {Command::ThemeSystem, QT_TRANSLATE_NOOP("Commands", "Theme of the &system"),
      QT_TRANSLATE_NOOP("Commands", "Light or dark as the desktop is"), "", "", Always, true},
     {Command::ThemeLight, QT_TRANSLATE_NOOP("Commands", "&Light"),
@@ -208,6 +209,31 @@ void Commands::retranslate()
                 QStringLiteral(" (%1)").arg(action->shortcut().toString(QKeySequence::NativeText));
         action->setToolTip(tip);
     }
+    nameSteps();
+}
+
+/// Undo and Redo say what they change back, and in which servo.
+void Commands::nameSteps()
+{
+    const auto name = [this](Command command, const session::UndoStep* step, bool back) {
+        const Row& row = rowOf(static_cast<std::size_t>(command));
+        QAction* action = m_actions[static_cast<std::size_t>(command)];
+        const QString verb = QCoreApplication::translate("Commands", row.text);
+        QString tip = QCoreApplication::translate("Commands", row.tip);
+        QString text = verb;
+        if (step != nullptr) {
+            const UndoWords words = undoWords(m_desk, *step, back);
+            text = tr("%1: %2").arg(verb, words.brief);
+            tip += QLatin1Char('\n') + words.lines.join(QLatin1Char('\n'));
+        }
+        action->setText(text);
+        action->setIconText(buttonText(text));
+        action->setWhatsThis(tip);
+        action->setToolTip(tip + QStringLiteral(" (%1)").arg(
+                                     action->shortcut().toString(QKeySequence::NativeText)));
+    };
+    name(Command::Undo, m_desk.nextUndo(), true);
+    name(Command::Redo, m_desk.nextRedo(), false);
 }
 
 void Commands::updateIcons()
@@ -220,6 +246,7 @@ void Commands::updateIcons()
 
 void Commands::refresh()
 {
+    nameSteps();
     const unsigned now = situation(m_desk, m_selection);
     for (std::size_t i = 0; i < m_actions.size(); ++i) {
         unsigned needed = rowOf(i).when;

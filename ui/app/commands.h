@@ -77,6 +77,7 @@ public:
 
 private:
     void refresh();
+    void nameSteps();
 
     session::Desk& m_desk;
     const Selection& m_selection;

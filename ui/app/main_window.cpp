@@ -3,6 +3,7 @@
 
 #include "session/history_server_choice.h"
 #include "ui/app/language_switch.h"
+#include "ui/app/leave_question.h"
 #include "ui/app/menus.h"
 #include "ui/app/message_line.h"
 #include "ui/app/message_log.h"
@@ -32,6 +33,8 @@
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QToolButton>
+
+#include <utility>
 
 namespace ui {
 MainWindow::MainWindow(Bench& bench, session::Settings& settings, ThemeSwitch& theme,
@@ -112,7 +115,7 @@ void MainWindow::connectCommands()
     const auto on = [this](Command command, auto slot) {
         connect(m_commands.action(command), &QAction::triggered, this, slot);
     };
-    on(Command::Disconnect, [this] { m_desk.disconnectFrom(); });
+    on(Command::Disconnect, [this] { m_leave->disconnectPort(); });
     on(Command::PowerCycle, [this] {
         m_desk.powerCycle();
         m_desk.readTable(m_selection.current());
@@ -120,8 +123,8 @@ void MainWindow::connectCommands()
     on(Command::StopSearch, [this] { m_desk.stopSearch(); });
     on(Command::StopTask, [this] { m_desk.stopTask(); });
     on(Command::ReadTable, [this] { m_desk.readTable(m_selection.current()); });
-    on(Command::Undo, [this] { m_desk.undo(); });
-    on(Command::Redo, [this] { redo(m_desk, this); });
+    on(Command::Undo, [this] { undo(); });
+    on(Command::Redo, [this] { redoLast(); });
     on(Command::TorqueOffAll, [this] { m_desk.emergencyStop(); });
     on(Command::ThemeSystem, [this] { m_theme.apply(session::Theme::System); });
     on(Command::ThemeLight, [this] { m_theme.apply(session::Theme::Light); });
@@ -157,10 +160,9 @@ void MainWindow::connectCommands()
 
 void MainWindow::connectDesk()
 {
-    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
-        m_message->show(event);
-        m_log->add(event);
-    });
+    m_leave = new LeaveQuestion(m_desk, this);
+    connect(&m_desk, &session::Desk::happened, this, &MainWindow::happened);
+    connect(m_banner, &Banner::dismissed, this, [this] { m_stopShown = false; });
     connect(&m_desk, &session::Desk::linkChanged, this, &MainWindow::linkChanged);
     connect(&m_desk, &session::Desk::servoAdded, this, &MainWindow::selectWanted);
     connect(&m_desk, &session::Desk::servoAdded, this, [this] { showCentre(); });
@@ -172,6 +174,55 @@ void MainWindow::connectDesk()
             [this](session::ServoRef ref) { m_selection.drop(ref); });
     connect(&m_desk, &session::Desk::servosCleared, this, [this] { m_selection.select(0); });
     connect(&m_desk, &session::Desk::closed, this, &QWidget::close);
+}
+
+void MainWindow::happened(const session::Event& event)
+{
+    m_message->show(event);
+    m_log->add(event);
+    presentStop(event);
+}
+
+/// A stop that has not reached the servos must not be one line among others.
+void MainWindow::presentStop(const session::Event& event)
+{
+    using Kind = session::Event::Kind;
+    const bool stops = event.kind == Kind::Stopped || event.kind == Kind::StopNotSent;
+    const bool unsent =
+        event.kind == Kind::StopNotSent || event.owed || event.kind == Kind::NotHalted;
+    if (stops && !unsent && std::exchange(m_stopShown, false))
+        m_banner->clear();
+    if (!unsent)
+        return;
+    m_stopShown = true;
+    const QList<QAction*> actions = m_desk.state() == session::LinkState::Open && !event.owed
+                                        ? QList{m_commands.action(Command::TorqueOffAll)}
+                                        : QList<QAction*>{};
+    m_banner->present(
+        [this, event] {
+            const EventWords words = describe(event, m_desk);
+            return BannerWords{Tone::Bad, words.line, {}, words.more.join(QLatin1Char(' '))};
+        },
+        actions);
+}
+
+/// What is changed back is shown: it may belong to another servo than the one selected.
+void MainWindow::undo()
+{
+    if (const session::UndoStep* step = m_desk.nextUndo()) {
+        if (step->servo != m_selection.current())
+            m_selection.select(step->servo);
+        m_desk.undo();
+    }
+}
+
+void MainWindow::redoLast()
+{
+    if (const session::UndoStep* step = m_desk.nextRedo()) {
+        if (step->servo != m_selection.current())
+            m_selection.select(step->servo);
+        redo(m_desk, this);
+    }
 }
 
 void MainWindow::connectSwitches()
@@ -254,7 +305,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     event->ignore(); // closed() follows when the running write has ended and the lock is closed
-    m_desk.close();
+    m_leave->closeWindow();
 }
 
 /// A status tip would hide the latest result behind what the pointer happens to be on.

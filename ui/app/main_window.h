@@ -20,6 +20,7 @@ namespace ui {
 class Banner;
 class ConnectBar;
 class LanguageSwitch;
+class LeaveQuestion;
 class MemoryPage;
 class Menus;
 class MessageLine;
@@ -63,6 +64,10 @@ private:
     void showCentre();
     void linkChanged();
     void tellStartTroubles();
+    void happened(const session::Event& event);
+    void presentStop(const session::Event& event);
+    void undo();
+    void redoLast();
     void selectWanted(session::ServoRef added);
     void searchEnded();
 
@@ -96,6 +101,8 @@ private:
     QToolButton* m_languageButton = nullptr;
     QToolButton* m_themeButton = nullptr;
     Menus* m_menus = nullptr;
+    LeaveQuestion* m_leave = nullptr;
+    bool m_stopShown = false; ///< the banner says that a stop was not sent
 
     std::optional<int> m_wantedId; ///< of the command line; selected when it is found
     bool m_selectFirst = false;    ///< a screenshot without a wish selects the first servo found

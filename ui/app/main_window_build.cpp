@@ -117,6 +117,11 @@ void MainWindow::buildStatusBar()
     m_undo->setObjectName(QStringLiteral("undoButton"));
     m_undo->setDefaultAction(m_commands.action(Command::Undo));
     m_undo->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    const auto nameUndo = [this] {
+        m_undo->setAccessibleName(m_commands.action(Command::Undo)->iconText());
+    };
+    connect(m_commands.action(Command::Undo), &QAction::changed, m_undo, nameUndo);
+    nameUndo();
     m_stop = new QPushButton(this);
     m_stop->setObjectName(QStringLiteral("stopButton"));
     m_stop->setProperty("stopAction", true);
@@ -157,7 +162,6 @@ void MainWindow::retranslate()
     m_stop->setText(tr("Esc   Torque off — all"));
     m_stop->setToolTip(m_commands.action(Command::TorqueOffAll)->toolTip());
     m_stop->setAccessibleName(tr("Torque off for all servos"));
-    m_undo->setAccessibleName(m_commands.action(Command::Undo)->iconText());
     const bool chinese = m_language.chinese();
     const bool letters = LanguageSwitch::canShowChinese();
     const QString name = letters ? QStringLiteral("中") : QStringLiteral("ZH");

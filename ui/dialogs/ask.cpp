@@ -14,6 +14,7 @@ namespace ui {
 namespace {
 /// Wide enough for a sentence, narrow enough to read it.
 constexpr int textWidth = 440;
+constexpr int chosenOther = QDialog::Accepted + 1;
 
 class QuestionDialog final : public QDialog {
 public:
@@ -106,6 +107,15 @@ void QuestionDialog::addButtons(QVBoxLayout* column, const Question& question)
     yes->setAccessibleName(question.yes);
     yes->setToolTip(question.risk.isEmpty() ? question.title : question.risk);
     row->addWidget(no);
+    if (!question.other.isEmpty()) {
+        auto* other = new QPushButton(question.other, this);
+        other->setObjectName(QStringLiteral("questionOther"));
+        other->setAccessibleName(question.other);
+        other->setToolTip(question.otherTip);
+        other->setAutoDefault(false);
+        row->addWidget(other);
+        connect(other, &QPushButton::clicked, this, [this] { done(chosenOther); });
+    }
     row->addWidget(yes);
     column->addLayout(row);
     connect(no, &QPushButton::clicked, this, &QDialog::reject);
@@ -134,8 +144,11 @@ void ask(QWidget* parent, const Question& question, std::function<void()> yes)
 {
     auto* dialog = new QuestionDialog(parent, question);
     QObject::connect(dialog, &QDialog::finished, dialog,
-                     [dialog, yes = std::move(yes), no = question.refused](int result) {
-                         const auto& answer = result == QDialog::Accepted ? yes : no;
+                     [dialog, yes = std::move(yes), no = question.refused,
+                      other = question.otherwise](int result) {
+                         const auto& answer = result == QDialog::Accepted ? yes
+                                              : result == chosenOther     ? other
+                                                                          : no;
                          if (dialog->wanted() && answer)
                              answer();
                      });

@@ -19,11 +19,14 @@ struct Question {
     QString no{};                    ///< empty: "Cancel"
     bool harmless = false;           ///< Enter means yes
     std::function<void()> refused{}; ///< "no", Esc and closing; may be empty
+    QString other{};                 ///< a second way to go on; empty: there is none
+    QString otherTip{};
+    std::function<void()> otherwise{}; ///< when it is chosen
     /// Nothing is called when it has gone; the question closes then. Null pointer: no guard.
     QObject* guard = nullptr;
 };
 
 /// Opens it over `parent` and returns at once. The dialog's object name is "question", its buttons'
-/// are "questionYes" and "questionNo".
+/// are "questionYes", "questionNo" and "questionOther".
 void ask(QWidget* parent, const Question& question, std::function<void()> yes);
 } // namespace ui

@@ -65,6 +65,8 @@ State stateOf(const session::ServoEntry& entry)
 {
     const device::Servo& servo = entry.servo;
     const catalog::Profile* profile = servo.profile.get();
+    if (entry.silent && entry.garbled)
+        return {translate("ServoRow", "unreadable answers"), Tone::Bad};
     if (entry.silent)
         return {translate("ServoRow", "no answer"), Tone::Quiet};
     if (servo.status != 0)

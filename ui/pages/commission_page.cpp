@@ -345,7 +345,9 @@ QString CommissionPage::detail() const
         parts.append(tr("Label: %1").arg(m_line.batch().rows.back().label));
     else if (!view.servo.model.isEmpty())
         parts.append(
-            tr("%1, ID %2 at %3 baud").arg(view.servo.model).arg(view.servo.id).arg(view.baud));
+            view.baud > 0
+                ? tr("%1, ID %2 at %3 baud").arg(view.servo.model).arg(view.servo.id).arg(view.baud)
+                : tr("%1, ID %2").arg(view.servo.model).arg(view.servo.id));
     for (const jobs::CommissionHeard& one : view.heard)
         parts.append(tr("%1 at ID %2, %3 baud")
                          .arg(one.model.isEmpty() ? tr("somebody") : one.model)

@@ -258,6 +258,8 @@ void ControlPanel::connectDesk()
     connect(&m_drive, &session::Drive::changed, this, &ControlPanel::refreshSoon);
     connect(&m_drive, &session::Drive::modeSwitched, m_hint, &ControlHint::dismiss);
     connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
+        if (event.kind == session::Event::Kind::Began)
+            unsay();
         if (event.kind == session::Event::Kind::Stopped) {
             m_hint->dismiss();
             unsay();

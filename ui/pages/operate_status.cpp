@@ -21,6 +21,18 @@ bool reportsFaults(const device::Servo& servo)
     return servo.repliesCarryStatus() ||
            (servo.profile && servo.profile->byRole(Role::Status) != nullptr);
 }
+
+bool faultsRead(const device::Servo& servo)
+{
+    if (!servo.profile)
+        return false;
+    if (servo.repliesCarryStatus())
+        return true;
+    return servo
+        .raw(servo.profile->byRole(Role::Status) != nullptr ? Role::Status
+                                                            : Role::PresentTemperature)
+        .has_value();
+}
 } // namespace
 
 OperateStatus::OperateStatus(QWidget* parent)
@@ -67,7 +79,7 @@ void OperateStatus::show(const session::ServoEntry* entry, const session::Desk& 
         return;
     showLink(*entry, desk);
     showMoving(*entry, desk);
-    showAlarms(*entry);
+    showAlarms(*entry, desk);
     showAge(*entry, desk);
 }
 
@@ -88,7 +100,10 @@ void OperateStatus::showLink(const session::ServoEntry& entry, const session::De
                    .arg(own->second.timeOuts)
                    .arg(own->second.badChecks);
     m_link->setState(silent ? Tone::Bad : Tone::Good,
-                     silent ? tr("Time-out") : tr("Communication fine"), {}, more);
+                     silent && entry.garbled ? tr("Unreadable answers")
+                     : silent                ? tr("Time-out")
+                                             : tr("Communication fine"),
+                     {}, more);
 }
 
 void OperateStatus::showMoving(const session::ServoEntry& entry, const session::Desk& desk)
@@ -107,7 +122,8 @@ void OperateStatus::showMoving(const session::ServoEntry& entry, const session::
                            *moving != 0 ? tr("moving") : tr("stopped"));
 }
 
-void OperateStatus::showAlarms(const session::ServoEntry& entry)
+/// Faults are known where the servo answers and what tells of them has been read.
+void OperateStatus::showAlarms(const session::ServoEntry& entry, const session::Desk& desk)
 {
     const auto& alarms = entry.alarms.alarms();
     for (std::size_t i = 0; i < m_alarms.size(); ++i) {
@@ -129,10 +145,11 @@ void OperateStatus::showAlarms(const session::ServoEntry& entry)
         m_alarms[i]->setState(alarm.active ? Tone::Bad : Tone::Warn, words, {}, more);
     }
     m_noAlarm->setVisible(alarms.empty());
-    const bool judged =
-        reportsFaults(entry.servo) || entry.servo.raw(Role::PresentTemperature).has_value();
-    m_noAlarm->setState(Tone::Quiet, judged ? tr("no alarm") : tr("alarms: not read"), {},
-                        reportsFaults(entry.servo)
+    const bool judged = isFresh(entry, desk) && faultsRead(entry.servo);
+    m_noAlarm->setState(Tone::Quiet, judged ? tr("no alarm") : tr("alarms: –"), {},
+                        !judged ? tr("Not known: the servo does not answer, or what tells of "
+                                     "faults has not been read")
+                        : reportsFaults(entry.servo)
                             ? QString()
                             : tr("Worked out from its limits: it reports no faults"));
     m_acknowledge->setVisible(!alarms.empty());

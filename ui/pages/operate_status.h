@@ -33,7 +33,7 @@ protected:
 private:
     void showLink(const session::ServoEntry& entry, const session::Desk& desk);
     void showMoving(const session::ServoEntry& entry, const session::Desk& desk);
-    void showAlarms(const session::ServoEntry& entry);
+    void showAlarms(const session::ServoEntry& entry, const session::Desk& desk);
     void showAge(const session::ServoEntry& entry, const session::Desk& desk);
     void retranslate();
 

@@ -66,6 +66,16 @@ void SearchPanel::note(const session::Event& event)
         m_history.vanished = m_removed;
         searchEnded();
     }
+    // What an earlier search has missed is no news while servos are set up one by one.
+    const bool line = event.task == QLatin1String("commission");
+    if (line && event.kind == session::Event::Kind::Began)
+        showList(true);
+    if (line &&
+        (event.kind == session::Event::Kind::Began || event.kind == session::Event::Kind::Ended)) {
+        m_settingUp = event.kind == session::Event::Kind::Began;
+        showStatus();
+        retranslate();
+    }
     if (event.kind != session::Event::Kind::Written || !event.report)
         return;
     for (const device::WriteResult& write : event.report->writes) {
@@ -104,6 +114,8 @@ void SearchPanel::showStatus()
                     .arg(spanText(m_lastProgress->remaining));
         if (m_desk.hasBaud())
             words += tr(" · at %1").arg(shortRate(m_lastProgress->baud));
+    } else if (m_settingUp) {
+        words = tr("Commissioning is running: its page shows the servos.");
     } else if (m_searching) {
         words = tr("The search begins …");
     } else if (m_error) {
@@ -122,7 +134,7 @@ void SearchPanel::showStatus()
     m_status->setText(words);
     m_status->setToolTip(tip.isEmpty() ? words : words + QLatin1Char('\n') + tip);
     const bool done = m_desk.lastSearch().has_value() && !m_searching;
-    m_why->setVisible(done || m_stack->currentWidget() == m_scroll);
+    m_why->setVisible((done && !m_settingUp) || m_stack->currentWidget() == m_scroll);
 }
 
 void SearchPanel::showScope()
@@ -237,7 +249,8 @@ void SearchPanel::retranslate()
     m_list->setAccessibleName(tr("Servos"));
     m_list->setToolTip(tr("Servos that have answered; choosing one reads it and writes "
                           "nothing. With Ctrl or Shift several are chosen, to move together"));
-    m_empty->setText(m_desk.state() == LinkState::Open
+    m_empty->setText(m_settingUp ? QString()
+                     : m_desk.state() == LinkState::Open
                          ? tr("No servo in the list yet. Search the bus.")
                          : tr("Servos appear here as they are found."));
     m_empty->setToolTip(m_empty->text());

@@ -81,6 +81,7 @@ private:
 
     QTimer m_tick;
     bool m_searching = false;
+    bool m_settingUp = false; ///< commissioning runs
     std::optional<jobs::Progress> m_lastProgress;
     std::optional<base::Error> m_error; ///< of the latest search
     int m_removed = 0;                  ///< since the search began

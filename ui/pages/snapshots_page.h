@@ -130,6 +130,7 @@ private:
     bool m_factory = false;                 ///< a column
     std::set<session::ServoRef> m_others{}; ///< columns
     bool m_writing = false;
+    bool m_tellsRestore = false; ///< the banner is about the latest restore
     bool m_dryRunComing = false;
     std::vector<record::RestoreResult> m_results; ///< of the latest restore
     QTimer m_refresh;

@@ -165,6 +165,11 @@ void SnapshotsPage::connectAll()
                 tellSaved(path);
             });
 
+    // A restore that has been taken back is no result any more.
+    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
+        if ((event.undone || event.redone) && std::exchange(m_tellsRestore, false))
+            m_banner->clear();
+    });
     connect(&m_selection, &Selection::changed, this, &SnapshotsPage::servoChosen);
     for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
                               &session::Desk::servosCleared, &session::Desk::taskChanged})

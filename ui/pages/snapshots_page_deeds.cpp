@@ -305,12 +305,16 @@ void SnapshotsPage::restored(const session::RestoreEnd& end, const QString& sour
             const bool fine = row.write.outcome == device::WriteOutcome::Kept ||
                               row.write.outcome == device::WriteOutcome::Temporary;
             good += fine ? 1 : 0;
-            if (!fine)
+            // Ticked by hand for this one write: a dangerous row asks for it anew.
+            if (fine)
+                m_ticks.erase(row.write.key);
+            else
                 others << row.write.key;
         }
         const auto verdict = end.outcome->verdict;
         const bool fine =
             verdict == jobs::RestoreVerdict::Done || verdict == jobs::RestoreVerdict::AlreadySo;
+        m_tellsRestore = true;
         m_banner->present(
             [verdict, fine, good, others, open = end.outcome->lock == device::LockState::Open] {
                 BannerWords words;
@@ -370,6 +374,7 @@ void SnapshotsPage::applyToSeveral()
 
 void SnapshotsPage::tellSaved(const QString& path)
 {
+    m_tellsRestore = false;
     m_banner->present([path] {
         return BannerWords{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
     });
@@ -377,6 +382,7 @@ void SnapshotsPage::tellSaved(const QString& path)
 
 void SnapshotsPage::fail(const base::Error& error)
 {
+    m_tellsRestore = false;
     if (error.code != base::ErrorCode::Stopped)
         m_banner->present(error);
     showState();

@@ -24,6 +24,16 @@ void StepPage::build(session::Settings& settings)
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("stepBanner"));
     m_banner->clear();
+    // What could not be put back is settled elsewhere; then there is nothing to say any more.
+    connect(&m_desk, &session::Desk::openIntents, m_banner,
+            [this](const std::vector<jobs::Recovered>& found, const auto& elsewhere) {
+                const bool settled =
+                    std::any_of(found.begin(), found.end(), [](const jobs::Recovered& one) {
+                        return one.done && one.before.intent.kind == base::IntentKind::Trial;
+                    });
+                if (settled || (found.empty() && elsewhere.empty()))
+                    m_banner->clear();
+            });
     auto* left = new QVBoxLayout;
     left->setSpacing(6);
     m_scroll = new QScrollArea(this);

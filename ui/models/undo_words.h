@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What Undo and Redo would write, and to which servo, in words. Free functions; main thread.
+#pragma once
+
+#include "session/desk.h"
+
+#include <QStringList>
+
+namespace ui {
+struct UndoWords {
+    QString brief;     ///< for a button: "ID 2 · position P"
+    QStringList lines; ///< one a register: "ID 2 · position P: 40 → 32"
+};
+
+/// `back`: as Undo writes it; else as Redo does.
+UndoWords undoWords(const session::Desk& desk, const session::UndoStep& step, bool back);
+} // namespace ui
