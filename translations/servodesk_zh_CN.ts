@@ -638,83 +638,83 @@
     </message>
     <message>
         <source>Servos may still be moving; switch off their supply.</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机可能仍在运动，请切断其电源。</translation>
     </message>
     <message>
         <source>Not sent yet: the link is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未发送：连接已断开。</translation>
     </message>
     <message>
         <source>The stop is sent first when the link is back.</source>
-        <translation type="unfinished"></translation>
+        <translation>连接恢复后会首先发送急停。</translation>
     </message>
     <message>
         <source>Not sent: no port is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>未发送：没有打开的端口。</translation>
     </message>
     <message>
         <source>The emergency stop was not sent: no port was open.</source>
-        <translation type="unfinished"></translation>
+        <translation>急停未发送：当时没有打开的端口。</translation>
     </message>
     <message>
         <source>Servos may still be moving. Press Esc to stop them now.</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机可能仍在运动。按 Esc 立即停止。</translation>
     </message>
     <message>
         <source>Not closed: ID %1 could not be stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>未关闭：ID %1 无法停止。</translation>
     </message>
     <message>
         <source>Press Esc for torque off, or switch off the supply.</source>
-        <translation type="unfinished"></translation>
+        <translation>按 Esc 卸力，或切断电源。</translation>
     </message>
     <message>
         <source>. Stopped before: ID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>。关闭前已停止：ID %1</translation>
     </message>
     <message>
         <source>. STILL MOVING: ID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>。仍在运动：ID %1</translation>
     </message>
     <message>
         <source>Switch off the supply to stop it.</source>
-        <translation type="unfinished"></translation>
+        <translation>要停止它，请切断电源。</translation>
     </message>
     <message>
         <source>the goal follows the control</source>
-        <translation type="unfinished"></translation>
+        <translation>目标跟随控件</translation>
     </message>
     <message>
         <source>goal sent: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已发送目标：%1</translation>
     </message>
     <message>
         <source>%1: stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：已停止</translation>
     </message>
     <message>
         <source>%1: ended</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：已结束</translation>
     </message>
     <message>
         <source>%1: done</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：完成</translation>
     </message>
     <message>
         <source>%1: running</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：正在进行</translation>
     </message>
     <message>
         <source>sweep test</source>
-        <translation type="unfinished">扫描测试</translation>
+        <translation>扫描测试</translation>
     </message>
     <message>
         <source>step response</source>
-        <translation type="unfinished">阶跃响应</translation>
+        <translation>阶跃响应</translation>
     </message>
     <message>
         <source>commissioning</source>
-        <translation type="unfinished"></translation>
+        <translation>批量设置</translation>
     </message>
 </context>
 <context>
@@ -1466,7 +1466,7 @@
     </message>
     <message>
         <source>unreadable answers</source>
-        <translation type="unfinished"></translation>
+        <translation>应答无法识别</translation>
     </message>
 </context>
 <context>
@@ -2017,35 +2017,35 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>The servo has the settings from before the test: nothing had to be put back.</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机已是测试前的设置，无需恢复。</translation>
     </message>
     <message>
         <source>The settings from before the test have been put back.</source>
-        <translation type="unfinished"></translation>
+        <translation>已恢复测试前的设置。</translation>
     </message>
     <message>
         <source>Put back</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复</translation>
     </message>
     <message>
         <source>Put the settings from before the test back and prove them</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复测试前的设置并核对</translation>
     </message>
     <message>
         <source>Write what is missing, prove it, and close the lock. Undo then takes back the whole change</source>
-        <translation type="unfinished"></translation>
+        <translation>写入缺少的部分，核对并关闭锁。之后“撤销”会撤回整个修改</translation>
     </message>
     <message>
         <source>the old values</source>
-        <translation type="unfinished"></translation>
+        <translation>原值</translation>
     </message>
     <message>
         <source>the new values</source>
-        <translation type="unfinished"></translation>
+        <translation>新值</translation>
     </message>
     <message>
         <source>some new, some old values</source>
-        <translation type="unfinished"></translation>
+        <translation>部分新值，部分原值</translation>
     </message>
     <message>
         <source>something answers, but nothing readable</source>
@@ -2123,17 +2123,17 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <name>UndoWords</name>
     <message numerus="yes">
         <source>%n settings</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 项设置</numerusform>
         </translation>
     </message>
     <message>
         <source>ID %1 · %2</source>
-        <translation type="unfinished">ID %1 · %2</translation>
+        <translation>ID %1 · %2</translation>
     </message>
     <message>
         <source>ID %1 · %2: %3 → %4</source>
-        <translation type="unfinished"></translation>
+        <translation>ID %1 · %2：%3 → %4</translation>
     </message>
 </context>
 <context>
@@ -4321,6 +4321,14 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Servo %1 may still have torque: switching it off after the test failed (%2). Use &quot;torque %1 off&quot;, or cut its supply.</source>
         <translation>舵机 %1 可能仍有扭矩：测试后卸力失败（%2）。请执行“torque %1 off”，或切断其供电。</translation>
     </message>
+    <message>
+        <source>%1, firmware %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Could not be put back: %1. The change stays open; look at it with: servodesk-cli recover</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -5594,10 +5602,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>请清除阻挡，再检查扭矩限制、速度和报警。</translation>
     </message>
     <message>
-        <source>%3 could not be put back to %1 after the test; it is noted in the journal. Use recover when the servo answers again. At power-off the servo forgets the trial by itself.</source>
-        <translation>测试后 %3 未能恢复为 %1；日志中已有记录。舵机恢复应答后请使用 recover。断电后舵机会自行恢复。</translation>
-    </message>
-    <message>
         <source>Let the test switch the mode while it lasts (the tick &quot;switch the mode&quot;; --switch-mode on the command line), or change to position mode first.</source>
         <translation>让测试在运行期间切换模式（勾选“切换模式”；命令行用 --switch-mode），或先切换到位置模式。</translation>
     </message>
@@ -6435,6 +6439,22 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>The servo has this value, but by a temporary write that ends at power-off. It is written once more, to be kept.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>no answer under this ID, but ID %1 replied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The servo answers under another ID than the one it hears, or a second program uses the bus.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close other programs that use the bus, connect this servo alone, and search for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%3 could not be put back to %1; it is noted in the journal. Use recover when the servo answers again. At power-off the servo forgets the temporary value by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -6769,7 +6789,7 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <name>ui::Commands</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1：%2</translation>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -7143,7 +7163,7 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>%1, ID %2</source>
-        <translation type="unfinished">%1，ID %2</translation>
+        <translation>%1，ID %2</translation>
     </message>
 </context>
 <context>
@@ -8210,46 +8230,62 @@ Asked more than once: %9</source>
     <name>ui::LeaveQuestion</name>
     <message>
         <source>Servo %1 is turning. Stop it before closing?</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机 %1 正在转动。关闭前停止它吗？</translation>
     </message>
     <message>
         <source>Servos %1 are turning. Stop them before closing?</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机 %1 正在转动。关闭前停止它们吗？</translation>
     </message>
     <message>
         <source>Servo %1 is turning. Stop it before disconnecting?</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机 %1 正在转动。断开前停止它吗？</translation>
     </message>
     <message>
         <source>Servos %1 are turning. Stop them before disconnecting?</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机 %1 正在转动。断开前停止它们吗？</translation>
     </message>
     <message>
         <source>Stopping ends the motion; torque stays on where the servo can hold its position.</source>
-        <translation type="unfinished"></translation>
+        <translation>停止会结束运动；舵机能保持位置时扭矩保持开启。</translation>
     </message>
     <message>
         <source>Left turning, it does not stop by itself, and ServoDesk can no longer stop it.</source>
-        <translation type="unfinished"></translation>
+        <translation>若继续转动，它不会自行停止，ServoDesk 也无法再停止它。</translation>
     </message>
     <message>
         <source>Left moving, it goes on to its goal, and ServoDesk can no longer stop it.</source>
-        <translation type="unfinished"></translation>
+        <translation>若继续运动，它会走到目标位置，ServoDesk 无法再停止它。</translation>
     </message>
     <message>
         <source>Stop and close</source>
-        <translation type="unfinished"></translation>
+        <translation>停止并关闭</translation>
     </message>
     <message>
         <source>Stop and disconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>停止并断开</translation>
     </message>
     <message>
         <source>Leave it turning</source>
-        <translation type="unfinished"></translation>
+        <translation>让它继续转动</translation>
     </message>
     <message>
         <source>Leave them turning</source>
+        <translation>让它们继续转动</translation>
+    </message>
+    <message>
+        <source>A test is running. Stop it and close?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A test is running. Stop it and disconnect?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its servos then hold their position with torque on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its servos then have no torque.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9070,15 +9106,15 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>Unreadable answers</source>
-        <translation type="unfinished"></translation>
+        <translation>应答无法识别</translation>
     </message>
     <message>
         <source>alarms: –</source>
-        <translation type="unfinished"></translation>
+        <translation>报警：–</translation>
     </message>
     <message>
         <source>Not known: the servo does not answer, or what tells of faults has not been read</source>
-        <translation type="unfinished"></translation>
+        <translation>未知：舵机没有应答，或故障状态尚未读取</translation>
     </message>
 </context>
 <context>
@@ -9671,7 +9707,7 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>Commissioning is running: its page shows the servos.</source>
-        <translation type="unfinished"></translation>
+        <translation>批量设置正在进行：舵机显示在其页面上。</translation>
     </message>
 </context>
 <context>
