@@ -57,6 +57,10 @@ FindingWord findingWord(jobs::Finding finding)
         return {"other-servo", QT_TRANSLATE_NOOP("cli", "another servo answers: left alone")};
     case jobs::Finding::NoAnswer:
         return {"no-answer", QT_TRANSLATE_NOOP("cli", "it does not answer")};
+    case jobs::Finding::Unreadable:
+        return {"unreadable", QT_TRANSLATE_NOOP("cli", "something answers, but nothing readable")};
+    case jobs::Finding::Replaced:
+        return {"replaced", QT_TRANSLATE_NOOP("cli", "later writes have replaced it")};
     }
     return {"", ""};
 }
@@ -100,12 +104,44 @@ Json jsonRecovered(const jobs::Recovered& one)
     return json;
 }
 
-QString changesOf(const base::Intent& intent)
+QStringList changesOf(const base::Intent& intent)
 {
     QStringList changes;
+    for (const base::JournalItem& item : intent.items) {
+        if (item.oldRaw != item.newRaw)
+            changes << QStringLiteral("%1 %2 → %3").arg(item.key).arg(item.oldRaw).arg(item.newRaw);
+    }
+    return changes;
+}
+
+/// In one cell of a table: many rows as their number, those whose new value is not known
+/// beforehand (calibration, restored defaults) by their names.
+QString changesCell(const base::Intent& intent)
+{
+    constexpr int shownInOneLine = 3;
+    const QStringList changes = changesOf(intent);
+    const int count = static_cast<int>(intent.items.size());
+    if (count > shownInOneLine)
+        return translate("cli", "%1 registers").arg(count);
+    if (!changes.isEmpty())
+        return changes.join(QStringLiteral(", "));
+    QStringList keys;
     for (const base::JournalItem& item : intent.items)
-        changes << QStringLiteral("%1 %2 → %3").arg(item.key).arg(item.oldRaw).arg(item.newRaw);
-    return changes.join(QStringLiteral(", "));
+        keys << item.key;
+    return keys.join(QStringLiteral(", "));
+}
+
+/// What the cell only counts, one a line.
+QString changesBelow(const base::Intent& intent)
+{
+    const QStringList changes = changesOf(intent);
+    if (changesCell(intent) == changes.join(QStringLiteral(", ")) || changes.isEmpty())
+        return {};
+    QString lines =
+        translate("cli", "Change %1:").arg(intent.uuid.left(shownUuid)) + QLatin1Char('\n');
+    for (const QString& change : changes)
+        lines += QStringLiteral("  %1\n").arg(change);
+    return lines;
 }
 
 QString lockShown(const std::optional<bool>& open)
@@ -134,7 +170,7 @@ Table recoveredTable(const std::vector<jobs::Recovered>& all, jobs::RecoverActio
         const base::Intent& intent = one.before.intent;
         table.add({intent.uuid.left(shownUuid),
                    intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-                   QString::number(intent.servo.id), kindName(intent), changesOf(intent),
+                   QString::number(intent.servo.id), kindName(intent), changesCell(intent),
                    translate("cli", findingWord(one.before.finding).shown),
                    lockShown(one.before.lockOpen), settledWord(one, action)});
     }
@@ -173,7 +209,7 @@ QString Elsewhere::text() const
     for (const base::Intent& intent : intents) {
         table.add({intent.uuid.left(shownUuid),
                    intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-                   QString::number(intent.servo.id), kindName(intent), changesOf(intent),
+                   QString::number(intent.servo.id), kindName(intent), changesCell(intent),
                    intent.servo.port});
     }
     QString lines = translate("cli", "Changes that were begun on other ports are open:") +
@@ -200,6 +236,8 @@ void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction
     for (const jobs::Recovered& one : all)
         intents.push_back(jsonRecovered(one));
     QString text = all.empty() ? nothingOpen(elsewhere) : recoveredTable(all, action).text();
+    for (const jobs::Recovered& one : all)
+        text += changesBelow(one.before.intent);
     for (const jobs::Recovered& one : all) {
         if (one.error)
             text += text::describe(*one.error).what + QLatin1Char('\n');

@@ -16,7 +16,8 @@ base::Result<void> settleOne(const device::Context& context, const QString& uuid
     if (seen->empty())
         return {};
     const Finding finding = seen->front().before.finding;
-    if (finding == Finding::NoAnswer || finding == Finding::OtherServo)
+    if (finding == Finding::NoAnswer || finding == Finding::OtherServo ||
+        finding == Finding::Unreadable)
         return {};
     const auto done =
         recover(context, finding == Finding::AllOld ? RecoverAction::Undo : RecoverAction::Finish,

@@ -2,6 +2,7 @@
 #include "jobs/recover.h"
 
 #include "device/write_access.h"
+#include "jobs/change.h"
 #include "jobs/recover_look.h"
 #include "jobs/recover_settle.h"
 
@@ -98,6 +99,64 @@ void noteTorque(const device::Context& context, const Recovered& one)
 }
 } // namespace
 
+namespace {
+/// Nothing can be settled on a servo that has not been found.
+std::optional<base::Error> notFound(const OpenIntent& open)
+{
+    const QString operation = QStringLiteral("recover");
+    switch (open.finding) {
+    case Finding::NoAnswer:
+        return base::Error{ErrorCode::NoAnswer, operation, {}, open.intent.servo.id};
+    case Finding::OtherServo:
+        return base::Error{ErrorCode::IdentityDiffers, operation, {}, open.intent.servo.id};
+    case Finding::Unreadable:
+        return open.unreadable;
+    default:
+        return std::nullopt;
+    }
+}
+
+/// What a later write has replaced is not this change's any more.
+base::Intent withoutReplaced(const OpenIntent& open)
+{
+    base::Intent rest = open.intent;
+    std::erase_if(rest.items,
+                  [&](const base::JournalItem& item) { return open.replaced.contains(item.key); });
+    return rest;
+}
+
+/// Restoring its defaults may have moved the servo. Where the rows are put back, ID and rate follow
+/// by the way that is safe for them.
+base::Result<void> moveBack(const device::Context& context, const base::Intent& intent,
+                            device::Servo& servo)
+{
+    const auto proved = [](const base::Result<device::WriteReport>& report) {
+        if (!report)
+            return base::Result<void>(tl::unexpected(report.error()));
+        return report->allGood()
+                   ? base::Result<void>()
+                   : base::fail(ErrorCode::LockOpen, QStringLiteral("recover"), {}, report->id);
+    };
+    if (servo.id != intent.servo.id) {
+        if (const auto moved = proved(changeId(context, servo, intent.servo.id)); !moved)
+            return moved;
+    }
+    if (!context.bus.hasBaud() || intent.servo.baud <= 0 || servo.baud == intent.servo.baud)
+        return {};
+    return proved(changeBaud(context, servo, intent.servo.baud));
+}
+
+/// ID and rate, which are no plain rows.
+base::Intent withoutPlace(base::Intent intent, const device::Servo& servo)
+{
+    std::erase_if(intent.items, [&](const base::JournalItem& item) {
+        const catalog::Register* reg = servo.profile->find(item.key);
+        return reg != nullptr && reg->identity;
+    });
+    return intent;
+}
+} // namespace
+
 base::Result<Recovered> recoverOne(const device::Context& context, const base::Intent& intent,
                                    RecoverAction action, const BeforeWrite& beforeWrite)
 {
@@ -110,12 +169,8 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
     recovered.before = *before;
     if (action == RecoverAction::Look)
         return recovered;
-    if (before->finding == Finding::NoAnswer || before->finding == Finding::OtherServo) {
-        recovered.error = base::Error{
-            before->finding == Finding::NoAnswer ? ErrorCode::NoAnswer : ErrorCode::IdentityDiffers,
-            QStringLiteral("recover"),
-            {},
-            intent.servo.id};
+    if (const auto bar = notFound(*before)) {
+        recovered.error = bar;
         return recovered;
     }
     const auto may = device::beginWriting(context, servo, QStringLiteral("recover"));
@@ -129,7 +184,15 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
             return recovered;
         }
     }
-    const Settled settled = settle(context, intent, servo, action);
+    base::Intent rest = withoutReplaced(*before);
+    const bool allReplaced = rest.items.empty() && !intent.items.empty();
+    const bool moved = intent.kind == IntentKind::Restore && !newValuesKnown(intent) &&
+                       (servo.id != intent.servo.id || servo.baud != intent.servo.baud);
+    if (moved)
+        rest = withoutPlace(std::move(rest), servo);
+    Settled settled = settle(context, rest, servo, action);
+    if (settled.result && moved && action == RecoverAction::Undo)
+        settled.result = moveBack(context, intent, servo);
     recovered.report = settled.report;
     recovered.torqueIsOff = settled.torqueIsOff;
     if (!settled.result) {
@@ -138,7 +201,8 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
     }
     if (before->lockOpen.value_or(false))
         context.note(device::NoticeCode::LockClosed, servo.id);
-    const QString word = action == RecoverAction::Finish && intent.kind != IntentKind::Trial
+    const QString word = allReplaced ? QStringLiteral("abandoned")
+                         : action == RecoverAction::Finish && intent.kind != IntentKind::Trial
                              ? QStringLiteral("done")
                              : QStringLiteral("undone");
     context.record(intent.uuid, servo.id, {word, {}, itemEnds(intent, settled, word)});

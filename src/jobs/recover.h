@@ -15,6 +15,8 @@ enum class Finding : std::uint8_t {
     Mixed,
     OtherServo, ///< identity or values differ: hands off
     NoAnswer,
+    Unreadable, ///< something answers, but nothing readable: it may be the servo
+    Replaced,   ///< later writes to the servo, which the journal has, explain what stands there
 };
 
 struct OpenIntent {
@@ -23,6 +25,8 @@ struct OpenIntent {
     int foundId = -1; ///< where it answers now
     int foundBaud = 0;
     std::optional<bool> lockOpen;
+    QStringList replaced{}; ///< registers with a value of a later write: left alone
+    std::optional<base::Error> unreadable{};
 };
 
 enum class RecoverAction : std::uint8_t { Look, Finish, Undo };

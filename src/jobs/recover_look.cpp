@@ -26,7 +26,7 @@ void addPlace(std::vector<Place>& places, int id, int baud)
         places.push_back({id, baud});
 }
 
-int baudOfCode(const device::Context& context, const base::Intent& intent)
+catalog::ProfilePtr profileOf(const device::Context& context, const base::Intent& intent)
 {
     catalog::Identity who;
     who.firmwareMajor = intent.servo.firmwareMajor;
@@ -34,7 +34,12 @@ int baudOfCode(const device::Context& context, const base::Intent& intent)
     who.modelMajor = intent.servo.modelMajor;
     who.modelMinor = intent.servo.modelMinor;
     who.protocol = intent.servo.protocol;
-    const auto profile = context.catalog.resolve(who);
+    return context.catalog.resolve(who);
+}
+
+int baudOfCode(const device::Context& context, const base::Intent& intent)
+{
+    const auto profile = profileOf(context, intent);
     const catalog::Register* reg = profile->byRole(Role::BaudRate);
     if (reg == nullptr || intent.items.empty())
         return 0;
@@ -67,12 +72,58 @@ std::vector<Place> places(const device::Context& context, const base::Intent& in
     return result;
 }
 
+/// Where a servo answers after its own defaults were restored, as far as that changed ID and rate.
+std::vector<Place> factoryPlaces(const device::Context& context, const base::Intent& intent)
+{
+    constexpr int factoryId = 1;
+    std::vector<Place> result;
+    if (intent.kind != IntentKind::Restore || newValuesKnown(intent))
+        return result;
+    std::vector<int> bauds{context.bus.baud(), intent.servo.baud};
+    const auto profile = profileOf(context, intent);
+    if (const catalog::Register* reg = profile->byRole(Role::BaudRate)) {
+        for (const catalog::NamedValue& value : reg->values)
+            bauds.push_back(value.key.toInt());
+    }
+    if (!context.bus.hasBaud())
+        bauds = {context.bus.baud()};
+    for (const int id : {intent.servo.id, factoryId}) {
+        for (const int baud : bauds) {
+            if (baud > 0)
+                addPlace(result, id, baud);
+        }
+    }
+    return result;
+}
+
+/// What was heard besides the servos of the right kind.
+struct Heard {
+    bool others = false;
+    std::optional<base::Error> unreadable{};
+
+    void take(const base::Error& error)
+    {
+        switch (error.code) {
+        case ErrorCode::NoAnswer:
+            break;
+        case ErrorCode::Garbled:
+        case ErrorCode::WrongAnswer:
+        case ErrorCode::LineBusy:
+            unreadable = error;
+            break;
+        default:
+            others = true;
+        }
+    }
+};
+
 /// The servos of the right kind among the places.
 base::Result<std::vector<device::Servo>> candidates(const device::Context& context,
-                                                    const base::Intent& intent, bool& othersAnswer)
+                                                    const base::Intent& intent,
+                                                    const std::vector<Place>& among, Heard& heard)
 {
     std::vector<device::Servo> found;
-    for (const Place& place : places(context, intent)) {
+    for (const Place& place : among) {
         if (context.bus.hasBaud() && context.bus.baud() != place.baud &&
             !context.bus.setBaud(place.baud))
             continue; // this adapter cannot
@@ -80,7 +131,7 @@ base::Result<std::vector<device::Servo>> candidates(const device::Context& conte
         if (!servo) {
             if (servo.error().code == ErrorCode::LinkLost)
                 return tl::unexpected(servo.error());
-            othersAnswer |= servo.error().code != ErrorCode::NoAnswer;
+            heard.take(servo.error());
             continue;
         }
         base::ServoIdentity who = servo->identity();
@@ -88,9 +139,31 @@ base::Result<std::vector<device::Servo>> candidates(const device::Context& conte
         if (who.sameKind(intent.servo))
             found.push_back(*servo);
         else
-            othersAnswer = true;
+            heard.others = true;
     }
     return found;
+}
+
+/// Those at their factory place that the lock tells to be the one: it was opened, and a servo that
+/// was switched off since would have closed it.
+base::Result<std::vector<device::Servo>> movedByDefaults(const device::Context& context,
+                                                         const base::Intent& intent)
+{
+    Heard elsewhere;
+    auto found = candidates(context, intent, factoryPlaces(context, intent), elsewhere);
+    if (!found)
+        return found;
+    std::vector<device::Servo> open;
+    for (device::Servo& servo : *found) {
+        if (context.bus.hasBaud() && !context.bus.setBaud(servo.baud))
+            continue;
+        const catalog::Register* lock = servo.profile->byRole(Role::Lock);
+        const auto flag = lock != nullptr ? device::readRegister(context, servo, *lock)
+                                          : base::Result<std::int64_t>(device::lockClosed);
+        if (flag && device::isOpen(*flag))
+            open.push_back(std::move(servo));
+    }
+    return open;
 }
 
 /// The others say nothing about an interrupted write.
@@ -134,8 +207,33 @@ bool leftByLaterTry(const std::vector<base::JournalEntry>& later, const base::In
     return last && last->readBack == raw && last->outcome == left;
 }
 
+/// Writes that came later lead from a value of this intent to the one that stands there now.
+bool replacedLater(const std::vector<base::JournalEntry>& later, const base::Intent& intent,
+                   const base::JournalItem& item, std::int64_t raw)
+{
+    std::optional<std::int64_t> now;
+    for (const base::JournalEntry& entry : later) {
+        if (!entry.end || entry.intent.servo.port != intent.servo.port)
+            continue;
+        for (const base::JournalItem& next : entry.intent.items) {
+            if (next.key != item.key)
+                continue;
+            const bool follows = now ? next.oldRaw == *now
+                                     : next.oldRaw == item.oldRaw || next.oldRaw == item.newRaw;
+            if (!follows)
+                return false; // of another servo
+            now = next.oldRaw;
+            for (const base::ItemEnd& end : entry.end->items) {
+                if (end.key == item.key && end.readBack)
+                    now = end.readBack;
+            }
+        }
+    }
+    return now == raw;
+}
+
 Finding compare(const base::Intent& intent, const device::Servo& servo,
-                const std::vector<base::JournalEntry>& later)
+                const std::vector<base::JournalEntry>& later, QStringList& replaced)
 {
     int asOld = 0;
     int asNew = 0;
@@ -149,6 +247,11 @@ Finding compare(const base::Intent& intent, const device::Servo& servo,
         }
         const bool isNew = raw == item.newRaw;
         if (raw != item.oldRaw && !isNew) {
+            if (raw && replacedLater(later, intent, item, *raw) &&
+                !leftByLaterTry(later, intent, item.key, *raw)) {
+                replaced << item.key;
+                continue;
+            }
             if (!raw || !leftByLaterTry(later, intent, item.key, *raw))
                 return Finding::OtherServo;
             ++asOld; // neither
@@ -157,6 +260,8 @@ Finding compare(const base::Intent& intent, const device::Servo& servo,
         }
         ++(isNew ? asNew : asOld);
     }
+    if (asOld + asNew == 0 && !replaced.isEmpty())
+        return Finding::Replaced;
     if (asOld == 0)
         return Finding::AllNew;
     return asNew == 0 ? Finding::AllOld : Finding::Mixed;
@@ -189,13 +294,18 @@ base::Result<OpenIntent> look(const device::Context& context, const base::Intent
     OpenIntent result;
     result.intent = intent;
     const int baudBefore = context.bus.baud();
-    bool othersAnswer = false;
-    const auto found = candidates(context, intent, othersAnswer);
+    Heard heard;
+    auto found = candidates(context, intent, places(context, intent), heard);
+    if (found && found->empty())
+        found = movedByDefaults(context, intent);
     if (!found)
         return tl::unexpected(found.error());
     // Two servos of the kind: nothing tells which of them the intent means.
     if (found->size() != 1) {
-        result.finding = !found->empty() || othersAnswer ? Finding::OtherServo : Finding::NoAnswer;
+        result.unreadable = heard.unreadable;
+        result.finding = !found->empty() || heard.others ? Finding::OtherServo
+                         : heard.unreadable              ? Finding::Unreadable
+                                                         : Finding::NoAnswer;
         if (context.bus.hasBaud())
             (void)context.bus.setBaud(baudBefore);
         return result;
@@ -212,7 +322,7 @@ base::Result<OpenIntent> look(const device::Context& context, const base::Intent
     const auto later = laterThan(context, intent);
     if (!later)
         return tl::unexpected(later.error());
-    result.finding = compare(intent, servo, *later);
+    result.finding = compare(intent, servo, *later, result.replaced);
     if (const auto flag = servo.raw(Role::Lock))
         result.lockOpen = device::isOpen(*flag);
     return result;

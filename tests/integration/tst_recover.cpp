@@ -115,6 +115,11 @@ private Q_SLOTS:
     void lookingWritesNothing();
     void otherServoIsLeftAlone();
     void otherValuesAreLeftAlone();
+    void ownLaterWritesStay_data();
+    void ownLaterWritesStay();
+    void noiseIsNotAnotherServo();
+    void defaultsThatMovedTheServo_data();
+    void defaultsThatMovedTheServo();
     void otherPortIsNotConcerned();
     void silentServoStaysOpen();
 };
@@ -250,6 +255,90 @@ void TestRecover::otherValuesAreLeftAlone()
     QVERIFY(recovered);
     QCOMPARE(recovered->front().before.finding, Finding::OtherServo);
     QVERIFY(bench.onlyAsked());
+}
+
+void TestRecover::ownLaterWritesStay_data()
+{
+    QTest::addColumn<int>("action");
+    QTest::newRow("finish") << int(RecoverAction::Finish);
+    QTest::newRow("undo") << int(RecoverAction::Undo);
+}
+
+/// After the interruption the program itself has written another value to the same servo.
+void TestRecover::ownLaterWritesStay()
+{
+    QFETCH(int, action);
+    SimBench bench(text("sts3215@1"));
+    device::Servo servo = bench.servo(1);
+    bench.tap().onWrite = [&bench](const base::Bytes& frame) {
+        if (frame[4] == support::Write && frame[5] == 13)
+            bench.cutLink();
+    };
+    QVERIFY(device::write(bench.context(), servo, {{text("max_temperature"), 60}}, {}));
+    bench.tap().onWrite = nullptr;
+    bench.reconnect(1'000'000);
+    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+    device::Servo again = bench.servo(1);
+    const auto later = device::write(bench.context(), again, {{text("max_temperature"), 65}}, {});
+    QVERIFY(later && later->allGood());
+    const auto recovered = jobs::recover(bench.context(), RecoverAction(action));
+    QVERIFY(recovered);
+    QCOMPARE(recovered->front().before.finding, Finding::Replaced);
+    QVERIFY(recovered->front().done);
+    QVERIFY(bench.journal().open()->empty());
+    QCOMPARE(bench.raw(1, text("max_temperature")), 65);
+}
+
+void TestRecover::noiseIsNotAnotherServo()
+{
+    SimBench bench(text("sts3215@1"));
+    interrupt(bench);
+    bench.wireConfig().faults.corrupt = 1;
+    const auto recovered = jobs::recover(bench.context(), RecoverAction::Finish);
+    QVERIFY(recovered);
+    QCOMPARE(recovered->front().before.finding, Finding::Unreadable);
+    QVERIFY(!recovered->front().done);
+    QCOMPARE(recovered->front().error->code, base::ErrorCode::Garbled);
+    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+}
+
+void TestRecover::defaultsThatMovedTheServo_data()
+{
+    QTest::addColumn<int>("action");
+    QTest::addColumn<int>("id");
+    QTest::newRow("finish") << int(RecoverAction::Finish) << 1;
+    QTest::newRow("undo") << int(RecoverAction::Undo) << 7;
+}
+
+/// Killed while its defaults were restored, which gave it the factory ID as well.
+void TestRecover::defaultsThatMovedTheServo()
+{
+    QFETCH(int, action);
+    QFETCH(int, id);
+    SimBench bench(text("sts3215@7"));
+    device::Servo servo = bench.servo(7);
+    base::Intent intent;
+    intent.kind = base::IntentKind::Restore;
+    intent.lockOpened = true;
+    intent.servo = servo.identity();
+    intent.items = {{text("id"), 5, 7, 7}, {text("max_temperature"), 13, 60, 60}};
+    QVERIFY(bench.journal().begin(intent));
+    bench.poke(7, text("lock"), 0);
+    bench.poke(7, text("id"), 1);
+    bench.letTimePass(std::chrono::milliseconds(50));
+    const auto seen = jobs::recover(bench.context(), RecoverAction::Look);
+    QVERIFY(seen);
+    QCOMPARE(seen->front().before.foundId, 1);
+    QCOMPARE(seen->front().before.lockOpen, std::optional<bool>(true));
+    const auto recovered = jobs::recover(bench.context(), RecoverAction(action));
+    QVERIFY(recovered);
+    QVERIFY2(recovered->front().done,
+             recovered->front().error ? qPrintable(base::errorName(recovered->front().error->code))
+                                      : "");
+    QVERIFY(bench.journal().open()->empty());
+    QCOMPARE(bench.raw(id, text("lock")), 1);
+    QCOMPARE(bench.raw(id, text("max_temperature")),
+             RecoverAction(action) == RecoverAction::Undo ? 60 : 70);
 }
 
 void TestRecover::otherPortIsNotConcerned()

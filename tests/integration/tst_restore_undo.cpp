@@ -218,6 +218,7 @@ private Q_SLOTS:
     void aWayBackBrokenOffIsGoneToItsEnd();
     void onlyTheWayBackIsOpen_data();
     void onlyTheWayBackIsOpen();
+    void whatSomebodyWroteSinceIsLeftAlone_data();
     void whatSomebodyWroteSinceIsLeftAlone();
     void theLatestIsUndoneFirst();
     void aRowThatIsSoAlreadyIsNotForgotten();
@@ -416,8 +417,17 @@ void TestRestoreUndo::onlyTheWayBackIsOpen()
         QCOMPARE(bench.notAsBefore(), QString());
 }
 
+void TestRestoreUndo::whatSomebodyWroteSinceIsLeftAlone_data()
+{
+    QTest::addColumn<int>("action");
+    QTest::newRow("finish") << int(RecoverAction::Finish);
+    QTest::newRow("undo") << int(RecoverAction::Undo);
+}
+
+/// The other rows are settled.
 void TestRestoreUndo::whatSomebodyWroteSinceIsLeftAlone()
 {
+    QFETCH(int, action);
     UndoBench bench;
     bench.breakOff();
     const base::JournalItem missing = bench.nextMissing();
@@ -425,14 +435,18 @@ void TestRestoreUndo::whatSomebodyWroteSinceIsLeftAlone()
     const auto written =
         device::write(bench.context(), servo, {{missing.key, missing.newRaw + 1}}, {});
     QVERIFY(written && written->allGood());
-    bench.bench.forgetFrames();
-    for (const RecoverAction action : {RecoverAction::Finish, RecoverAction::Undo}) {
-        const auto one = bench.recover(action);
-        QVERIFY(one && one->size() == 1 && !one->front().done);
-        QCOMPARE(one->front().before.finding, jobs::Finding::OtherServo);
+    const auto open = *bench.journal.open();
+    QCOMPARE(open.size(), std::size_t(1));
+    const auto one = bench.recover(RecoverAction(action));
+    QVERIFY(one && one->size() == 1 && one->front().done);
+    QCOMPARE(one->front().before.replaced, QStringList{missing.key});
+    QVERIFY(bench.journal.open()->empty());
+    for (const base::JournalItem& item : open.front().items) {
+        const bool back = RecoverAction(action) == RecoverAction::Undo;
+        const std::int64_t settled = back ? item.oldRaw : item.newRaw;
+        QCOMPARE(bench.bench.raw(1, item.key),
+                 item.key == missing.key ? missing.newRaw + 1 : settled);
     }
-    QVERIFY(bench.bench.onlyAsked());
-    QCOMPARE(bench.bench.raw(1, missing.key), missing.newRaw + 1);
 }
 
 void TestRestoreUndo::theLatestIsUndoneFirst()

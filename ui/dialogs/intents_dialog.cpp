@@ -26,7 +26,8 @@ constexpr int margin = 24;
 
 bool settleable(const Recovered& one)
 {
-    return one.before.finding != Finding::NoAnswer && one.before.finding != Finding::OtherServo;
+    return one.before.finding != Finding::NoAnswer && one.before.finding != Finding::OtherServo &&
+           one.before.finding != Finding::Unreadable;
 }
 } // namespace
 

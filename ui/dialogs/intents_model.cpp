@@ -148,6 +148,10 @@ QString findingWord(Finding finding)
         return translate("ServoTasks", "another servo, or other values: hands off");
     case Finding::NoAnswer:
         return translate("ServoTasks", "it does not answer");
+    case Finding::Unreadable:
+        return translate("ServoTasks", "something answers, but nothing readable");
+    case Finding::Replaced:
+        return translate("ServoTasks", "values of later writes, which stay");
     }
     return {};
 }
