@@ -103,6 +103,7 @@ bool StepTest::start(const StepTestOrder& order)
     task.effect = Effect::Moves;
     task.savesTable = order.switchMode || !order.spec.trial.empty();
     task.lasting = true;
+    task.holdsAfterwards = true;
     task.quiet = true;
     task.work = [wanted, watch, live](TaskContext& context) -> base::Result<void> {
         if (live->cancelled)

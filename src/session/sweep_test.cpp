@@ -196,6 +196,7 @@ bool SweepTest::start(const SweepTestOrder& order)
     task.effect = Effect::Moves;
     task.savesTable = order.switchMode;
     task.lasting = true;
+    task.holdsAfterwards = !order.spec.releaseAtEnd;
     task.quiet = true;
     task.others.assign(order.servos.begin() + 1, order.servos.end());
     task.work = [wanted, watch, live, ending](TaskContext& context) -> base::Result<void> {

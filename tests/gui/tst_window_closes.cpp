@@ -74,9 +74,15 @@ struct Bench : gui::WindowBench {
             all += label->text() + QLatin1Char('\n');
         return all;
     }
+    /// A test is asked about first: what the question says is kept.
     bool closed()
     {
         window->close();
+        if (auto* yes = find<QPushButton>("questionYes")) {
+            for (const QLabel* label : yes->window()->findChildren<QLabel*>())
+                question += label->text() + QLatin1Char('\n');
+            QTest::mouseClick(yes, Qt::LeftButton);
+        }
         return QTest::qWaitFor([this] { return !window->isVisible(); }, longTime);
     }
     /// Of the servo, asked by another program after this one has let go of the port; -1: nobody
@@ -92,6 +98,7 @@ struct Bench : gui::WindowBench {
             -1);
     }
 
+    QString question;
     SimProgram simulator;
     std::unique_ptr<support::CutCable> cable; ///< goes before the simulator
 
@@ -220,6 +227,11 @@ private Q_SLOTS:
         QVERIFY(std::abs(bench.raw("present_position", id) - place) <= 2); // it does not go on
         const bool holds = what == QLatin1String("sweep") || what == QLatin1String("step");
         QCOMPARE(bench.raw("torque_switch", id), holds ? 1 : 0);
+        // Torque was off before, and what becomes of it was said.
+        const bool tests = holds || what.startsWith(QLatin1String("sweep"));
+        QCOMPARE(bench.question.contains(QLatin1String("hold their position with torque on")),
+                 holds);
+        QCOMPARE(bench.question.contains(QLatin1String("have no torque")), tests && !holds);
         if (what == QLatin1String("commission")) { // it had begun, and the batch knows it
             QCOMPARE(bench.line().batch().rows.size() + bench.line().batch().pending.size(),
                      std::size_t(1));
