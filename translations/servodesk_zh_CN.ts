@@ -8274,19 +8274,19 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>A test is running. Stop it and close?</source>
-        <translation type="unfinished"></translation>
+        <translation>测试正在运行。停止测试并关闭？</translation>
     </message>
     <message>
         <source>A test is running. Stop it and disconnect?</source>
-        <translation type="unfinished"></translation>
+        <translation>测试正在运行。停止测试并断开连接？</translation>
     </message>
     <message>
         <source>Its servos then hold their position with torque on.</source>
-        <translation type="unfinished"></translation>
+        <translation>之后舵机保持位置，扭矩开启。</translation>
     </message>
     <message>
         <source>Its servos then have no torque.</source>
-        <translation type="unfinished"></translation>
+        <translation>之后舵机卸力。</translation>
     </message>
 </context>
 <context>
