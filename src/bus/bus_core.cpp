@@ -148,6 +148,7 @@ Result<Outcome> BusCore::repeat(const Transaction& transaction, base::ByteView f
     const int countedId = request.id <= protocol::maxId ? request.id : -1;
     Outcome outcome;
     bool refused = false;
+    std::optional<int> foreignId;
     while (outcome.attempts < attempts) {
         if (const auto turn = awaitTurn(transaction, interrupt); !turn)
             return tl::unexpected(described(turn.error(), request, outcome.attempts));
@@ -167,6 +168,7 @@ Result<Outcome> BusCore::repeat(const Transaction& transaction, base::ByteView f
             return outcome;
         }
         refused = attempt->refused;
+        foreignId = attempt->foreignId;
         outcome.faults.push_back({*attempt->fault, attempt->endedAt});
         const bool first = outcome.attempts == 1 && attempts > 1 && transaction.patience <= 0us;
         if (first && *attempt->fault == FaultKind::TimeOut) {
@@ -175,6 +177,8 @@ Result<Outcome> BusCore::repeat(const Transaction& transaction, base::ByteView f
         }
     }
     Error error{errorFor(outcome.faults)};
+    if (foreignId && error.code == ErrorCode::NoAnswer)
+        error.detail = QStringLiteral("from %1").arg(*foreignId);
     if (request.repeat == Repeat::Never && !refused) {
         error.detail = base::errorName(error.code);
         error.code = ErrorCode::Uncertain;

@@ -407,6 +407,8 @@ void Exchange::takeForeign(Wait& wait, Part part, base::ByteView frame)
         m_trace.add(at, TraceKind::Foreign, frame);
         if (wait.asks(part.id))
             wait.trouble(FaultKind::WrongShape);
+        else if (id >= 0 && !wait.expected.ids.empty())
+            wait.attempt.foreignId = id;
     }
     if (id >= 0)
         m_strays.add({id, part.status, std::move(part.data), at, part.exception});

@@ -34,6 +34,7 @@ struct Attempt {
     std::vector<int> missing;       ///< asked, but not answered
     std::optional<FaultKind> fault; ///< the most telling trouble, if something is missing
     bool refused = false;           ///< not sent, because of the unrest on the line
+    std::optional<int> foreignId;   ///< a reply that came meanwhile, from an ID that was not asked
     base::Duration sentAt{};
     base::Duration endedAt{};
 };

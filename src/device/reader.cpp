@@ -174,7 +174,7 @@ base::Result<Servo> identifyBy(int id, const std::vector<Protocol>& protocols, A
             found = std::move(*servo);
         } else if (!concernsServo(servo.error().code)) {
             return servo;
-        } else if (failure.code == ErrorCode::NoAnswer ||
+        } else if ((failure.code == ErrorCode::NoAnswer && failure.detail.isEmpty()) ||
                    servo.error().code == ErrorCode::LineBusy) {
             failure = servo.error();
         }

@@ -92,6 +92,14 @@ QString notSupported(const base::Error& error)
     return {};
 }
 
+/// "from ID": what replied, when nothing did under the ID that was asked; empty: nothing.
+QString repliedInstead(const base::Error& error)
+{
+    static const QString prefix = QStringLiteral("from ");
+    const bool foreign = error.code == ErrorCode::NoAnswer && error.detail.startsWith(prefix);
+    return foreign ? error.detail.mid(prefix.size()) : QString();
+}
+
 /// Torque on holds a servo where it is, and it may not be there.
 bool standsOutside(const base::Error& error)
 {
@@ -155,6 +163,8 @@ QString specialCase(const base::Error& error)
     }
     if (const QString bar = writeBarCase(error); !bar.isEmpty())
         return bar;
+    if (const QString other = repliedInstead(error); !other.isEmpty())
+        return translate("text", "no answer under this ID, but ID %1 replied").arg(other);
     switch (error.code) {
     case ErrorCode::OutOfRange:
         return standsOutside(error)
@@ -191,6 +201,9 @@ QString specialCause(const base::Error& error)
         return bar;
     if (standsOutside(error))
         return translate("text", "Holding it where it is would mean a goal beyond its limits.");
+    if (!repliedInstead(error).isEmpty())
+        return translate("text", "The servo answers under another ID than the one it hears, or a "
+                                 "second program uses the bus.");
     if (takenByBraille(error))
         return translate("text", "It takes adapters with this chip for braille displays, and their "
                                  "port vanishes.");
@@ -207,6 +220,9 @@ QString specialRemedy(const base::Error& error)
         return bar;
     if (standsOutside(error))
         return translate("text", "Turn it by hand into its range, or move it to a goal inside.");
+    if (!repliedInstead(error).isEmpty())
+        return translate("text", "Close other programs that use the bus, connect this servo alone, "
+                                 "and search for it.");
     if (takenByBraille(error))
         return translate("text", "If nobody here reads braille, run \"sudo apt remove brltty\", "
                                  "then plug the adapter in again.");

@@ -422,6 +422,21 @@ private Q_SLOTS:
         QCOMPARE(bench.counters(99).foreign, std::uint64_t(1));
     }
 
+    /// It is no silence: the error names the ID that replied instead.
+    void namesTheIdThatRepliedInstead()
+    {
+        Bench bench;
+        bench.open();
+        bench.script.intercept = [&bench](const Bytes&) {
+            bench.script.reply(frameOf(2, 0, {0x10, 0x20}));
+            return true;
+        };
+        const auto outcome = bench.transact(Request::read(1, 56, 2));
+        QVERIFY(!outcome);
+        QCOMPARE(outcome.error().code, ErrorCode::NoAnswer);
+        QCOMPARE(outcome.error().detail, QStringLiteral("from 2"));
+    }
+
     void endlessNoiseDoesNotBlockForEver()
     {
         Bench bench;
