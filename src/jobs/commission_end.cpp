@@ -39,19 +39,21 @@ CommissionTrouble troubleOf(const base::Error& error)
 }
 } // namespace
 
-/// True: it is the very servo, and what was begun on it has been brought to one side.
-base::Result<bool> CommissionLine::stayed(CommissionWork& work, const CommissionPending& begun)
+/// Is it the very servo? Then what was begun on it is brought to one side.
+base::Result<CommissionLine::Stay> CommissionLine::stayed(CommissionWork& work,
+                                                          const CommissionPending& begun)
 {
     if (m_context.bus.hasBaud() && m_context.bus.baud() != work.servo.baud) {
         if (const auto set = m_context.bus.setBaud(work.servo.baud); !set)
             return tl::unexpected(set.error());
     }
     if (!leftOpen(m_context, work.servo, begun))
-        return false;
+        return Stay::NotProven;
     const auto settled = settleIntents(m_context, work.servo, begun.at);
     if (!settled && endsLine(settled.error().code))
         return tl::unexpected(settled.error());
-    return settled.has_value() && !owesChange(m_context, work.servo, begun.at);
+    const bool over = settled.has_value() && !owesChange(m_context, work.servo, begun.at);
+    return over ? Stay::Settled : Stay::Unsettled;
 }
 
 /// Ends the line, or waits for a servo that has gone away, or sets its failure down.
@@ -89,7 +91,7 @@ base::Result<void> CommissionLine::failed(CommissionWork& work, const base::Erro
         if (!known)
             return tl::unexpected(known.error());
         // It may have been swapped for another one, so it is identified again.
-        if (!*known && ++m_returns[work.newId] <= maxReturns) {
+        if (*known == Stay::NotProven && ++m_returns[work.newId] <= maxReturns) {
             m_lost = true;
             return {};
         }

@@ -58,7 +58,12 @@ private:
     base::Result<void> begin(CommissionWork& work, CommissionView& view);
     base::Result<void> takeId(CommissionWork& work);
     base::Result<void> placed(CommissionWork& work);
-    base::Result<bool> stayed(CommissionWork& work, const record::CommissionPending& begun);
+    enum class Stay : std::uint8_t {
+        NotProven, ///< another one may be here by now
+        Settled,   ///< the very servo, and nothing of it is open any more
+        Unsettled, ///< the very servo: its lock does not close, or a write is refused
+    };
+    base::Result<Stay> stayed(CommissionWork& work, const record::CommissionPending& begun);
     base::Result<void> failed(CommissionWork& work, const base::Error& error);
     base::Result<void> finish(CommissionWork& work);
     base::Result<void> keepName(CommissionWork& work, const QString& label);

@@ -202,7 +202,10 @@ base::Result<void> applyTemplate(const device::Context& context, const Commissio
         if (row.write.error)
             return tl::unexpected(*row.write.error);
     }
-    return base::fail(ErrorCode::Refused, QStringLiteral("template"), {}, work.servo.id);
+    const bool proven =
+        outcome->lock == device::LockState::Closed || outcome->lock == device::LockState::None;
+    return base::fail(proven ? ErrorCode::Refused : ErrorCode::LockOpen, QStringLiteral("template"),
+                      {}, work.servo.id);
 }
 
 base::Result<void> giveId(const device::Context& context, CommissionWork& work)

@@ -573,6 +573,33 @@ private Q_SLOTS:
         }
     }
 
+    /// It never left: its row says what was written and that the lock is open.
+    void aLockThatDoesNotClose()
+    {
+        CommissionBench line(q("sts3215@1"));
+        pullSpec(line);
+        line.keepsTables = true;
+        bool opened = false;
+        line.bench.tap().onWrite = [&](const base::Bytes& bytes) {
+            opened = opened || (bytes[4] == support::Write && bytes[5] == 55 && bytes[6] == 0);
+            if (opened && bytes[4] == support::Read)
+                line.servoAt(0).poke(q("lock"), 0);
+        };
+        line.hand = [&](const CommissionView& view) {
+            if (view.step == CommissionStep::Waiting && opened)
+                line.bench.stop().request();
+            return view.step == CommissionStep::Waiting && opened;
+        };
+        (void)line.run();
+        QCOMPARE(line.batch.rows.size(), std::size_t{1});
+        const CommissionRow& row = line.batch.rows.front();
+        QCOMPARE(row.verdict, CommissionVerdict::Failed);
+        QCOMPARE(row.troubles.back().word, q("lock-open"));
+        QVERIFY(row.written > 0);
+        QVERIFY(!line.batch.pending.empty());
+        QVERIFY(!line.bench.journal().open()->empty());
+    }
+
     /// The click was about the one that stood there when it was asked for.
     void swappedBeforeTheClick()
     {

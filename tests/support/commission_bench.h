@@ -62,7 +62,12 @@ public:
         hooks.answer = [this] { return answer ? answer() : jobs::CommissionAnswer::None; };
         hooks.save = [this](const device::Context&, device::Servo& servo) -> base::Result<QString> {
             saved.push_back(servo.id);
-            return QStringLiteral("table-%1").arg(saved.size());
+            const QString name = QStringLiteral("table-%1").arg(saved.size());
+            if (!keepsTables)
+                return name;
+            const QString file = folder.filePath(name);
+            return record::saveSnapshot(jobs::snapshotOf(servo, QStringLiteral("test")), file)
+                .map([&] { return file; });
         };
         hooks.name = name;
         return jobs::commission(bench.context(), spec, batch, csv(), hooks);
@@ -129,6 +134,7 @@ public:
     /// True: this view has been dealt with, the usual hand rests.
     std::function<bool(const jobs::CommissionView&)> hand;
     bool keptInTime = true;
+    bool keepsTables = false; ///< its tables are files
     std::size_t current = 0;
     base::Duration pluggedAt{};
 
