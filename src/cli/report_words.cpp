@@ -83,6 +83,9 @@ QString servoTitle(const device::Servo& servo)
     const catalog::Profile& profile = *servo.profile;
     if (profile.identity.firmwareMajor < 0) // it says nothing of itself
         return profile.modelName;
+    if (profile.modelName.contains(profile.identity.modelId())) // a model without a name
+        return translate("cli", "%1, firmware %2")
+            .arg(profile.modelName, profile.identity.firmware());
     return translate("cli", "%1 (%2), firmware %3")
         .arg(profile.modelName, profile.identity.modelId(), profile.identity.firmware());
 }

@@ -327,7 +327,21 @@ void addOutcome(Json& json, const jobs::RestoreOutcome& outcome)
         .add("torque_switched_off", outcome.torqueSwitchedOff)
         .add("new_id", outcome.newId)
         .add("new_baud", outcome.newBaud);
+    if (!outcome.notPutBack.isEmpty())
+        json.add("not_put_back", outcome.notPutBack);
 }
+
+namespace {
+QString notPutBackText(const jobs::RestoreOutcome& outcome)
+{
+    if (outcome.notPutBack.isEmpty())
+        return {};
+    return translate("cli", "Could not be put back: %1. The change stays open; look at it with: "
+                            "servodesk-cli recover")
+               .arg(outcome.notPutBack.join(QStringLiteral(", "))) +
+           QLatin1Char('\n');
+}
+} // namespace
 
 QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& servo)
 {
@@ -351,7 +365,7 @@ QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& se
            QLatin1Char('\n') + why +
            translate("cli", "Result: %1")
                .arg(text::restoreVerdictWords(jobs::verdictName(outcome.verdict))) +
-           QLatin1Char('\n');
+           QLatin1Char('\n') + notPutBackText(outcome);
 }
 
 bool wentWell(const jobs::RestoreOutcome& outcome)

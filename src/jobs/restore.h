@@ -49,6 +49,8 @@ struct RestoreOutcome {
     bool torqueSwitchedOff = false;
     int oldId = -1, newId = -1;
     int oldBaud = 0, newBaud = 0;
+    /// Rolling back was asked for, and these may not be as they were before.
+    QStringList notPutBack{};
 };
 
 base::Result<RestoreOutcome> restore(const device::Context& context, device::Servo& servo,

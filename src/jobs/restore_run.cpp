@@ -307,8 +307,11 @@ void Restorer::rollBack()
         options.kind = base::IntentKind::Restore;
         options.torqueOff = true;
         const auto written = device::write(m_context, m_servo, items, options);
-        if (!written)
+        if (!written) {
+            for (const device::WriteItem& item : items)
+                m_outcome.notPutBack << item.key;
             return;
+        }
         report = *written;
     }
     m_outcome.lock = report.lock;
@@ -319,6 +322,8 @@ void Restorer::rollBack()
         row.rolledBack = back != report.writes.end() && took(*back);
         if (back != report.writes.end())
             row.write.readBack = back->readBack;
+        if (back != report.writes.end() && !row.rolledBack)
+            m_outcome.notPutBack << row.write.key;
     }
     if (!report.allGood())
         return;

@@ -113,13 +113,14 @@ constexpr std::array entries{
           QT_TRANSLATE_NOOP("text", "The LED setting (%3) could not be put back; it is noted in "
                                     "the journal. Use recover when the servo answers again.")},
     Entry{NoticeCode::NotRecorded, "not-recorded",
-          QT_TRANSLATE_NOOP("text", "Not recorded: the outcome of this change could not be saved to "
-                                    "the history (%3). It stays listed as open; look at it with "
-                                    "recover when the history can be written again.")},
+          QT_TRANSLATE_NOOP("text",
+                            "Not recorded: the outcome of this change could not be saved to "
+                            "the history (%3). It stays listed as open; look at it with "
+                            "recover when the history can be written again.")},
     Entry{NoticeCode::SettingNotPutBack, "setting-not-put-back",
-          QT_TRANSLATE_NOOP("text", "%3 could not be put back to %1 after the test; it is noted in "
-                                    "the journal. Use recover when the servo answers again. At "
-                                    "power-off the servo forgets the trial by itself.")},
+          QT_TRANSLATE_NOOP("text", "%3 could not be put back to %1; it is noted in the journal. "
+                                    "Use recover when the servo answers again. At power-off the "
+                                    "servo forgets the temporary value by itself.")},
 };
 
 const Entry* entryFor(NoticeCode code)
