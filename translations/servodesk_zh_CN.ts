@@ -2049,11 +2049,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>something answers, but nothing readable</source>
-        <translation type="unfinished"></translation>
+        <translation>有应答，但无法识别</translation>
     </message>
     <message>
         <source>values of later writes, which stay</source>
-        <translation type="unfinished"></translation>
+        <translation>之后写入的值，保持不变</translation>
     </message>
 </context>
 <context>
@@ -4279,19 +4279,19 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>something answers, but nothing readable</source>
-        <translation type="unfinished"></translation>
+        <translation>有应答，但无法识别</translation>
     </message>
     <message>
         <source>later writes have replaced it</source>
-        <translation type="unfinished"></translation>
+        <translation>已被之后的写入取代</translation>
     </message>
     <message>
         <source>%1 registers</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个参数</translation>
     </message>
     <message>
         <source>Change %1:</source>
-        <translation type="unfinished"></translation>
+        <translation>更改 %1：</translation>
     </message>
     <message>
         <source>The trial was not run.</source>
@@ -4307,11 +4307,11 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>switch torque; on holds where the servo is, off is sent whatever speaks against writing</source>
-        <translation type="unfinished"></translation>
+        <translation>开关扭矩；on 保持当前位置，off 在任何情况下都会发送</translation>
     </message>
     <message>
         <source>end the motion; torque stays as it is, and goes off where holding cannot be proven</source>
-        <translation type="unfinished"></translation>
+        <translation>停止运动；扭矩状态不变，无法确认保持位置时卸力</translation>
     </message>
     <message>
         <source>An interrupted change is open on this port (ID %1). To look at it, finish it or undo it: %2</source>
@@ -4323,11 +4323,11 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>%1, firmware %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，固件 %2</translation>
     </message>
     <message>
         <source>Could not be put back: %1. The change stays open; look at it with: servodesk-cli recover</source>
-        <translation type="unfinished"></translation>
+        <translation>未能写回：%1。该更改仍未写完，请查看：servodesk-cli recover</translation>
     </message>
 </context>
 <context>
@@ -6385,11 +6385,11 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>Connect one servo at a time and change its ID. If only this servo is connected, check leads and ground, then try again: every attempt looks afresh. Switching torque off still reaches both.</source>
-        <translation type="unfinished"></translation>
+        <translation>每次只连接一个舵机并更改其 ID。如果只连接了这一个舵机，请检查导线和地线后重试：每次都会重新检查。卸力指令仍能到达两个舵机。</translation>
     </message>
     <message>
         <source>%1 Torque off was sent all the same; nothing proves that it took effect.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1仍已发送卸力指令，但无法证明其已生效。</translation>
     </message>
     <message>
         <source>this servo failed the test, so it cannot be a reference</source>
@@ -6409,27 +6409,27 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>it restarted or was exchanged in the middle, so it is unknown whether the value is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机在写入过程中重新启动或被更换，因此不知道该值是否已保存</translation>
     </message>
     <message>
         <source>Its supply failed for a moment, or another servo was plugged in under this ID.</source>
-        <translation type="unfinished"></translation>
+        <translation>供电瞬间中断，或换上了 ID 相同的另一个舵机。</translation>
     </message>
     <message>
         <source>Check plug and supply, connect the servo that was written to, then look at the open change (recover).</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查插头和供电，接上原先写入的舵机，然后查看未写完的更改（recover）。</translation>
     </message>
     <message>
         <source>it did not acknowledge, and every value is as before, so it is unknown whether it did it</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机没有应答，所有值都与之前相同，因此不知道是否已执行</translation>
     </message>
     <message>
         <source>Its firmware ignores this command, or its settings were the defaults already.</source>
-        <translation type="unfinished"></translation>
+        <translation>固件忽略该指令，或其设置原本就是出厂值。</translation>
     </message>
     <message>
         <source>Compare its memory table with the defaults, and write what differs.</source>
-        <translation type="unfinished"></translation>
+        <translation>请将内存表与出厂值对比，并写入不同的值。</translation>
     </message>
     <message>
         <source>not kept yet</source>
@@ -6441,19 +6441,19 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>no answer under this ID, but ID %1 replied</source>
-        <translation type="unfinished"></translation>
+        <translation>此 ID 无应答，但 ID %1 有应答</translation>
     </message>
     <message>
         <source>The servo answers under another ID than the one it hears, or a second program uses the bus.</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机用另一个 ID 应答，或有另一个程序在使用总线。</translation>
     </message>
     <message>
         <source>Close other programs that use the bus, connect this servo alone, and search for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>请关闭使用总线的其他程序，只连接这个舵机并进行搜索。</translation>
     </message>
     <message>
         <source>%3 could not be put back to %1; it is noted in the journal. Use recover when the servo answers again. At power-off the servo forgets the temporary value by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>%3 未能恢复为 %1；已记入写入日志。舵机再次应答后请使用 recover。断电后舵机会自行丢弃临时值。</translation>
     </message>
 </context>
 <context>
