@@ -7,6 +7,7 @@
 #include "session/server_source.h"
 #include "text/error_words.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/fit_columns.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -200,11 +201,8 @@ std::optional<int> HistoryPage::current() const
 
 void HistoryPage::showState()
 {
-    if (std::exchange(m_unsized, m_table.rowCount() == 0) && m_table.rowCount() > 0) {
-        m_view->horizontalHeader()->setStretchLastSection(false);
-        m_view->resizeColumnsToContents();
-        m_view->horizontalHeader()->setStretchLastSection(true);
-    }
+    if (std::exchange(m_unsized, m_table.rowCount() == 0) && m_table.rowCount() > 0)
+        m_columns->fit();
     const HistoryKind kind = m_table.kind();
     const bool one = current().has_value();
     const bool writes = kind == HistoryKind::Writes;

@@ -21,6 +21,7 @@ class QTableView;
 
 namespace ui {
 class Banner;
+class FitColumns;
 
 class HistoryPage final : public QWidget {
     Q_OBJECT
@@ -88,6 +89,7 @@ private:
     QLabel* m_count = nullptr;
     QLabel* m_serverState = nullptr;
     QTableView* m_view = nullptr;
+    FitColumns* m_columns = nullptr;
     QPushButton* m_open = nullptr;
     QPushButton* m_label = nullptr;
     QPushButton* m_export = nullptr;

@@ -2,6 +2,7 @@
 // What the history page consists of, and its words.
 #include "ui/pages/history_page.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/fit_columns.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/tone_delegate.h"
 
@@ -46,7 +47,7 @@ void HistoryPage::build()
     m_view->setWordWrap(false);
     m_view->verticalHeader()->hide();
     m_view->verticalHeader()->setDefaultSectionSize(m_view->fontMetrics().height() + rowPadding);
-    m_view->horizontalHeader()->setStretchLastSection(true);
+    m_columns = new FitColumns(m_view);
     m_view->horizontalHeader()->setHighlightSections(false);
     column->addWidget(m_banner);
     column->addWidget(buildFilters());

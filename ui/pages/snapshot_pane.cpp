@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/snapshot_pane.h"
 
+#include "ui/widgets/fit_columns.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/pill.h"
 #include "ui/widgets/tone_delegate.h"
@@ -25,9 +26,12 @@ SnapshotPane::SnapshotPane(QWidget* parent)
     build();
     m_filter.setSourceModel(&m_model);
     m_table->setModel(&m_filter);
+    m_fit = new FitColumns(m_table);
+    connect(&m_model, &CompareModel::modelReset, m_fit, &FitColumns::fit);
     connect(m_all, &QToolButton::toggled, this, [this](bool all) {
         m_filter.setAll(all);
         showCounts();
+        m_fit->fit();
     });
     retranslate();
 }
@@ -72,8 +76,6 @@ void SnapshotPane::build()
     m_table->setWordWrap(false);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + rowPadding);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setHighlightSections(false);
     // One long list of flags must not push the other columns out of sight; its tooltip has it
     // whole.

@@ -12,6 +12,7 @@ class QTableView;
 class QToolButton;
 
 namespace ui {
+class FitColumns;
 class Pill;
 
 class SnapshotPane final : public QWidget {
@@ -46,6 +47,7 @@ private:
     QToolButton* m_all = nullptr;
     QToolButton* m_columns = nullptr;
     QTableView* m_table = nullptr;
+    FitColumns* m_fit = nullptr;
     QLabel* m_nothing = nullptr;
 };
 } // namespace ui

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/fit_columns.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QTableView>
+
+#include <algorithm>
+#include <vector>
+
+namespace ui {
+namespace {
+constexpr int fewestLetters = 6;
+}
+
+FitColumns::FitColumns(QTableView* table)
+    : QObject(table)
+    , m_table(table)
+{
+    QHeaderView* header = table->horizontalHeader();
+    header->setSectionResizeMode(QHeaderView::Interactive);
+    header->setStretchLastSection(true);
+    table->viewport()->installEventFilter(this);
+    connect(table->model(), &QAbstractItemModel::modelReset, this, &FitColumns::fit);
+}
+
+bool FitColumns::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize && m_table->viewport()->width() != m_width)
+        fit();
+    return QObject::eventFilter(watched, event);
+}
+
+/// The heading stays readable.
+int FitColumns::leastOf(int column) const
+{
+    return std::max(m_table->horizontalHeader()->sectionSizeHint(column),
+                    fewestLetters * m_table->fontMetrics().averageCharWidth());
+}
+
+void FitColumns::fit()
+{
+    QHeaderView* header = m_table->horizontalHeader();
+    const int count = header->count();
+    m_width = m_table->viewport()->width();
+    if (count == 0)
+        return;
+    header->setStretchLastSection(false);
+    m_table->resizeColumnsToContents();
+    std::vector<int> widths;
+    int sum = 0;
+    for (int column = 0; column < count; ++column) {
+        widths.push_back(header->isSectionHidden(column) ? 0 : header->sectionSize(column));
+        sum += widths.back();
+    }
+    while (sum > m_width) {
+        int widest = -1;
+        int next = 0; // as wide as the one after it is enough for the first
+        for (int column = 0; column < count; ++column) {
+            const int width = widths[std::size_t(column)];
+            if (width <= leastOf(column))
+                continue;
+            if (widest < 0 || width > widths[std::size_t(widest)]) {
+                next = widest < 0 ? 0 : widths[std::size_t(widest)];
+                widest = column;
+            } else {
+                next = std::max(next, width);
+            }
+        }
+        if (widest < 0)
+            break;
+        int& width = widths[std::size_t(widest)];
+        const int wanted =
+            std::max({leastOf(widest), std::min(next, width - 1), width - (sum - m_width)});
+        sum -= width - wanted;
+        width = wanted;
+    }
+    for (int column = 0; column < count; ++column) {
+        if (!header->isSectionHidden(column))
+            header->resizeSection(column, widths[std::size_t(column)]);
+    }
+    header->setStretchLastSection(true);
+}
+} // namespace ui
