@@ -84,6 +84,8 @@ private Q_SLOTS:
     void laterIsNotAskedTwice();
     void forgettingAsksFirst();
     void theOneChosenIsSettledAlone();
+    void aTrialIsPutBackAndSaysSo();
+    void undoTakesBackAllOfAFinishedWrite();
     void nobodyThereCannotBeSettled();
     void nothingOpenSaysSo();
     void anotherPortIsNamedAtTheFirstConnection();
@@ -181,7 +183,7 @@ void TestIntentsDialog::isOfferedAfterTheFirstSearch()
     QVERIFY(bench.search(1, 1));
     QDialog* dialog = bench.dialog("intentsDialog");
     QVERIFY(dialog);
-    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("nothing of it was written"));
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
     QTest::keyClick(dialog, Qt::Key_Escape);
     QVERIFY(bench.settled());
     QCOMPARE(bench.raw(1, "max_temperature"), before);
@@ -236,6 +238,51 @@ void TestIntentsDialog::theOneChosenIsSettledAlone()
     QCOMPARE(open->size(), std::size_t(1));
     QCOMPARE(open->front().uuid, first);
     QVERIFY(second != first);
+}
+
+/// Finishing a test's settings puts them back: no word of a change that was finished.
+void TestIntentsDialog::aTrialIsPutBackAndSaysSo()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    base::Intent intent;
+    intent.kind = base::IntentKind::Trial;
+    intent.temporary = true;
+    intent.servo = bench.entry().servo.identity();
+    const std::int64_t before = bench.raw(1, "position_p");
+    intent.items = {{text("position_p"), 21, before, before + 28}};
+    QVERIFY(bench.session.journal().begin(intent));
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
+    QCOMPARE(gui::button(dialog, "intentFinish")->text(), text("Put back"));
+    gui::click(dialog, "intentFinish");
+    QTRY_VERIFY(gui::resultOf(dialog).contains(text("settings from before the test")));
+    QVERIFY(!gui::resultOf(dialog).contains(text("finished")));
+    QCOMPARE(bench.raw(1, "position_p"), before);
+    QVERIFY(bench.session.journal().open()->empty());
+}
+
+/// Of an interrupted write what had been changed in this session would be undone alone, and leave a
+/// mixture behind.
+void TestIntentsDialog::undoTakesBackAllOfAFinishedWrite()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(interrupt(bench));
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    gui::click(dialog, "intentFinish");
+    QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
+    QTRY_VERIFY(bench.desk.nextUndo() != nullptr);
+    QCOMPARE(bench.desk.nextUndo()->before.size(), std::size_t(5));
+    QVERIFY(bench.settled());
+    bench.desk.undo();
+    QVERIFY(bench.settled());
+    QTRY_COMPARE(bench.raw(1, "overload_torque"), 80);
+    QCOMPARE(bench.raw(1, "max_temperature"), 70);
+    QCOMPARE(bench.raw(1, "min_angle_limit"), 0);
+    QVERIFY(bench.desk.nextUndo() == nullptr); // nothing of it is left over
 }
 
 void TestIntentsDialog::nobodyThereCannotBeSettled()
@@ -295,7 +342,7 @@ void TestIntentsDialog::anAdapterUnderAnotherNameIsLookedAt()
     QCOMPARE(table(dialog)->model()->rowCount(), 0);
     gui::click(dialog, "intentsLookHere");
     QTRY_COMPARE(table(dialog)->model()->rowCount(), 1);
-    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("nothing of it was written"));
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
     QVERIFY(gui::textOf(dialog, "intentsElsewhere").isEmpty());
     table(dialog)->selectRow(0);
     gui::click(dialog, "intentFinish");

@@ -3,6 +3,7 @@
 
 #include "text/translate.h"
 #include "ui/dialogs/ask.h"
+#include "ui/widgets/fit_columns.h"
 
 #include <QEvent>
 #include <QHeaderView>
@@ -23,6 +24,37 @@ namespace {
 constexpr int startWidth = 880;
 constexpr int startHeight = 420;
 constexpr int margin = 24;
+
+/// Of a test's settings and a blinked LED there is no change to finish: both ways put them back.
+bool onlyPutBack(const base::Intent& intent)
+{
+    return intent.kind == base::IntentKind::Trial || intent.kind == base::IntentKind::Identify;
+}
+
+/// What settling it has really done, which is not always what the button says.
+TaskWords settledWords(const Recovered& one)
+{
+    if (one.error)
+        return errorWords(*one.error);
+    const base::Intent& intent = one.before.intent;
+    const bool asBefore = one.before.finding == Finding::AllOld;
+    QString line;
+    if (onlyPutBack(intent))
+        line = asBefore
+                   ? translate("ServoTasks", "The servo has the settings from before the test: "
+                                             "nothing had to be put back.")
+                   : translate("ServoTasks", "The settings from before the test have been put "
+                                             "back.");
+    else if (one.action == RecoverAction::Undo)
+        line = translate("ServoTasks", "The old values are back.");
+    else
+        line = translate("ServoTasks", "The change has been finished.");
+    TaskWords words{Tone::Good, line};
+    if (one.report)
+        words.more << lockLine(one.report->lock);
+    words.more.removeAll(QString());
+    return words;
+}
 
 bool settleable(const Recovered& one)
 {
@@ -76,7 +108,7 @@ void IntentsDialog::build()
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setWordWrap(false);
     m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_columns = new FitColumns(m_table);
     m_table->setTabKeyNavigation(false);
     m_elsewhereText->setObjectName(QStringLiteral("intentsElsewhere"));
     m_elsewhereText->setWordWrap(true);
@@ -112,6 +144,13 @@ void IntentsDialog::build()
     setMinimumSize(startWidth, startHeight);
 }
 
+void IntentsDialog::say(QPushButton* button, const QString& text, const QString& tip)
+{
+    button->setText(text);
+    button->setAccessibleName(text);
+    button->setToolTip(tip);
+}
+
 void IntentsDialog::retranslate()
 {
     setWindowTitle(translate("ServoTasks", "Interrupted writes"));
@@ -127,13 +166,7 @@ void IntentsDialog::retranslate()
                    "power failed, or the program was ended. Looking at them wrote nothing. Choose "
                    "what to do with each; what is left for later is offered again at the next "
                    "connection."));
-    const auto say = [](QPushButton* button, const QString& text, const QString& tip) {
-        button->setText(text);
-        button->setAccessibleName(text);
-        button->setToolTip(tip);
-    };
-    say(m_finish, translate("ServoTasks", "Finish"),
-        translate("ServoTasks", "Write what is missing, prove it, and close the lock"));
+    nameFinish();
     say(m_undo, translate("ServoTasks", "Undo"),
         translate("ServoTasks", "Put the old values back, prove them, and close the lock"));
     say(m_forget, translate("ServoTasks", "Forget…"),
@@ -155,9 +188,22 @@ const Recovered* IntentsDialog::current() const
     return rows.isEmpty() ? nullptr : m_model->at(rows.first().row());
 }
 
+void IntentsDialog::nameFinish()
+{
+    const Recovered* one = current();
+    if (one != nullptr && onlyPutBack(one->before.intent))
+        say(m_finish, translate("ServoTasks", "Put back"),
+            translate("ServoTasks", "Put the settings from before the test back and prove them"));
+    else
+        say(m_finish, translate("ServoTasks", "Finish"),
+            translate("ServoTasks", "Write what is missing, prove it, and close the lock. Undo "
+                                    "then takes back the whole change"));
+}
+
 void IntentsDialog::updateButtons()
 {
     const Recovered* one = current();
+    nameFinish();
     const bool free = one != nullptr && m_settling.isEmpty();
     const bool open = m_desk.state() == session::LinkState::Open;
     m_finish->setEnabled(free && open && settleable(*one));
@@ -171,7 +217,6 @@ void IntentsDialog::settle(RecoverAction action)
     if (one == nullptr || !m_settling.isEmpty())
         return;
     m_settling = one->before.intent.uuid;
-    m_action = action;
     m_result->tell([] { return TaskWords{Tone::Quiet, translate("ServoTasks", "Working…")}; });
     updateButtons();
     m_desk.settleIntent(m_settling, action);
@@ -206,8 +251,7 @@ void IntentsDialog::found(const std::vector<Recovered>& all,
     retranslate();
     if (!all.empty())
         m_table->selectRow(0);
-    for (int column = 0; column < m_model->columnCount() - 1; ++column)
-        m_table->resizeColumnToContents(column);
+    m_columns->fit();
     if (all.empty() && elsewhere.empty() && !m_result->isVisibleTo(this))
         m_result->tell([] {
             return TaskWords{Tone::Good, translate("ServoTasks", "No change was left open.")};
@@ -218,20 +262,8 @@ void IntentsDialog::found(const std::vector<Recovered>& all,
 void IntentsDialog::settled(const std::vector<Recovered>& one)
 {
     const QString uuid = std::exchange(m_settling, QString());
-    const bool undone = m_action == RecoverAction::Undo;
-    if (!one.empty() && one.front().before.intent.uuid == uuid) {
-        m_result->tell([first = one.front(), undone] {
-            if (first.error)
-                return errorWords(*first.error);
-            TaskWords words{Tone::Good,
-                            undone ? translate("ServoTasks", "The old values are back.")
-                                   : translate("ServoTasks", "The change has been finished.")};
-            if (first.report)
-                words.more << lockLine(first.report->lock);
-            words.more.removeAll(QString());
-            return words;
-        });
-    }
+    if (!one.empty() && one.front().before.intent.uuid == uuid)
+        m_result->tell([first = one.front()] { return settledWords(first); });
     if (!one.empty() && one.front().done)
         m_model->remove(uuid);
     retranslate();

@@ -16,6 +16,7 @@ class QPushButton;
 class QTableView;
 
 namespace ui {
+class FitColumns;
 class IntentsDialog final : public QDialog {
     Q_OBJECT
 
@@ -29,6 +30,8 @@ protected:
 private:
     void build();
     void retranslate();
+    static void say(QPushButton* button, const QString& text, const QString& tip);
+    void nameFinish();
     void updateButtons();
     const jobs::Recovered* current() const;
     void settle(jobs::RecoverAction action);
@@ -42,6 +45,7 @@ private:
     IntentsModel* m_model;
     QLabel* m_explanation;
     QTableView* m_table;
+    FitColumns* m_columns = nullptr;
     QLabel* m_elsewhereText;
     QPushButton* m_lookHere;
     std::vector<base::Intent> m_elsewhere;
@@ -52,7 +56,6 @@ private:
     QPushButton* m_forget;
     QPushButton* m_later;
     QString m_settling; ///< uuid of the one being worked on
-    jobs::RecoverAction m_action = jobs::RecoverAction::Look;
     bool m_linkWasOpen = true;
 };
 } // namespace ui

@@ -139,11 +139,11 @@ QString findingWord(Finding finding)
 {
     switch (finding) {
     case Finding::AllOld:
-        return translate("ServoTasks", "nothing of it was written");
+        return translate("ServoTasks", "the old values");
     case Finding::AllNew:
-        return translate("ServoTasks", "all of it was written");
+        return translate("ServoTasks", "the new values");
     case Finding::Mixed:
-        return translate("ServoTasks", "part of it was written");
+        return translate("ServoTasks", "some new, some old values");
     case Finding::OtherServo:
         return translate("ServoTasks", "another servo, or other values: hands off");
     case Finding::NoAnswer:
