@@ -5,6 +5,7 @@
 #include "device/talk.h"
 #include "device/write_access.h"
 #include "jobs/link_return.h"
+#include "jobs/recover_settle.h"
 #include "jobs/step_meter.h"
 #include "jobs/sweep_runner.h"
 #include "jobs/temporary.h"
@@ -292,6 +293,31 @@ base::Result<record::StepRun> StepJob::ride()
 }
 } // namespace
 
+namespace {
+/// What an interrupted trial has left in the servo is none of its own values: they go back first.
+base::Result<void> endEarlierTrials(const device::Context& context, const device::Servo& servo)
+{
+    const auto open = context.journal.open();
+    if (!open)
+        return tl::unexpected(open.error());
+    const base::ServoIdentity who = servo.identity();
+    const int baud = context.bus.baud();
+    for (const base::Intent& intent : *open) {
+        if (intent.kind != base::IntentKind::Trial || intent.servo.id != who.id ||
+            intent.servo.port != who.port || !intent.servo.sameKind(who))
+            continue;
+        const auto back = recoverOne(context, intent, RecoverAction::Undo);
+        if (context.bus.hasBaud())
+            (void)context.bus.setBaud(baud);
+        if (!back)
+            return tl::unexpected(back.error());
+        if (back->error)
+            return tl::unexpected(*back->error);
+    }
+    return {};
+}
+} // namespace
+
 base::Result<record::StepRun> stepResponse(const device::Context& outer, device::Servo& servo,
                                            const StepOrder& order, const StepWatch& watch)
 {
@@ -303,6 +329,8 @@ base::Result<record::StepRun> stepResponse(const device::Context& outer, device:
     const auto may = device::beginWriting(context, servo, QStringLiteral("step-response"));
     if (!may)
         return tl::unexpected(may.error());
+    if (const auto ended = endEarlierTrials(context, servo); !ended)
+        return tl::unexpected(ended.error());
     return StepJob(context, servo, order, watch).run();
 }
 } // namespace jobs

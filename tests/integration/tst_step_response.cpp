@@ -153,6 +153,7 @@ private Q_SLOTS:
     void aStopWhileThePlugIsOutPutsGainsBackAfterIt();
     void aPlugPulledWhileGainsAreSetLeavesNothingBehind();
     void gainsThatWereLostBeforeTheFirstStepAreNoTrial();
+    void whatAnInterruptedTrialLeftIsNotBefore();
     void anotherModeIsSwitchedIfAsked();
     void whatForbidsIt_data();
     void whatForbidsIt();
@@ -514,6 +515,27 @@ void TestStepResponse::aPlugPulledWhileGainsAreSetLeavesNothingBehind()
 }
 
 /// It restarts before it is driven: what is measured then is not what was asked for.
+void TestStepResponse::whatAnInterruptedTrialLeftIsNotBefore()
+{
+    SimBench bench(text("sts3215@1"));
+    const auto own = bench.raw(1, text("position_p"));
+    base::Intent trial;
+    trial.kind = base::IntentKind::Trial;
+    trial.temporary = true;
+    trial.servo = bench.servo(1).identity();
+    trial.items = {{text("position_p"), 21, own, own + 28}};
+    QVERIFY(bench.journal().begin(trial));
+    bench.poke(1, text("position_p"), own + 28);
+    const auto done = run(bench, order());
+    QVERIFY2(done, done ? "" : qPrintable(base::errorName(done.error().code)));
+    const auto gain = std::find_if(done->gains.begin(), done->gains.end(),
+                                   [](const auto& one) { return one.key == text("position_p"); });
+    QCOMPARE(gain->raw, own);
+    QCOMPARE(bench.raw(1, text("position_p")), own);
+    QVERIFY(bench.journal().open()->empty());
+    QCOMPARE(bench.journal().entries()->front().end->outcome, text("undone"));
+}
+
 void TestStepResponse::gainsThatWereLostBeforeTheFirstStepAreNoTrial()
 {
     SimBench bench(text("sts3215@1"));
