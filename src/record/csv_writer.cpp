@@ -33,6 +33,8 @@ base::Result<std::unique_ptr<CsvWriter>> CsvWriter::create(const QString& path,
 {
     if (path.isEmpty())
         return tl::unexpected(noName(operation));
+    if (auto special = notForWriting(operation, path))
+        return tl::unexpected(std::move(*special));
     std::unique_ptr<CsvWriter> writer(new CsvWriter(path));
     if (!writer->m_file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered))
         return tl::unexpected(fileError(operation, writer->m_file));

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record/file_error.h"
 
+#include <QFile>
+
 #include <cerrno>
 #include <system_error>
+
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
 
 namespace record {
 namespace {
@@ -41,6 +48,28 @@ bool writeAll(QFileDevice& file, const QByteArray& bytes)
         done += put;
     }
     return true;
+}
+
+std::optional<base::Error> notForWriting(const QString& operation, const QString& path)
+{
+#ifdef Q_OS_UNIX
+    struct stat target = {};
+    if (::stat(QFile::encodeName(path).constData(), &target) != 0 ||
+        !(S_ISFIFO(target.st_mode) || S_ISSOCK(target.st_mode) || S_ISBLK(target.st_mode)))
+        return std::nullopt;
+    for (const int own : {STDOUT_FILENO, STDERR_FILENO}) {
+        struct stat output = {};
+        if (::fstat(own, &output) == 0 && output.st_dev == target.st_dev &&
+            output.st_ino == target.st_ino)
+            return std::nullopt;
+    }
+    return base::Error{base::ErrorCode::FileUnwritable, operation,
+                       path + QStringLiteral(": not a regular file")};
+#else
+    Q_UNUSED(operation)
+    Q_UNUSED(path)
+    return std::nullopt;
+#endif
 }
 
 base::Error noName(const QString& operation)

@@ -8,6 +8,8 @@
 
 #include <QFileDevice>
 
+#include <optional>
+
 namespace record {
 base::Error fileError(base::ErrorCode otherwise, const QString& operation, const QString& path,
                       int systemError);
@@ -18,6 +20,11 @@ base::Error fileError(const QString& operation, const QFileDevice& file);
 /// Writes to a file that was opened Unbuffered. Qt answers a short count without a reason when the
 /// disk becomes full half-way; the attempt to write the rest brings the reason.
 bool writeAll(QFileDevice& file, const QByteArray& bytes);
+
+/// What must not be written to under this name: a pipe would be waited for until something reads
+/// it, and a disk is no file. Devices such as a terminal or /dev/null may be, and this program's
+/// own output. Nothing: it may be written.
+std::optional<base::Error> notForWriting(const QString& operation, const QString& path);
 
 /// For an empty path, which Qt would complain about on stderr.
 base::Error noName(const QString& operation);

@@ -7,6 +7,10 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#ifdef Q_OS_UNIX
+#include <fcntl.h>
+#endif
+
 namespace record {
 namespace {
 const auto openMode = QIODevice::WriteOnly | QIODevice::Unbuffered;
@@ -23,6 +27,17 @@ bool writePieces(File& file, const std::function<void(const TextSink&)>& write)
     });
     return fine;
 }
+/// Some files of the system call themselves regular and wait for news (/proc/kmsg).
+bool openForReading(QFile& file)
+{
+#ifdef Q_OS_UNIX
+    const int descriptor = ::open(QFile::encodeName(file.fileName()).constData(),
+                                  O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (descriptor >= 0)
+        return file.open(descriptor, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle);
+#endif
+    return file.open(QIODevice::ReadOnly); // says why not
+}
 } // namespace
 
 base::Result<QByteArray> readTextFile(const QString& operation, const QString& path, qint64 largest)
@@ -35,7 +50,7 @@ base::Result<QByteArray> readTextFile(const QString& operation, const QString& p
         return base::fail(base::ErrorCode::FileUnreadable, operation,
                           path + QStringLiteral(": not a regular file"));
     QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
+    if (!openForReading(file))
         return base::fail(base::ErrorCode::FileUnreadable, operation,
                           path + QStringLiteral(": ") + file.errorString());
     const QByteArray text = file.read(largest + 1);
@@ -76,6 +91,8 @@ base::Result<void> saveIfMade(const QString& operation,
     const auto all = [&](const TextSink& sink) { made = write(sink); };
     if (path.isEmpty())
         return tl::unexpected(noName(operation));
+    if (auto special = notForWriting(operation, path))
+        return tl::unexpected(std::move(*special));
     const QFileInfo target(path);
     // Renaming onto a pipe or device would replace it by a file.
     if (target.exists() && !target.isFile() && !target.isDir()) {
