@@ -10,6 +10,7 @@
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QSqlRecord>
+#include <QStorageInfo>
 #include <QStringList>
 #include <QUuid>
 
@@ -23,11 +24,23 @@ const QString driver = QStringLiteral("QSQLITE");
 // The result codes of SQLite, as its documentation fixes them; the low byte of the extended ones.
 enum SqliteCode : int {
     unfit = 1, ///< "no such column": not the tables of this program
+    inputOutput = 10,
     damaged = 11,
     full = 13,
+    cannotOpen = 14,
     noDatabase = 26,
     baseCode = 0xff,
+    noRoomForIndex = 4874, ///< SQLITE_IOERR_SHMSIZE
 };
+
+/// Less than SQLite needs for its index of what is not in the database file yet.
+constexpr qint64 leastRoom = 64 * 1024;
+
+bool hasRoom(const QString& path)
+{
+    const QStorageInfo disk(QFileInfo(path).absolutePath());
+    return !disk.isValid() || disk.bytesAvailable() >= leastRoom;
+}
 
 int newest()
 {
@@ -61,7 +74,10 @@ base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path
         if (!database.open())
             return tl::unexpected(file->error(database.lastError()));
     }
-    if (const auto ready = file->prepare(); !ready)
+    auto ready = file->prepare();
+    if (!ready && ready.error().code == base::ErrorCode::DiskFull)
+        ready = file->prepareAlone();
+    if (!ready)
         return tl::unexpected(ready.error());
     if (isNew && !syncFolders(path, topmostOld))
         return base::fail(base::ErrorCode::FileUnwritable, operation,
@@ -95,6 +111,11 @@ base::Error HistoryFile::error(const QSqlError& error) const
         break;
     case full:
         code = base::ErrorCode::DiskFull;
+        break;
+    case inputOutput:
+    case cannotOpen:
+        if (error.nativeErrorCode().toInt() == noRoomForIndex || !hasRoom(m_path))
+            code = base::ErrorCode::DiskFull;
         break;
     default:
         break;
@@ -157,6 +178,19 @@ base::Result<int> HistoryFile::version() const
                                        .arg(found)
                                        .arg(newest()));
     return found;
+}
+
+/// On a full disk there is no room for the index that programs share. Alone, one needs none: what
+/// is there can still be read, also what is not in the database file yet. The connection must not
+/// have looked for the index before.
+base::Result<void> HistoryFile::prepareAlone() const
+{
+    QSqlDatabase database = QSqlDatabase::database(m_connection, false);
+    database.close();
+    if (!database.open())
+        return tl::unexpected(error(database.lastError()));
+    const auto alone = run(QStringLiteral("PRAGMA locking_mode = EXCLUSIVE"));
+    return alone ? prepare() : tl::unexpected(alone.error());
 }
 
 base::Result<void> HistoryFile::prepare() const

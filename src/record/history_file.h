@@ -51,6 +51,7 @@ protected:
 
 private:
     base::Result<void> prepare() const;
+    base::Result<void> prepareAlone() const;
     base::Result<void> migrate() const;
     base::Result<int> version() const;
     base::Error error(const QSqlError& error) const;
