@@ -7,6 +7,7 @@
 #include "cli/run.h"
 #include "cli/several.h"
 #include "cli/translate.h"
+#include "device/write_access.h"
 #include "jobs/scan_all.h"
 #include "session/safety_snapshot.h"
 
@@ -51,6 +52,11 @@ base::Result<Exit> runSave(Run& run, const Values& values)
         return tl::unexpected(servos.error());
     if (servos->empty())
         return base::fail(base::ErrorCode::NoAnswer, QStringLiteral("bundle"));
+    for (const device::Servo& servo : *servos) {
+        const auto alone = device::requireAlone(*context, servo, QStringLiteral("bundle"));
+        if (!alone)
+            return tl::unexpected(alone.error());
+    }
     auto bundle = jobs::takeBundle(*context, *servos, session::programName());
     if (!bundle)
         return tl::unexpected(bundle.error());

@@ -110,6 +110,7 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (const auto read = device::readAll(*context, *servo); !read)
         return tl::unexpected(read.error());
     device::noteAlarms(*context, *servo);
+    run.noteTwins(*servo);
     const auto bar = device::writeBar(*servo);
     QString text = infoText(*servo);
     if (bar) {
@@ -118,10 +119,14 @@ base::Result<Exit> run(Run& run, const Values& values)
     }
     const catalog::Register* lock = registerOf(*servo, Role::Lock);
     if (lock != nullptr && servo->raw(*lock) == 0) {
-        text +=
-            translate("cli", "The EPROM lock is open; to close it: servodesk-cli write %1 lock=1")
-                .arg(servo->id) +
-            QLatin1Char('\n');
+        text += (run.hasOpenChange(servo->id)
+                     ? translate("cli", "The EPROM lock is open because a change of this servo was "
+                                        "interrupted; to finish or undo it: %1")
+                           .arg(run.recoverCommand())
+                     : translate("cli", "The EPROM lock is open; to close it: servodesk-cli write "
+                                        "%1 lock=1")
+                           .arg(servo->id)) +
+                QLatin1Char('\n');
     }
     Json info = jsonInfo(*servo);
     info.add("not_writable", bar ? Json(base::errorName(bar->code)) : Json());

@@ -27,6 +27,7 @@ base::Result<Exit> runDump(Run& run, const Values& values)
     const auto context = run.context();
     if (const auto read = device::readAll(*context, *servo); !read)
         return tl::unexpected(read.error());
+    run.noteTwins(*servo);
     Registers all;
     for (const catalog::Register& reg : servo->profile->registers)
         all.push_back(&reg);
@@ -54,6 +55,7 @@ base::Result<Exit> runRead(Run& run, const Values& values)
         return tl::unexpected(read.error());
     if (const auto read = device::read(*context, *servo, wanted); !read)
         return tl::unexpected(read.error());
+    run.noteTwins(*servo);
     show(run, *servo, wanted, {});
     return Exit::Done;
 }

@@ -321,6 +321,7 @@ base::Result<Exit> run(Run& run, const Values& values)
         show(run, {}, action, {});
         return Exit::Done;
     }
+    run.listsOpenChanges();
     const auto context = run.context();
     if (!context)
         return showWithoutPort(run, *open, context.error());

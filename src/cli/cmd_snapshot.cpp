@@ -4,6 +4,7 @@
 #include "cli/report_words.h"
 #include "cli/run.h"
 #include "cli/translate.h"
+#include "device/write_access.h"
 #include "jobs/snapshot.h"
 #include "session/safety_snapshot.h"
 #include "text/notice_words.h"
@@ -21,6 +22,9 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
+    const auto alone = device::requireAlone(*context, *servo, QStringLiteral("snapshot"));
+    if (!alone)
+        return tl::unexpected(alone.error());
     auto snapshot = jobs::takeSnapshot(*context, *servo, session::programName());
     if (!snapshot)
         return tl::unexpected(snapshot.error());

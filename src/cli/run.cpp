@@ -7,6 +7,7 @@
 #include "device/reader.h"
 #include "device/write_access.h"
 #include "session/safety_snapshot.h"
+#include "text/error_words.h"
 #include "text/notice_words.h"
 #include "transport/port_opener.h"
 
@@ -79,7 +80,74 @@ base::Result<session::Connection*> Run::connect()
     m_connection = std::move(*connection);
     if (m_connection->simulated())
         m_console.remark(translate("cli", "SIMULATED bus %1").arg(m_connection->bus().portName()));
+    if (!m_listsOpenChanges)
+        warnOfOpenChanges();
     return m_connection.get();
+}
+
+/// On stderr in JSON mode as well: not every document has room for notes.
+void Run::warn(const char* code, int id, const QString& text)
+{
+    m_console.say(text);
+    Json note = Json::object().add("code", QString::fromLatin1(code));
+    if (id >= 0)
+        note.add("id", id);
+    m_warnings.push_back(note.add("text", text));
+}
+
+/// A history that cannot be read is spoken of by whoever needs it.
+void Run::warnOfOpenChanges()
+{
+    const auto open = session().journal().open();
+    if (!open)
+        return;
+    const QString port = m_connection->bus().portName();
+    QStringList ids;
+    for (const base::Intent& intent : *open) {
+        if (intent.servo.port != port)
+            continue;
+        m_openChanges.push_back(intent);
+        ids << QString::number(intent.servo.id);
+    }
+    ids.removeDuplicates();
+    if (ids.isEmpty())
+        return;
+    warn("open-change", ids.size() == 1 ? ids.front().toInt() : -1,
+         translate("cli", "An interrupted change is open on this port (ID %1). To look at it, "
+                          "finish it or undo it: %2")
+             .arg(ids.join(QStringLiteral(", ")), recoverCommand()));
+}
+
+bool Run::hasOpenChange(int id) const
+{
+    return std::any_of(m_openChanges.begin(), m_openChanges.end(),
+                       [id](const base::Intent& intent) { return intent.servo.id == id; });
+}
+
+QString Run::recoverCommand() const
+{
+    return QStringLiteral("servodesk-cli recover --port ") + m_connection->bus().portName();
+}
+
+/// The look itself takes some reads, so it is taken only where something was out of the ordinary.
+void Run::noteTwins(const device::Servo& servo)
+{
+    bus::Bus& bus = m_connection->bus();
+    const auto strays = bus.takeStrays();
+    const bool second = std::any_of(strays.begin(), strays.end(),
+                                    [&](const bus::Stray& stray) { return stray.id == servo.id; });
+    const bus::Counters total = bus.statistics().total;
+    const bool broken =
+        total.badChecks > 0 || total.foreign > 0 || total.noiseBytes > 0 || total.retried > 0;
+    const auto ready = context();
+    if (!(second || broken) || !ready)
+        return;
+    const auto alone = device::requireAlone(*ready, servo, QStringLiteral("read"));
+    if (alone || alone.error().code != ErrorCode::SeveralServos)
+        return;
+    const text::Description words = text::describe(alone.error());
+    warn("several-servos", servo.id,
+         QStringList{words.what, words.cause, words.remedy}.join(QLatin1Char('\n')));
 }
 
 base::Result<device::Context> Run::context()
@@ -269,7 +337,8 @@ QString Run::takeNotices()
 Json Run::takeNoticesAsJson()
 {
     dropRepeatedNotices();
-    Json::Array notes;
+    Json::Array notes = std::move(m_warnings);
+    m_warnings.clear();
     for (const device::Notice& notice : m_notices) {
         Json note = Json::object();
         note.add("code", text::noticeName(notice.code));
@@ -291,7 +360,7 @@ void Run::finish(Json document, const QString& text)
         return;
     }
     addSaved(document);
-    if (!m_notices.empty())
+    if (!m_notices.empty() || !m_warnings.empty())
         document.add("notes", takeNoticesAsJson());
     m_console.write(document.text());
 }

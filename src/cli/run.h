@@ -29,6 +29,15 @@ public:
     session::Session& session();
 
     base::Result<session::Connection*> connect();
+    /// For a command that lists open changes itself; before connect().
+    void listsOpenChanges() { m_listsOpenChanges = true; }
+    /// Of this servo, on this port, since before this run.
+    bool hasOpenChange(int id) const;
+    /// What to type to finish or undo changes that are open on this port.
+    QString recoverCommand() const;
+    /// Says so if what has been read from it until now looks as if a second servo answered.
+    void noteTwins(const device::Servo& servo);
+
     /// Connects first. Valid while the run lives.
     base::Result<device::Context> context();
     /// The servo that answers to `id`, identified; with --baud auto at whatever rate.
@@ -67,16 +76,21 @@ private:
     void addSaved(Json& document) const;
     void dropRepeatedNotices();
     base::Result<QString> choosePort();
+    void warn(const char* code, int id, const QString& text);
+    void warnOfOpenChanges();
     base::Result<device::Servo> findRate(const device::Context& context, int id);
 
     Globals m_globals;
     Console& m_console;
     const base::Stop& m_stop;
     device::Notices m_notices;
+    Json::Array m_warnings;                       ///< said on stderr already; for the document
+    std::vector<base::Intent> m_openChanges;      ///< on this port
     std::vector<std::pair<int, QString>> m_saved; ///< ID and file
     std::unique_ptr<session::Session> m_session;
     std::unique_ptr<session::Connection> m_connection; ///< goes before the session
     bool m_rateFound = false;
+    bool m_listsOpenChanges = false;
     bool m_notRecorded = false; ///< said by notices that were taken
 };
 } // namespace cli

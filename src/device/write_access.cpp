@@ -78,6 +78,19 @@ std::optional<base::Error> writeBar(const Servo& servo)
     return lockBar(servo, servo.raw(Role::Lock), {});
 }
 
+base::Result<void> requireAlone(const Context& outer, const Servo& servo, const QString& operation)
+{
+    if (outer.bus.verifiedIds().contains(servo.protocol, servo.id, outer.bus.baud()))
+        return {};
+    const Owned owned = own(outer, {servo.id});
+    const auto found = lookForTwins(owned.context, servo);
+    if (!found)
+        return tl::unexpected(found.error());
+    if (found->sign == TwinSign::None)
+        return {};
+    return base::fail(ErrorCode::SeveralServos, operation, wordOf(*found), servo.id);
+}
+
 base::Result<void> beginWriting(const Context& outer, const Servo& servo, const QString& operation)
 {
     if (outer.emergencyStop)

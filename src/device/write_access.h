@@ -15,6 +15,11 @@ base::Result<void> requireWritable(const Servo& servo, const QString& operation)
 /// servo. Null: nothing speaks against writing.
 std::optional<base::Error> writeBar(const Servo& servo);
 
+/// For whoever keeps what is read: SeveralServos where a second one seems to answer under its ID.
+/// Errors of reading besides.
+base::Result<void> requireAlone(const Context& context, const Servo& servo,
+                                const QString& operation);
+
 /// The above, and where this connection has not written to the servo before: looks whether a second
 /// one answers under its ID (SeveralServos) and what stands at the lock's place. Remembered on the
 /// bus once it is well. Neither delays nor refuses what belongs to an emergency stop. Errors of
