@@ -4275,7 +4275,7 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>The EPROM lock is open because a change of this servo was interrupted; to finish or undo it: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>EPROM 锁未关闭，因为对该舵机的更改被中断；完成或撤销该更改：%1</translation>
     </message>
     <message>
         <source>something answers, but nothing readable</source>
@@ -4315,7 +4315,7 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>An interrupted change is open on this port (ID %1). To look at it, finish it or undo it: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>此端口上有被中断、尚未了结的更改（ID %1）。查看、完成或撤销：%2</translation>
     </message>
     <message>
         <source>Servo %1 may still have torque: switching it off after the test failed (%2). Use &quot;torque %1 off&quot;, or cut its supply.</source>
@@ -6405,7 +6405,7 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>Not recorded: the outcome of this change could not be saved to the history (%3). It stays listed as open; look at it with recover when the history can be written again.</source>
-        <translation type="unfinished"></translation>
+        <translation>未记录：这次更改的结果无法存入历史记录（%3）。它仍列为未了结；历史记录可以写入后，请用 recover 查看。</translation>
     </message>
     <message>
         <source>it restarted or was exchanged in the middle, so it is unknown whether the value is kept</source>
@@ -6433,11 +6433,11 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>not kept yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未永久保存</translation>
     </message>
     <message>
         <source>The servo has this value, but by a temporary write that ends at power-off. It is written once more, to be kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机现在是这个值，但来自断电即失效的临时写入。将再写一次，以永久保存。</translation>
     </message>
     <message>
         <source>no answer under this ID, but ID %1 replied</source>
