@@ -30,6 +30,10 @@
 #include <QToolButton>
 
 namespace ui {
+namespace {
+constexpr int undoLetters = 26;
+}
+
 void MainWindow::build()
 {
     setObjectName(QStringLiteral("mainWindow"));
@@ -117,8 +121,14 @@ void MainWindow::buildStatusBar()
     m_undo->setObjectName(QStringLiteral("undoButton"));
     m_undo->setDefaultAction(m_commands.action(Command::Undo));
     m_undo->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    // One width for all names: the button must not move under the pointer.
+    m_undo->setFixedWidth(undoLetters * m_undo->fontMetrics().averageCharWidth() +
+                          2 * m_undo->iconSize().width());
     const auto nameUndo = [this] {
-        m_undo->setAccessibleName(m_commands.action(Command::Undo)->iconText());
+        const QString name = m_commands.action(Command::Undo)->iconText();
+        m_undo->setAccessibleName(name);
+        m_undo->setText(m_undo->fontMetrics().elidedText(
+            name, Qt::ElideRight, undoLetters * m_undo->fontMetrics().averageCharWidth()));
     };
     connect(m_commands.action(Command::Undo), &QAction::changed, m_undo, nameUndo);
     nameUndo();
