@@ -122,7 +122,7 @@ inline QStringList writes(const record::History& history, const record::HistoryF
                          .arg(one.address) +
                      QStringLiteral(" %1→%2 %3 %4 %5 %6 %7 %8 %9")
                          .arg(one.oldRaw)
-                         .arg(one.newRaw)
+                         .arg(one.newRaw.value_or(-1))
                          .arg(one.readBack ? QString::number(*one.readBack) : QString())
                          .arg(one.outcome, one.detail, one.port)
                          .arg(one.baud)
