@@ -19,6 +19,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTabWidget>
@@ -349,7 +350,18 @@ private Q_SLOTS:
         bench.run();
         QVERIFY(bench.begun());
         QSignalSpy kept(&bench.bench.archive, &session::Archive::kept);
-        bench.action(ui::Command::Disconnect)->trigger();
+        const auto answer = [&bench](const char* button) {
+            bench.action(ui::Command::Disconnect)->trigger();
+            auto* choice = bench.find<QPushButton>(button);
+            QVERIFY(choice != nullptr);
+            QPointer<QWidget> dialog = choice->window();
+            QTest::mouseClick(choice, Qt::LeftButton);
+            QTRY_VERIFY(dialog == nullptr);
+        };
+        answer("questionNo");
+        QVERIFY(bench.test().running());
+        QCOMPARE(bench.desk().state(), session::LinkState::Open);
+        answer("questionYes");
         QTRY_COMPARE_WITH_TIMEOUT(bench.desk().state(), session::LinkState::Off, testTime);
         QVERIFY(!bench.test().running());
         QCOMPARE(bench.test().run()->end, record::SweepEnd::Stopped);
