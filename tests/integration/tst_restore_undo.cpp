@@ -350,6 +350,13 @@ void TestRestoreUndo::aWayBackBrokenOffIsGoneToItsEnd()
             break;
         }
         QVERIFY2(outcome->verdict == RestoreVerdict::Failed, where);
+        for (const jobs::RestoreRowResult& row : outcome->rows) {
+            const bool told = row.rolledBack || outcome->notPutBack.contains(row.write.key);
+            QVERIFY2(told || device::isUntouched(row.write.outcome), where);
+        }
+        const bool somethingOpen =
+            !outcome->notPutBack.isEmpty() || outcome->lock != device::LockState::Closed;
+        QVERIFY2(somethingOpen, where);
         const auto open = *bench.journal.open();
         QVERIFY2(open.size() == 2, where);
         ++brokenOff;
