@@ -65,11 +65,13 @@ base::Result<void> endWrites(const HistoryFile& file, std::int64_t intent,
     if (!all)
         return tl::unexpected(all.error());
     for (const base::ItemEnd& item : end.items) {
+        // Not known of that time, but settled since with the whole.
+        const bool settled = wentWell(end.outcome) && item.outcome == QLatin1String("unknown");
         const auto one = file.run(
             QStringLiteral("UPDATE writes SET read_back = ?, outcome = ?, trouble = ? "
                            "WHERE intent = ? AND \"key\" = ?"),
             {item.readBack ? QVariant(qint64(*item.readBack)) : QVariant(), notNull(item.outcome),
-             wentWell(item.outcome) ? 0 : 1, qint64(intent), item.key});
+             settled || wentWell(item.outcome) ? 0 : 1, qint64(intent), item.key});
         if (!one)
             return tl::unexpected(one.error());
     }
