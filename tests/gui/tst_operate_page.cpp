@@ -154,6 +154,21 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.alarmWords().isEmpty());
     }
 
+    /// Garbage is not called silence, and no alarm is claimed of a servo that cannot be read.
+    void whatIsNotReadIsNotClaimed()
+    {
+        OperateBench bench;
+        QVERIFY(bench.ready(1));
+        auto* link = bench.find<ui::Pill>("statusLink");
+        auto* alarm = bench.find<ui::Pill>("statusNoAlarm");
+        QTRY_COMPARE(alarm->accessibleName(), QStringLiteral("no alarm"));
+        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.corrupt = 1; });
+        QTRY_COMPARE(link->accessibleName(), QStringLiteral("Unreadable answers"));
+        QTRY_COMPARE(alarm->accessibleName(), QStringLiteral("alarms: –"));
+        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.corrupt = 0; });
+        QTRY_COMPARE(alarm->accessibleName(), QStringLiteral("no alarm"));
+    }
+
     void whatAFamilyCannotMeasureIsSaid()
     {
         OperateBench bench;

@@ -244,6 +244,37 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.button("restoreWrite")->isEnabled());
         QVERIFY(bench.desk().nextUndo() != nullptr);
         QCOMPARE(bench.desk().nextUndo()->after.front().raw, before);
+
+        // Taken back, it is no result any more.
+        bench.desk().undo();
+        QVERIFY(bench.settled());
+        QTRY_VERIFY(bench.bannerText().isEmpty());
+    }
+
+    /// Consent was given for one write: after Undo the dangerous row is not ticked by itself.
+    void aDangerousRowIsNotTickedAgainAfterUndo()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1));
+        QVERIFY(bench.taken());
+        const auto before = bench.raw("unload_condition").value_or(0);
+        bench.desk().write(bench.selection().current(),
+                           {{{QStringLiteral("unload_condition"), before ^ 1}}, false, true});
+        QVERIFY(bench.settled());
+        QTRY_VERIFY(bench.rowOf("unload_condition") >= 0);
+        QTRY_COMPARE(bench.tick("unload_condition"), Qt::Unchecked);
+        bench.table()->setCurrentIndex(bench.cell("unload_condition", 1));
+        QTest::keyClick(bench.table(), Qt::Key_Space);
+        QTRY_COMPARE(bench.tick("unload_condition"), Qt::Checked);
+        bench.click("restoreWrite");
+        QTRY_VERIFY(bench.find<QPushButton>("questionYes") != nullptr);
+        QTest::mouseClick(bench.find<QPushButton>("questionYes"), Qt::LeftButton);
+        QTRY_VERIFY(bench.bannerText().contains(QLatin1String("1 row")));
+        QVERIFY(bench.settled());
+        bench.desk().undo();
+        QVERIFY(bench.settled());
+        QTRY_VERIFY(bench.rowOf("unload_condition") >= 0);
+        QTRY_COMPARE(bench.tick("unload_condition"), Qt::Unchecked);
     }
 
     /// The table was saved by itself before the first change, and can be chosen like any other.
