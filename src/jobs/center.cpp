@@ -129,13 +129,13 @@ base::Result<CenterReport> centerUnlocked(const device::Context& context, device
                   (after || after.error().code == ErrorCode::Refused);
     end.outcome = after ? device::WriteOutcome::Kept : device::WriteOutcome::Refused;
     end.readBack = servo.raw(Role::PositionOffset);
-    if (!after)
-        return tl::unexpected(after.error());
     if (end.certain && !eprom->stayedOpen()) {
         end.certain = false; // it stays open: nothing tells what is kept
         return base::fail(ErrorCode::Uncertain, QStringLiteral("keep"), QStringLiteral("restarted"),
                           servo.id);
     }
+    if (!after)
+        return tl::unexpected(after.error());
     report.offsetAfter = after->offset;
     report.positionAfter = after->position;
     return report;
