@@ -54,6 +54,7 @@ private Q_SLOTS:
     void remediesAreSpecific_data();
     void remediesAreSpecific();
     void noticesCarryTheirNumbers();
+    void whatIsNotRecordedClaimsNoChange();
     void outcomesAndLocksInBothLanguages_data();
     void outcomesAndLocksInBothLanguages();
     void alarmBitsAreNamedByTheFamily();
@@ -185,6 +186,14 @@ void TestWords::remediesAreSpecific()
     QVERIFY2(remedy.contains(contained), qPrintable(remedy));
     text::installTranslator(QStringLiteral("zh_CN"));
     QVERIFY(text::describe(error).remedy.contains(contained));
+}
+
+/// It is also said of a write that was refused or never sent.
+void TestWords::whatIsNotRecordedClaimsNoChange()
+{
+    const QString said = text::describe({NoticeCode::NotRecorded, 1, QStringLiteral("full")});
+    QVERIFY2(!said.contains(QStringLiteral("was made")), qPrintable(said));
+    QVERIFY2(said.contains(QStringLiteral("full")), qPrintable(said));
 }
 
 void TestWords::noticesCarryTheirNumbers()
