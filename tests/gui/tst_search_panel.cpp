@@ -78,6 +78,7 @@ private Q_SLOTS:
     void troubleIsMarked();
     void otherRatesAreSearched();
     void anEmptyBusIsExplained();
+    void theChecklistLeavesRoomForCommissioning();
     void wideningFromTheChecklist();
     void missingOnesAreExplained();
     void selectionBothWays();
@@ -202,6 +203,30 @@ void TestSearchPanel::anEmptyBusIsExplained()
     QVERIFY(all.contains(QStringLiteral("The port was opened")));
     bench.find<QPushButton>("whyButton")->click();
     QVERIFY(!bench.checklistShown());
+}
+
+/// "Nothing found" of a search before is no news while servos are set up one by one.
+void TestSearchPanel::theChecklistLeavesRoomForCommissioning()
+{
+    Bench bench(QStringLiteral("sim:demo"));
+    bench.setIds(100, 110);
+    QVERIFY(bench.searched());
+    QTRY_VERIFY(bench.checklistShown());
+    session::Task line;
+    line.name = QStringLiteral("commission");
+    line.lasting = true;
+    line.quiet = true;
+    line.work = [](session::TaskContext& context) -> base::Result<void> {
+        while (!context.stop.requested())
+            context.device.bus.clock().sleepFor(std::chrono::milliseconds(5));
+        return {};
+    };
+    bench.desk.perform(0, std::move(line));
+    QTRY_VERIFY(!bench.checklistShown());
+    QVERIFY2(bench.status().contains(QLatin1String("Commissioning is running")),
+             qPrintable(bench.status()));
+    bench.desk.stopTask();
+    QTRY_VERIFY(!bench.status().contains(QLatin1String("Commissioning")));
 }
 
 void TestSearchPanel::wideningFromTheChecklist()
