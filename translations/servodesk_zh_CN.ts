@@ -2121,12 +2121,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
 </context>
 <context>
     <name>UndoWords</name>
-    <message numerus="yes">
-        <source>%n settings</source>
-        <translation>
-            <numerusform>%n 项设置</numerusform>
-        </translation>
-    </message>
     <message>
         <source>ID %1 · %2</source>
         <translation>ID %1 · %2</translation>
@@ -2134,6 +2128,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>ID %1 · %2: %3 → %4</source>
         <translation>ID %1 · %2：%3 → %4</translation>
+    </message>
+    <message>
+        <source>%1 settings</source>
+        <translation>%1 项设置</translation>
     </message>
 </context>
 <context>

@@ -4,8 +4,6 @@
 #include "text/language.h"
 #include "text/translate.h"
 
-#include <QCoreApplication>
-
 namespace ui {
 using text::translate;
 
@@ -36,8 +34,7 @@ UndoWords undoWords(const session::Desk& desk, const session::UndoStep& step, bo
     const QString id = servo != nullptr ? QString::number(servo->servo.id) : QStringLiteral("–");
     UndoWords words;
     const QString what = to.size() == 1 ? shortened(nameOf(servo, to.front().key))
-                                        : QCoreApplication::translate("UndoWords", "%n settings",
-                                                                      nullptr, int(to.size()));
+                                        : translate("UndoWords", "%1 settings").arg(to.size());
     words.brief = translate("UndoWords", "ID %1 · %2").arg(id, what);
     for (std::size_t i = 0; i < to.size() && i < mostLines; ++i)
         words.lines << translate("UndoWords", "ID %1 · %2: %3 → %4")
