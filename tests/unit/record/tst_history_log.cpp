@@ -553,7 +553,8 @@ void TestHistoryLog::nothingIsMissedByACopyMeanwhile()
     std::vector<std::thread> writers;
     for (int i = 0; i < 2; ++i) {
         writers.emplace_back([this, i] {
-            record::HistoryJournal journal(m_path, program);
+            // Both write without a pause: that is about loss, not about patience.
+            record::HistoryJournal journal(m_path, program, std::chrono::seconds(5));
             for (int n = 0; n < each; ++n) {
                 const auto uuid = journal.begin(intentOf(1 + i, "position_p", 0, n));
                 if (uuid)
