@@ -82,9 +82,8 @@ QString infoText(const device::Servo& servo)
     row(translate("cli", "Model known"),
         profile.modelKnown ? translate("cli", "yes") : translate("cli", "no, only its family"));
     row(translate("cli", "Series, map"),
-        profile.series.isEmpty()
-            ? profile.mapKey
-            : QStringLiteral("%1, %2").arg(profile.series, profile.mapKey));
+        profile.series.isEmpty() ? profile.mapKey
+                                 : QStringLiteral("%1, %2").arg(profile.series, profile.mapKey));
     row(translate("cli", "Protocol, line"),
         QStringLiteral("%1, %2").arg(base::protocolName(profile.protocol),
                                      text::lineWord(profile.line)));
