@@ -8,9 +8,12 @@
 
 namespace transport {
 namespace {
-// Linux creates ttyS0… whether or not there is a chip behind them; type 0 means none was found.
+// Linux creates ttyS0… whether or not there is a chip behind them; type 0 means none was found. In
+// a container they may stand in /sys without a device to open.
 bool isPhantom(const QSerialPortInfo& port)
 {
+    if (!QFile::exists(port.systemLocation()))
+        return true;
     QFile type(QStringLiteral("/sys/class/tty/%1/type").arg(port.portName()));
     return type.open(QIODevice::ReadOnly) && type.readAll().trimmed() == "0";
 }
