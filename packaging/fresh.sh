@@ -30,6 +30,7 @@ done
 root=$(mktemp -d "${TMPDIR:-/var/tmp}/servodesk-fresh.XXXXXX")
 # Nothing is mounted here: all mounts belong to namespaces of their own, which end with their programs.
 trap 'rm -rf --one-file-system -- "$root"' EXIT
+chmod 755 "$root" # mktemp's 700 would keep PostgreSQL, which never runs as root, out of all of it
 
 # "URI suite component" of each archive of this Debian release that apt uses here; no third party's.
 archives() {
