@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Counts what happens on one wire. Fed by the bus, copied out by any thread. An event without a
-// servo (broadcast, noise while nobody was asked) has ID -1 and counts in the sum only. A PING that
-// stays unanswered is no time-out: it asks who is there.
+// servo (broadcast, noise while no request is open) has ID -1 and counts in the sum only. A PING
+// that stays unanswered is no time-out: it asks who is there.
 #pragma once
 
 #include "bus/round_trips.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much of the line is taken up by bytes that nobody asked for. Told of each of them; says when
+// How much of the line is taken up by bytes that answer no request. Told of each of them; says when
 // they are more than a line with pauses could carry, and whether they are valid frames, among which
 // a reply could not be told. Bus thread only.
 #pragma once

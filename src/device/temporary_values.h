@@ -12,7 +12,7 @@
 
 namespace device {
 /// By key, the value of each register that was last written to last until power-off, or by a write
-/// of which nobody knows whether it was kept. Errors: those of the journal.
+/// of which it is not known whether it was kept. Errors: those of the journal.
 base::Result<std::map<QString, std::int64_t>> temporaryValues(const base::Journal& journal,
                                                               const Servo& servo);
 

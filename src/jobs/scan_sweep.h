@@ -45,7 +45,7 @@ public:
     /// Somebody answered the question to all, however badly: the sweep is worth while.
     bool heardSomebody() const { return m_heardSomebody; }
 
-    /// Stopped, LinkLost, Preempted, Held; LineBusy where bytes that nobody asked for leave no
+    /// Stopped, LinkLost, Preempted, Held; LineBusy where bytes that answer no request leave no
     /// room for a reply.
     base::Result<void> run();
 

@@ -95,8 +95,8 @@ base::Result<void> followLabel(const HistoryFile& file, std::int64_t intent)
     servo.who.port = moved->rows.front().value(servoColumnCount + 1).toString();
     if (servo.who.id == moved->rows.front().value(servoColumnCount).toInt())
         return {};
-    if (const auto nobody = preferServo(file, servo.who, {}); !nobody)
-        return tl::unexpected(nobody.error());
+    if (const auto preferred = preferServo(file, servo.who, {}); !preferred)
+        return tl::unexpected(preferred.error());
     servo.who.id = moved->rows.front().value(servoColumnCount).toInt();
     const auto there = preferServo(file, servo.who, servo.label);
     return there ? base::Result<void>() : tl::unexpected(there.error());

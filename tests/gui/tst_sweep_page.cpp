@@ -309,7 +309,7 @@ private Q_SLOTS:
         QTRY_COMPARE(ticks(), (QList<bool>{true, false, false}));
         table->item(2, 0)->setCheckState(Qt::Checked);
         bench.selection().select(bench.desk().servos()[1]);
-        QTest::qWait(100);
+        QTest::qWait(100); // a tick that must not change announces nothing to wait for
         QCOMPARE(ticks(), (QList<bool>{true, false, true}));
         // Without a tick of the user's own the selection is what is tested.
         table->item(0, 0)->setCheckState(Qt::Unchecked);
