@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page starts, and what it does with the result.
+#include "record/sweep_verdict.h"
+#include "report/sweep_words.h"
+#include "text/language.h"
+#include "ui/dialogs/ask.h"
+#include "ui/dialogs/limits_dialog.h"
+#include "ui/dialogs/runs_dialog.h"
+#include "ui/models/sweep_cells.h"
+#include "ui/pages/sweep_form.h"
+#include "ui/pages/sweep_page.h"
+#include "ui/pages/sweep_results.h"
+#include "ui/pages/sweep_servos.h"
+#include "ui/widgets/banner.h"
+
+#include <QLabel>
+
+#include <algorithm>
+
+namespace ui {
+void SweepPage::run()
+{
+    const session::SweepTestOrder now = order();
+    const Consent consent{now.servos, now.spec.releaseAtEnd};
+    if (m_consent == consent) {
+        start();
+        return;
+    }
+    QStringList names;
+    for (const session::ServoRef ref : now.servos) {
+        const session::ServoEntry* entry = m_desk.servo(ref);
+        names.append(
+            QStringLiteral("ID %1 · %2").arg(entry->servo.id).arg(entry->servo.profile->modelName));
+    }
+    Question question;
+    question.title = tr("Start the test?");
+    question.text = tr("These servos get torque and move by themselves until the test has ended: "
+                       "%1")
+                        .arg(names.join(QStringLiteral(", "))) +
+                    QLatin1Char('\n') + torqueAfterwards(now.spec.releaseAtEnd);
+    question.risk = tr("Nothing may be in their way, and nobody's fingers. Esc takes torque off "
+                       "all servos at once.");
+    question.yes = tr("Start");
+    question.guard = this;
+    ask(this, question, [this, consent] {
+        m_consent = consent;
+        start();
+    });
+}
+
+/// However it ends, apart from faults and the emergency stop; also of servos without torque before.
+QString SweepPage::torqueAfterwards(bool released)
+{
+    return released ? tr("Afterwards their torque is off. The same applies if you stop the test or "
+                         "close the window during it.")
+                    : tr("Afterwards they hold their position with torque on. The same applies if "
+                         "you stop the test or close the window during it.");
+}
+
+void SweepPage::start()
+{
+    m_banner->clear();
+    m_references.clear();
+    m_form->remember();
+    m_lookTimer.stop();
+    if (m_test.start(order()))
+        m_progressWords->setText(tr("On the way to the start"));
+    showState();
+}
+
+void SweepPage::ended()
+{
+    keep();
+    showVerdicts();
+    showState();
+    lookSoon(); // what the servo has set now may be something else
+}
+
+/// Of the latest test, in the table of servos.
+void SweepPage::showVerdicts()
+{
+    std::map<session::ServoRef, SweepServos::Verdict> verdicts;
+    const record::SweepRun* run = m_test.run();
+    for (std::size_t i = 0; run != nullptr && !m_test.running() && i < run->servos.size(); ++i) {
+        const record::SweepVerdict found = record::sweepVerdict(*run, run->servos[i]);
+        const bool bare = found.reason == record::NoVerdict::None;
+        verdicts[m_test.servos().at(i)] = {
+            found.grade, bare ? gradeText(found.grade)
+                              : report::noVerdictWords(found.reason).in(text::inChinese())};
+    }
+    m_servos->setVerdicts(verdicts);
+}
+
+/// In the history, and held against the reference of its model.
+void SweepPage::keep()
+{
+    const auto run = std::make_shared<const record::SweepRun>(*m_test.run());
+    m_archive.keep(run, {m_test.readingsPath()});
+    m_archive.compareWithReference(
+        run, this, [this](const base::Result<std::vector<session::ReferenceResult>>& found) {
+            m_references = found.value_or(std::vector<session::ReferenceResult>{});
+            showReference();
+        });
+}
+
+void SweepPage::showReference()
+{
+    const record::SweepRun* run = m_test.run();
+    const std::size_t shown = m_results->shownServo();
+    if (run == nullptr || m_test.running() || shown >= run->servos.size())
+        return;
+    const int id = run->servos[shown].parameters.servo.id;
+    const auto found = std::find_if(m_references.begin(), m_references.end(),
+                                    [id](const auto& one) { return one.servo == id; });
+    m_results->setComparison(found != m_references.end() ? referenceText(*found) : QString());
+}
+
+void SweepPage::failed(const base::Error& error)
+{
+    if (error.code != base::ErrorCode::Stopped)
+        m_banner->present(error);
+    showState();
+}
+
+void SweepPage::editLimits(session::ServoRef ref)
+{
+    const session::ServoEntry* entry = m_desk.servo(ref);
+    if (entry == nullptr || !entry->servo.profile)
+        return;
+    const auto& profile = *entry->servo.profile;
+    auto* dialog = new LimitsDialog(m_servos->limits(ref), profile.modelName, profile.series, this);
+    connect(dialog, &LimitsDialog::chosen, this,
+            [this, model = profile.modelName, series = profile.series](
+                const record::SweepLimits& limits) { m_servos->setLimits(model, series, limits); });
+    dialog->open();
+}
+} // namespace ui
