@@ -110,15 +110,15 @@ void TestCliSweep::goodAndBadServos()
 {
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1,sts3215@2+overshoot=10"));
-    const char* good = "sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 1 --speed 3000";
+    const char* good = "sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 4 --speed 3000";
     const Ran passed = cli.run(good);
     QVERIFY2(passed.exit == 0, qPrintable(passed.out + passed.err));
     QVERIFY(passed.out.contains(text("Passed")));
     const Ran failed =
-        cli.json("sweep 2 --from 1500 --to 2500 --dwell 200 --cycles 1 --speed 3000");
+        cli.json("sweep 2 --from 1500 --to 2500 --dwell 200 --cycles 4 --speed 3000");
     QCOMPARE(failed.exit, 1);
     QCOMPARE(failed.json()[text("verdict")].toString(), text("fail"));
-    QCOMPARE(failed.json()[text("legs")].toArray().size(), 2);
+    QCOMPARE(failed.json()[text("legs")].toArray().size(), 8);
     const auto decoded = record::decodeSweepRun(failed.out.toUtf8());
     QVERIFY2(decoded, decoded ? "" : qPrintable(decoded.error().detail));
     QVERIFY(decoded->simulated);
@@ -140,7 +140,7 @@ void TestCliSweep::reportsOfEveryKind()
     cli.setPort(text("sim:sts3215@1"));
     const QString path =
         cli.dataFolder() + text("/report.") + QLatin1String(QTest::currentDataTag());
-    const Ran ran = cli.run(text("sweep 1 --from 1800 --to 2200 --delay 500 --cycles 1 --report ")
+    const Ran ran = cli.run(text("sweep 1 --from 1800 --to 2200 --delay 500 --cycles 3 --report ")
                                 .split(QLatin1Char(' '), Qt::SkipEmptyParts)
                             << path);
     QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
@@ -157,14 +157,14 @@ void TestCliSweep::figuresCanBeWorkedOutFromTheReadings()
     cli.setPort(text("sim:sts3215@1+overshoot=4+static-error=5+supply-ohms=0.4"));
     const QString path = cli.dataFolder() + text("/report.json");
     const Ran ran =
-        cli.run(text("sweep 1 --from 1500 --to 2500 --dwell 400 --cycles 2 --speed 3000 --report ")
+        cli.run(text("sweep 1 --from 1500 --to 2500 --dwell 400 --cycles 4 --speed 3000 --report ")
                     .split(QLatin1Char(' '), Qt::SkipEmptyParts)
                 << path);
     QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
     const QJsonObject report = loaded(path);
     const auto all = readings(cli.dataFolder() + text("/report.readings.csv"));
     const QJsonArray legs = report[text("legs")].toArray();
-    QCOMPARE(legs.size(), 4);
+    QCOMPARE(legs.size(), 8);
     double worst = 0;
     double overshoot = 0;
     double peak = 0;

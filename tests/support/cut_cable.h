@@ -33,7 +33,6 @@ public:
         cut();
         m_over = true;
         m_thread.join();
-        close(m_terminal);
     }
     CutCable(const CutCable&) = delete;
     CutCable& operator=(const CutCable&) = delete;
@@ -42,6 +41,7 @@ public:
     /// Frames so far that neither ask for a servo nor read.
     int writes() const { return m_writes; }
 
+    /// Lets go of the servos' side too: whoever reads there from now on gets every byte.
     void cut()
     {
         const std::lock_guard lock(m_mutex);
@@ -55,7 +55,7 @@ public:
 private:
     void hangUp()
     {
-        for (int* side : {&m_slave, &m_host, &m_listener}) {
+        for (int* side : {&m_slave, &m_host, &m_listener, &m_terminal}) {
             if (*side >= 0)
                 close(*side);
             *side = -1;
@@ -80,19 +80,22 @@ private:
     void serve()
     {
         while (!m_over) {
-            pollfd states[2] = {{-1, POLLIN, 0}, {m_terminal, POLLIN, 0}};
+            pollfd states[2] = {{-1, POLLIN, 0}, {-1, POLLIN, 0}};
             {
                 const std::lock_guard lock(m_mutex);
                 states[0].fd = m_host >= 0 ? m_host : m_listener;
+                states[1].fd = m_terminal;
             }
             if (poll(states, 2, 2) <= 0)
                 continue;
             const std::lock_guard lock(m_mutex);
+            if (m_terminal < 0)
+                continue; // cut meanwhile
             if ((states[0].revents & POLLIN) != 0 && m_host < 0 && m_listener >= 0)
                 accept();
             else if ((states[0].revents & POLLIN) != 0 && m_host >= 0)
                 fromHost();
-            if ((states[1].revents & POLLIN) != 0)
+            if ((states[1].revents & POLLIN) != 0 && m_terminal >= 0)
                 fromServos();
         }
     }
@@ -153,8 +156,8 @@ private:
             (void)send(m_host, chunk, std::size_t(got), MSG_NOSIGNAL);
     }
 
+    std::mutex m_mutex; ///< guards what follows, once the thread runs
     int m_terminal;
-    std::mutex m_mutex; ///< guards what follows
     int m_host = -1;
     int m_slave = -1;
     int m_listener = -1;
