@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/temporary_values.h"
 
-#include "base/journal.h"
 #include "device/persistence.h"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ bool tookOwnDefaults(const base::Intent& intent)
 /// Follows one register through the entries.
 class Follow {
 public:
-    Follow(std::map<QString, std::int64_t>& values, const base::JournalEntry& entry)
+    Follow(TemporaryValues& values, const base::JournalEntry& entry)
         : m_values(values)
         , m_entry(entry)
     {}
@@ -64,19 +63,23 @@ private:
         return found == items.end() ? nullptr : &*found;
     }
 
-    std::map<QString, std::int64_t>& m_values;
+    TemporaryValues& m_values;
     const base::JournalEntry& m_entry;
 };
 } // namespace
 
-base::Result<std::map<QString, std::int64_t>> temporaryValues(const base::Journal& journal,
-                                                              const Servo& servo)
+base::Result<TemporaryValues> temporaryValues(const base::Journal& journal, const Servo& servo)
 {
     const auto entries = journal.entriesOf(servo.identity(), entriesLookedAt);
     if (!entries)
         return tl::unexpected(entries.error());
-    std::map<QString, std::int64_t> values;
-    for (const base::JournalEntry& entry : *entries) {
+    return temporaryValues(*entries, servo);
+}
+
+TemporaryValues temporaryValues(const std::vector<base::JournalEntry>& entries, const Servo& servo)
+{
+    TemporaryValues values;
+    for (const base::JournalEntry& entry : entries) {
         Follow follow(values, entry);
         for (const base::JournalItem& item : entry.intent.items) {
             const catalog::Register* reg = servo.profile->find(item.key);
@@ -87,7 +90,7 @@ base::Result<std::map<QString, std::int64_t>> temporaryValues(const base::Journa
     return values;
 }
 
-bool mayBeTemporary(const std::map<QString, std::int64_t>& temporary, const QString& key,
+bool mayBeTemporary(const TemporaryValues& temporary, const QString& key,
                     std::optional<std::int64_t> now)
 {
     const auto found = temporary.find(key);

@@ -6,17 +6,21 @@
 // value once more only writes what is there.
 #pragma once
 
+#include "base/journal.h"
 #include "device/servo.h"
 
 #include <map>
+#include <vector>
 
 namespace device {
 /// By key, the value of each register that was last written to last until power-off, or by a write
 /// of which it is not known whether it was kept. Errors: those of the journal.
-base::Result<std::map<QString, std::int64_t>> temporaryValues(const base::Journal& journal,
-                                                              const Servo& servo);
+using TemporaryValues = std::map<QString, std::int64_t>;
+base::Result<TemporaryValues> temporaryValues(const base::Journal& journal, const Servo& servo);
+/// Of the servo's entries, oldest first; any thread.
+TemporaryValues temporaryValues(const std::vector<base::JournalEntry>& entries, const Servo& servo);
 
 /// Whether the servo reads this value now and it is among them.
-bool mayBeTemporary(const std::map<QString, std::int64_t>& temporary, const QString& key,
+bool mayBeTemporary(const TemporaryValues& temporary, const QString& key,
                     std::optional<std::int64_t> now);
 } // namespace device

@@ -2,7 +2,6 @@
 #include "jobs/restore_plan.h"
 
 #include "device/remembered_speed.h"
-#include "device/temporary_values.h"
 #include "jobs/restore_rows.h"
 
 #include <algorithm>
@@ -271,12 +270,15 @@ RestorePlan planRestore(const device::Context& context, const device::Servo& ser
 
 void tickTemporary(const device::Context& context, RestorePlan& plan, bool dangerous)
 {
-    const auto temporary = device::temporaryValues(context.journal, plan.servo);
-    if (!temporary)
-        return;
+    if (const auto temporary = device::temporaryValues(context.journal, plan.servo))
+        tickTemporary(plan, *temporary, dangerous);
+}
+
+void tickTemporary(RestorePlan& plan, const device::TemporaryValues& temporary, bool dangerous)
+{
     for (RestoreRow& row : plan.rows) {
         if (!has(row, RestoreReason::Same) || has(row, RestoreReason::Identity) ||
-            !device::mayBeTemporary(*temporary, row.key, row.now))
+            !device::mayBeTemporary(temporary, row.key, row.now))
             continue;
         row.reasons.setFlag(RestoreReason::Same, false);
         row.reasons |= RestoreReason::OnlyTemporary;

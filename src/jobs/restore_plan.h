@@ -8,6 +8,7 @@
 
 #include "device/context.h"
 #include "device/servo.h"
+#include "device/temporary_values.h"
 #include "record/snapshot.h"
 
 #include <QFlags>
@@ -122,6 +123,8 @@ RestorePlan planRestore(const device::Context& context, const device::Servo& ser
 
 /// Of the rows that need nothing but to be kept: marks them, and ticks those that may be ticked by
 /// themselves. For a plan that was made without the journal.
+void tickTemporary(RestorePlan& plan, const device::TemporaryValues& temporary, bool dangerous);
+/// As the journal knows them; none where it cannot be read.
 void tickTemporary(const device::Context& context, RestorePlan& plan, bool dangerous);
 
 /// Rows that would put the servo into an alarm it is not in now, ticked or not. Owned by the plan.

@@ -5,6 +5,7 @@
 #include "gui/window_bench.h"
 #include "record/bundle.h"
 #include "record/snapshot_template.h"
+#include "sim/sim_link.h"
 #include "ui/models/compare_model.h"
 #include "ui/pages/snapshots_page.h"
 #include "ui/widgets/banner.h"
@@ -201,6 +202,31 @@ private Q_SLOTS:
         QCOMPARE(bench.now("max_voltage"), before);
     }
 
+    /// The servo reads as the file has it, but only until power-off.
+    void aTemporaryValueIsOfferedToBeKept()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        const std::int64_t asked = bench.now("position_p") + 8;
+        bench.desk().write(bench.selection().current(),
+                           {{{QStringLiteral("position_p"), asked}}, true, false});
+        QVERIFY(bench.settled());
+        QVERIFY(bench.taken());
+        QTRY_COMPARE(bench.rowOf("position_p"), 0);
+        QCOMPARE(bench.table()->model()->rowCount(), 1);
+        QCOMPARE(bench.tick("position_p"), Qt::Checked);
+        const auto* model = bench.table()->model();
+        const QString state = model->index(0, model->columnCount() - 1).data().toString();
+        QVERIFY2(state.contains(QLatin1String("not kept yet")), qPrintable(state));
+
+        bench.click("restoreWrite");
+        QTRY_VERIFY(!bench.bannerText().isEmpty());
+        QTRY_COMPARE(bench.rowOf("position_p"), -1);
+        bench.desk().connection()->simulation()->with(
+            [](sim::VirtualBus& wire) { wire.powerCycle(); });
+        QCOMPARE(bench.now("position_p"), asked);
+    }
+
     void whatDiffersIsShownAndWrittenBack()
     {
         SnapshotsBench bench;
@@ -355,7 +381,8 @@ private Q_SLOTS:
         const QString path = folder.filePath(QStringLiteral("other.servo.json"));
         QVERIFY(record::saveSnapshot(other, path));
         bench.drop(path);
-        QTRY_VERIFY(bench.rowOf("id") >= 0);
+        QTRY_VERIFY(bench.find<QCheckBox>("restoreIdentity")->isEnabled()); // it is compared with
+        QVERIFY(bench.rowOf("id") >= 0);
         QCOMPARE(bench.tick("id"), Qt::Unchecked);
         QVERIFY(!bench.button("restoreWrite")->isEnabled());
         QTest::mouseClick(bench.find<QCheckBox>("restoreIdentity"), Qt::LeftButton);

@@ -20,6 +20,11 @@ const jobs::RestoreRow* rowOf(const std::optional<jobs::RestorePlan>& plan, cons
     return plan ? plan->find(key) : nullptr;
 }
 
+bool isTemporary(const jobs::RestoreRow* row)
+{
+    return row != nullptr && row->reasons.testFlag(jobs::RestoreReason::OnlyTemporary);
+}
+
 /// The number as this table's own profile words it; its unit may hang on other rows of the table.
 QString formattedIn(const ComparedTable& in, const catalog::Register& reg, std::int64_t raw)
 {
@@ -177,7 +182,7 @@ QString CompareModel::stateText(const CompareRow& row) const
     const QString word =
         text::compareVerdictSign(verdict) + QLatin1Char(' ') + text::compareVerdictWord(verdict);
     const jobs::RestoreRow* planned = rowOf(m_plan, row.key);
-    if (planned == nullptr || row.verdict == RowVerdict::Identical)
+    if (planned == nullptr || (row.verdict == RowVerdict::Identical && !isTemporary(planned)))
         return word;
     const auto reasons = planned->reasons & ~jobs::RestoreReasons(jobs::RestoreReason::Same) &
                          ~jobs::RestoreReasons(jobs::RestoreReason::ReadOnly);
@@ -255,8 +260,9 @@ QVariant CompareModel::data(const QModelIndex& index, int role) const
                    Qt::AlignVCenter);
     case toneRole:
         return toneOf(row, column);
-    case VerdictRole:
-        return int(row.verdict);
+    case OpenRole:
+        return row.verdict == RowVerdict::Different || row.verdict == RowVerdict::Missing ||
+               isTemporary(rowOf(m_plan, row.key));
     case KeyRole:
         return row.key;
     default:
@@ -317,8 +323,6 @@ bool CompareFilter::filterAcceptsRow(int row, const QModelIndex& parent) const
 {
     if (m_all)
         return true;
-    const auto verdict =
-        RowVerdict(sourceModel()->index(row, 0, parent).data(CompareModel::VerdictRole).toInt());
-    return verdict == RowVerdict::Different || verdict == RowVerdict::Missing;
+    return sourceModel()->index(row, 0, parent).data(CompareModel::OpenRole).toBool();
 }
 } // namespace ui

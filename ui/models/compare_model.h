@@ -26,7 +26,8 @@ class CompareModel final : public QAbstractTableModel {
 
 public:
     enum Column : int { Name, Address, FirstTable };
-    enum Role : int { VerdictRole = Qt::UserRole, KeyRole };
+    /// OpenRole: differs, is missing, or is as in the file until power-off only.
+    enum Role : int { OpenRole = Qt::UserRole, KeyRole };
 
     using QAbstractTableModel::QAbstractTableModel;
 

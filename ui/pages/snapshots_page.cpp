@@ -116,6 +116,7 @@ std::optional<jobs::RestorePlan> SnapshotsPage::plan(const std::vector<ShelfChoi
     jobs::RestoreChoice choice;
     choice.identity = m_identity->isChecked();
     jobs::RestorePlan made = jobs::planRestore(servo->servo, *source, choice);
+    jobs::tickTemporary(made, device::temporaryValues(servo->history, servo->servo), false);
     for (const auto& [key, on] : m_ticks)
         (void)made.tick(key, on);
     return made;
