@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A cable between a program and the simulator's terminal that can be cut: a terminal of its own,
-// which hangs up, or a TCP bridge, whose link drops. The servos keep their power. It counts the
+// which hangs up, or a TCP bridge, whose link drops. The servos keep their power. The terminal has
+// a name of its own, since that of the system is given at once to whoever asks next. It counts the
 // Feetech frames of the program that change something. A thread of its own; everything else from
 // the test's. POSIX only.
 #pragma once
 
 #include "support/cable_end.h"
 #include "transport/tty_speed.h"
+
+#include <QFile>
+#include <QTemporaryDir>
 
 #include <atomic>
 #include <mutex>
@@ -55,6 +59,7 @@ public:
 private:
     void hangUp()
     {
+        QFile::remove(m_name);
         for (int* side : {&m_slave, &m_host, &m_listener, &m_terminal}) {
             if (*side >= 0)
                 close(*side);
@@ -67,7 +72,10 @@ private:
         const Terminal terminal = makeTerminal();
         m_host = terminal.master;
         m_slave = terminal.slave; // held open, so that the rate can be asked for
-        m_port = terminal.port;
+        m_name = m_folder.filePath(QStringLiteral("port"));
+        if (!QFile::link(terminal.port, m_name))
+            qFatal("no name for the terminal");
+        m_port = m_name;
     }
 
     void listenForClient()
@@ -162,6 +170,8 @@ private:
     int m_slave = -1;
     int m_listener = -1;
     QString m_port;
+    QTemporaryDir m_folder;
+    QString m_name{}; ///< of the terminal; none with TCP
     std::atomic<bool> m_over{false};
     std::atomic<int> m_writes{0};
     std::atomic<int> m_cutAt{0}; ///< 0: not
