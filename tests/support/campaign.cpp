@@ -426,7 +426,9 @@ Tally breakCommand(Break how, const Command& command, const Files& files, int ro
                    std::mt19937& random)
 {
     const bool noisy = how == Break::KillInNoise;
-    const Course course = courseOf(command, files, std::uint32_t(random()));
+    Course course; // on a busy machine the servo may not answer in time
+    for (int i = 0; i < maxTries && course.writes == 0; ++i)
+        course = courseOf(command, files, std::uint32_t(random()));
     Tally tally;
     if (course.writes == 0) {
         ++tally.missed;

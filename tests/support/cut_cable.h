@@ -59,7 +59,8 @@ public:
 private:
     void hangUp()
     {
-        QFile::remove(m_name);
+        if (!m_name.isEmpty())
+            QFile::remove(m_name);
         for (int* side : {&m_slave, &m_host, &m_listener, &m_terminal}) {
             if (*side >= 0)
                 close(*side);
