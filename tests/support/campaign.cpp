@@ -19,6 +19,7 @@ namespace support {
 namespace {
 constexpr int lockAddress = 55;
 constexpr int maxTries = 40;
+constexpr int courseTries = 5;
 constexpr int startMs = 10'000; ///< the longest any of them looks before it writes
 constexpr int idleMs = 2000; ///< a command that has written nothing for so long waits for the user
 constexpr int enoughRounds = 10; ///< of one command, to expect that a break meets an open change
@@ -427,7 +428,7 @@ Tally breakCommand(Break how, const Command& command, const Files& files, int ro
 {
     const bool noisy = how == Break::KillInNoise;
     Course course; // on a busy machine the servo may not answer in time
-    for (int i = 0; i < maxTries && course.writes == 0; ++i)
+    for (int i = 0; i < courseTries && course.writes == 0; ++i)
         course = courseOf(command, files, std::uint32_t(random()));
     Tally tally;
     if (course.writes == 0) {
