@@ -8,6 +8,7 @@
 #include "device/release.h"
 
 #include <functional>
+#include <memory>
 
 namespace cli {
 namespace {
@@ -32,20 +33,23 @@ base::Result<State> parseState(const QString& word)
     return badArgument(translate("cli", "the last word must be on, off or damp"));
 }
 
+/// The rest of what is done to a servo, when all have had their turn; empty: it is done.
+using Confirm = std::function<base::Result<void>()>;
+
 /// What is done to each of several servos, and how it is told.
 struct Task {
     const char* name; ///< operation, and the member of the JSON document
     Json result;
     QString shown;
-    std::function<base::Result<void>(const device::Context&, device::Servo&)> act;
+    std::function<base::Result<Confirm>(const device::Context&, device::Servo)> act;
     bool releases = false; ///< torque off goes out even if the servo cannot be identified
 };
 
-base::Result<void> doOne(Run& run, int id, const Task& task)
+base::Result<Confirm> doOne(Run& run, int id, const Task& task)
 {
     auto servo = run.servo(id);
     if (servo)
-        return task.act(*run.context(), *servo);
+        return task.act(*run.context(), std::move(*servo));
     const auto connection = run.connect();
     if (!task.releases || !connection)
         return tl::unexpected(servo.error());
@@ -56,13 +60,22 @@ base::Result<void> doOne(Run& run, int id, const Task& task)
 /// All servos get their turn, whatever becomes of the others: off must reach as many as it can.
 base::Result<Exit> doAll(Run& run, const std::vector<int>& ids, const Task& task)
 {
-    Json::Array servos;
-    QString text;
-    Exit exit = Exit::Done;
+    std::vector<base::Result<Confirm>> begun;
     for (const int id : ids) {
         if (run.stop().requested())
             return base::fail(base::ErrorCode::Stopped, QLatin1String(task.name), {}, id);
-        const auto done = doOne(run, id, task);
+        begun.push_back(doOne(run, id, task));
+    }
+    Json::Array servos;
+    QString text;
+    Exit exit = Exit::Done;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const int id = ids[i];
+        base::Result<void> done;
+        if (!begun[i])
+            done = tl::unexpected(begun[i].error());
+        else if (*begun[i])
+            done = (*begun[i])();
         Json json = Json::object();
         json.add("id", id);
         if (done) {
@@ -92,12 +105,21 @@ base::Result<Exit> runTorque(Run& run, const Values& values)
         return tl::unexpected(ids.error());
     if (const auto connection = run.connect(); !connection)
         return tl::unexpected(connection.error());
-    const Task task{"torque", QString::fromLatin1(state->word), translate("cli", state->shown),
-                    [torque = state->torque](const device::Context& context, device::Servo& servo) {
-                        return device::setTorque(context, servo, torque);
-                    },
-                    state->torque == device::Torque::Off};
+    const Task task{
+        "torque", QString::fromLatin1(state->word), translate("cli", state->shown),
+        [torque = state->torque](const device::Context& context, device::Servo servo) {
+            return device::setTorque(context, servo, torque).map([] { return Confirm(); });
+        },
+        state->torque == device::Torque::Off};
     return doAll(run, *ids, task);
+}
+
+base::Result<Confirm> beginHalt(const device::Context& context, device::Servo servo)
+{
+    const auto stopping = std::make_shared<device::Servo>(std::move(servo));
+    return device::commandHalt(context, *stopping).map([=](const device::HaltCommand& command) {
+        return Confirm([=] { return device::confirmHalt(context, *stopping, command); });
+    });
 }
 
 base::Result<Exit> runStop(Run& run, const Values& values)
@@ -107,7 +129,7 @@ base::Result<Exit> runStop(Run& run, const Values& values)
         return tl::unexpected(ids.error());
     if (const auto connection = run.connect(); !connection)
         return tl::unexpected(connection.error());
-    const Task task{"stopped", true, translate("cli", "stopped"), device::halt, true};
+    const Task task{"stopped", true, translate("cli", "stopped"), beginHalt, true};
     return doAll(run, *ids, task);
 }
 

@@ -15,10 +15,23 @@ enum class Torque : std::uint8_t { Off, On, Damp };
 /// a line that never falls silent); the error then tells that it was sent, see device/release.h.
 base::Result<void> setTorque(const Context& context, Servo& servo, Torque torque);
 
-/// Ends the motion at once; torque stays on. Where nothing tells where to hold (step mode, turns
-/// not known, far outside the limits) torque is switched off, and that is noted. Where holding
-/// cannot be proven, torque off is sent as with setTorque().
+/// Ends the motion at once; torque stays on where the servo can hold. Where nothing tells where to
+/// hold (step mode, turns not known, far outside the limits), and where the servo goes on turning
+/// although it was told to stand still, torque is switched off, and that is noted. Where neither
+/// can be proven, torque off is sent as with setTorque(). A servo that slows down is waited for.
 base::Result<void> halt(const Context& context, Servo& servo);
+/// In their order. All are commanded before the first one is waited for.
+std::vector<base::Result<void>> haltAll(const Context& context, const std::vector<Servo*>& servos);
+
+/// The two halves of halt(), for several servos that are not known at once.
+struct HaltCommand {
+    enum class Kind : std::uint8_t { Nothing, Holding, StopCommand };
+    Kind kind = Kind::Nothing;              ///< what is still to be proven
+    const catalog::Register* reg = nullptr; ///< Holding: the command register and its value
+    std::int64_t raw = 0;
+};
+base::Result<HaltCommand> commandHalt(const Context& context, Servo& servo);
+base::Result<void> confirmHalt(const Context& context, Servo& servo, const HaltCommand& command);
 
 /// Torque off → switch (both limits in one write) → zero the new mode's command → read back. Torque
 /// stays off. The limits and the speed for the way back are remembered in the journal.

@@ -18,6 +18,15 @@ bool hasFlag(const device::Servo& servo)
     return servo.profile->byRole(Role::Moving) != nullptr;
 }
 
+/// By its flag, or its speed where it has none: the command 0 alone does not stop every servo.
+bool turns(const device::Servo& servo)
+{
+    constexpr std::int64_t movingBit = 1; // HLS: bit 1 only tells that the goal was not reached
+    if (hasFlag(servo))
+        return (servo.raw(Role::Moving).value_or(0) & movingBit) != 0;
+    return servo.raw(Role::PresentSpeed).value_or(0) != 0;
+}
+
 /// Without a flag two places tell. The last step of the encoder comes and goes.
 base::Result<Motion> comparePlaces(const device::Context& context, device::Servo& servo)
 {
@@ -39,7 +48,8 @@ Motion lastKnownMotion(const device::Servo& servo)
     if (mode == nullptr)
         return Motion::Rest;
     if (mode->command != Role::GoalPosition)
-        return servo.raw(mode->command).value_or(0) != 0 ? Motion::Endless : Motion::Rest;
+        return servo.raw(mode->command).value_or(0) != 0 || turns(servo) ? Motion::Endless
+                                                                         : Motion::Rest;
     return servo.raw(Role::Moving).value_or(0) != 0 ? Motion::ToGoal : Motion::Rest;
 }
 
@@ -51,8 +61,8 @@ base::Result<Motion> readMotion(const device::Context& context, device::Servo& s
         return tl::unexpected(read.error());
     const catalog::Mode* mode = servo.mode();
     const Role command = mode != nullptr ? mode->command : Role::GoalPosition;
-    const auto read =
-        device::readRoles(context, servo, {command, Role::PresentPosition, Role::Moving});
+    const auto read = device::readRoles(
+        context, servo, {command, Role::PresentPosition, Role::PresentSpeed, Role::Moving});
     if (!read)
         return tl::unexpected(read.error());
     const bool toGoal = mode != nullptr && command == Role::GoalPosition &&

@@ -142,9 +142,12 @@ base::Result<void> torqueOfAll(TaskContext& context, device::Torque torque)
 
 base::Result<void> haltAll(TaskContext& context)
 {
-    return forAll(context, [&](device::Servo& servo, std::size_t) {
-        return device::halt(context.device, servo);
-    });
+    base::Result<void> all;
+    for (auto& halted : device::haltAll(context.device, allOf(context))) {
+        if (!halted && all)
+            all = std::move(halted);
+    }
+    return all;
 }
 
 base::Result<void> switchAll(TaskContext& context, const ModeJob& job)
