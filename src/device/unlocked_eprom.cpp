@@ -82,9 +82,13 @@ LockState closeLock(const Context& context, Servo& servo)
         }
         if (!isOpen(*flag))
             return LockState::Closed;
-        state = LockState::Open;
-        if (writeVerified(context, servo, *lock, lockClosed))
+        const auto closed = writeVerified(context, servo, *lock, lockClosed);
+        if (closed)
             return LockState::Closed;
+        // It may have closed where only the reading that shows it was lost.
+        const bool shown =
+            closed.error().code == ErrorCode::Mismatch || closed.error().code == ErrorCode::Refused;
+        state = shown ? LockState::Open : LockState::Unknown;
     }
     context.note(NoticeCode::LockLeftOpen, servo.id, lock->key);
     return state;

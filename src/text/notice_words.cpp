@@ -30,9 +30,9 @@ constexpr std::array entries{
     Entry{NoticeCode::LockClosed, "lock-closed",
           QT_TRANSLATE_NOOP("text", "The EPROM lock has been closed.")},
     Entry{NoticeCode::LockLeftOpen, "lock-left-open",
-          QT_TRANSLATE_NOOP("text",
-                            "The EPROM lock could not be closed; it is noted in the journal. "
-                            "Use recover when the servo answers again.")},
+          QT_TRANSLATE_NOOP(
+              "text", "The EPROM lock could not be proven closed; it is noted in the journal. "
+                      "Use recover when the servo answers again.")},
     Entry{NoticeCode::CommandZeroed, "command-zeroed",
           QT_TRANSLATE_NOOP("text", "%3 was set to 0, so that nothing moves in the new mode.")},
     Entry{NoticeCode::LimitsKept, "limits-kept",

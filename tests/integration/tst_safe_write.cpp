@@ -75,6 +75,8 @@ private Q_SLOTS:
     void journalKeepsTheOldValue();
     void brownOutIsNotCalledKept();
     void anExchangedServoIsNotJudged();
+    void aLockThatMayBeClosedIsNotCalledOpen_data();
+    void aLockThatMayBeClosedIsNotCalledOpen();
 };
 
 void TestSafeWrite::keptSurvivesPowerOff_data()
@@ -458,6 +460,37 @@ void TestSafeWrite::anExchangedServoIsNotJudged()
     QCOMPARE(report->writes[0].readBack, std::optional<std::int64_t>(70));
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Unknown);
     QVERIFY(!report->openIntent.isEmpty());
+    QCOMPARE(openIntents(bench), std::size_t(1));
+}
+
+void TestSafeWrite::aLockThatMayBeClosedIsNotCalledOpen_data()
+{
+    QTest::addColumn<bool>("acknowledged");
+    QTest::newRow("the reading is lost") << true;
+    QTest::newRow("the acknowledgement as well") << false;
+}
+
+/// The servo has closed its lock; only what would show it gets lost.
+void TestSafeWrite::aLockThatMayBeClosedIsNotCalledOpen()
+{
+    QFETCH(bool, acknowledged);
+    SimBench bench(QStringLiteral("sts3215@1"));
+    device::Servo servo = bench.servo(1);
+    const base::Bytes closes{0xFF, 0xFF, 0x01, 0x04, 0x03, 0x37, 0x01, 0xBF};
+    bool sent = false;
+    bench.tap().onWrite = [&](const base::Bytes& frame) {
+        const bool now = frame == closes;
+        if (sent || (now && !acknowledged))
+            bench.wireConfig().faults.drop = 1;
+        sent = sent || now;
+    };
+    const auto report =
+        device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+    QVERIFY(report && sent);
+    QCOMPARE(bench.raw(1, QStringLiteral("lock")), 1);
+    QCOMPARE(report->lock, LockState::Unknown);
+    QVERIFY(!report->allGood());
+    QVERIFY(noted(bench, device::NoticeCode::LockLeftOpen));
     QCOMPARE(openIntents(bench), std::size_t(1));
 }
 
