@@ -42,6 +42,14 @@ bool endsAll(ErrorCode code)
            code == ErrorCode::Preempted;
 }
 
+/// The mark could not be noted in the journal, which is none of the servo's doing.
+bool concernsJournal(ErrorCode code)
+{
+    return code == ErrorCode::FileMissing || code == ErrorCode::FileUnreadable ||
+           code == ErrorCode::FileFormat || code == ErrorCode::FileUnwritable ||
+           code == ErrorCode::DiskFull;
+}
+
 /// Null: nothing in this servo can be a mark. In motor mode the running time is the motor's output.
 const catalog::Register* markOf(const device::Servo& servo)
 {
@@ -59,7 +67,8 @@ std::optional<std::int64_t> loadedAtStart(const device::Servo& servo, const cata
     return mark.role == Role::TorqueLimit ? servo.raw(Role::MaxTorque) : mark.defaultRaw;
 }
 
-/// Without a mark silence has to prove the restart, so a servo that takes none is no error.
+/// Without a mark silence has to prove the restart, so a servo that takes none is no error. A
+/// journal that cannot be written is one, before the command is sent.
 base::Result<Mark> setMark(const device::Context& context, device::Servo& servo)
 {
     const catalog::Register* reg = markOf(servo);
@@ -76,7 +85,7 @@ base::Result<Mark> setMark(const device::Context& context, device::Servo& servo)
         return Mark{reg, *now};
     const std::int64_t raw = *now > reg->min.value_or(0) ? *now - 1 : *now + 1;
     auto written = TemporarySettings::set(context, servo, {{reg->key, raw}});
-    if (!written && endsAll(written.error().code))
+    if (!written && (endsAll(written.error().code) || concernsJournal(written.error().code)))
         return tl::unexpected(written.error());
     return written ? Mark{reg, raw, std::move(*written)} : Mark{};
 }
@@ -201,16 +210,17 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
     if (context.stop.requested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
     auto mark = setMark(context, servo);
-    if (!mark)
+    if (!mark) {
+        if (concernsJournal(mark.error().code))
+            context.note(device::NoticeCode::TorqueStaysOff, servo.id);
         return tl::unexpected(mark.error());
+    }
     const auto milliseconds = restart(context, servo, *mark);
     if (!milliseconds)
         return milliseconds; // the mark is taken back
     context.note(device::NoticeCode::RebootedAfter, servo.id, {}, *milliseconds);
-    if (mark->written) {
-        if (const auto forgotten = mark->written->forget(); !forgotten)
-            return tl::unexpected(forgotten.error());
-    }
+    if (mark->written)
+        mark->written->forget();
     return milliseconds;
 }
 } // namespace jobs

@@ -224,11 +224,10 @@ base::Result<void> TemporarySettings::tryBack()
     return back;
 }
 
-base::Result<void> TemporarySettings::forget()
+void TemporarySettings::forget()
 {
-    if (m_uuid.isEmpty())
-        return {};
-    return m_context.journal.end(std::exchange(m_uuid, {}), {QStringLiteral("undone"), {}});
+    if (!m_uuid.isEmpty())
+        m_context.record(std::exchange(m_uuid, {}), m_servo.id, {QStringLiteral("undone"), {}});
 }
 
 base::Result<void> TemporarySettings::putBack()

@@ -35,8 +35,9 @@ public:
     /// NoAnswer, Preempted, Mismatch …
     base::Result<void> putBack();
 
-    /// The servo has restarted and loaded its own values: nothing is owed any more.
-    base::Result<void> forget();
+    /// The servo has restarted and loaded its own values: nothing is owed any more. Where that
+    /// cannot be recorded it is noted.
+    void forget();
 
     /// What differs from before; empty: everything was so already.
     const std::vector<base::JournalItem>& items() const { return m_items; }

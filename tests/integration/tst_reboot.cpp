@@ -61,6 +61,8 @@ private Q_SLOTS:
     void lostPingIsNoRestart();
     void exceptionFails();
     void limitThatWasLoweredIsTheMark();
+    void aFullDiskIsNamedAndNothingRestarts();
+    void aRestartThatCannotBeRecordedIsSaid();
 };
 
 void TestReboot::restartIsProven_data()
@@ -252,6 +254,35 @@ void TestReboot::limitThatWasLoweredIsTheMark()
     for (const Bytes& frame : bench.tap().written)
         QVERIFY(frame[4] != support::Write || frame[5] != 48);
     QCOMPARE(bench.raw(1, text("torque_limit")), 1000);
+}
+
+/// Its mark could not be noted: a restart would prove nothing, and the servo is not to blame.
+void TestReboot::aFullDiskIsNamedAndNothingRestarts()
+{
+    SimBench bench(text("sts3215@1"));
+    device::Servo one = bench.servo(1);
+    bench.journal().failWith(ErrorCode::DiskFull);
+    bench.forgetFrames();
+    const auto took = jobs::reboot(bench.context(), one);
+    QVERIFY(!took);
+    QCOMPARE(took.error().code, ErrorCode::DiskFull);
+    QCOMPARE(bench.frames(support::Reboot), 0);
+    QVERIFY(noted(bench, device::NoticeCode::TorqueStaysOff));
+    QCOMPARE(bench.raw(1, text("torque_limit")), 1000);
+}
+
+void TestReboot::aRestartThatCannotBeRecordedIsSaid()
+{
+    SimBench bench(text("sts3215@1"));
+    device::Servo one = bench.servo(1);
+    bench.tap().onWrite = [&bench](const Bytes& frame) {
+        if (frame == restartOf1)
+            bench.journal().failWith(ErrorCode::DiskFull);
+    };
+    QVERIFY(jobs::reboot(bench.context(), one));
+    QVERIFY(noted(bench, device::NoticeCode::RebootedAfter));
+    QVERIFY(noted(bench, device::NoticeCode::NotRecorded));
+    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
 }
 
 QTEST_GUILESS_MAIN(TestReboot)
