@@ -336,9 +336,13 @@ QString notPutBackText(const jobs::RestoreOutcome& outcome)
 {
     if (outcome.notPutBack.isEmpty())
         return {};
-    return translate("cli", "Could not be put back: %1. The change stays open; look at it with: "
-                            "servodesk-cli recover")
-               .arg(outcome.notPutBack.join(QStringLiteral(", "))) +
+    const QString keys = outcome.notPutBack.join(QStringLiteral(", "));
+    const QString next =
+        outcome.changeOpen
+            ? translate("cli", "The change stays open; look at it with: servodesk-cli recover")
+            : translate("cli", "The values in the table stand in the servo. The snapshot that was "
+                               "taken before the first write has the earlier ones.");
+    return translate("cli", "Could not be put back: %1.").arg(keys) + QLatin1Char(' ') + next +
            QLatin1Char('\n');
 }
 } // namespace

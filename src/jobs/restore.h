@@ -51,6 +51,7 @@ struct RestoreOutcome {
     int oldBaud = 0, newBaud = 0;
     /// Rolling back was asked for, and these may not be as they were before.
     QStringList notPutBack{};
+    bool changeOpen = false; ///< the journal still has what was not put back: recover goes on
 };
 
 base::Result<RestoreOutcome> restore(const device::Context& context, device::Servo& servo,

@@ -297,6 +297,11 @@ std::vector<base::ItemEnd> Restorer::endsUndone() const
 
 void Restorer::rollBack()
 {
+    // Ending the restore is one of the ways to fail, so the way back does not end by it.
+    const base::Stop unstopped;
+    const device::Context context{m_context.bus,  m_context.catalog, m_context.journal,
+                                  unstopped,      m_context.notices, m_context.priority,
+                                  m_context.hold, m_context.epoch};
     const auto items = itemsBefore();
     device::WriteReport report;
     report.lock = m_outcome.lock;
@@ -306,13 +311,15 @@ void Restorer::rollBack()
         options.asBefore = true;
         options.kind = base::IntentKind::Restore;
         options.torqueOff = true;
-        const auto written = device::write(m_context, m_servo, items, options);
+        const auto written = device::write(context, m_servo, items, options);
         if (!written) {
             for (const device::WriteItem& item : items)
                 m_outcome.notPutBack << item.key;
+            m_outcome.changeOpen = !m_openIntents.isEmpty();
             return;
         }
         report = *written;
+        m_outcome.changeOpen = !m_openIntents.isEmpty() || !report.openIntent.isEmpty();
     }
     m_outcome.lock = report.lock;
     for (RestoreRowResult& row : m_outcome.rows) {
@@ -327,6 +334,7 @@ void Restorer::rollBack()
     }
     if (!report.allGood())
         return;
+    m_outcome.changeOpen = false;
     m_outcome.verdict = RestoreVerdict::RolledBack;
     for (const QString& uuid : std::as_const(m_openIntents))
         m_context.record(uuid, m_servo.id, {QStringLiteral("undone"), {}, endsUndone()});

@@ -216,6 +216,7 @@ private Q_SLOTS:
     void aFinishingThatFailedIsUndone();
     void aWayBackBrokenOffIsGoneToItsEnd_data();
     void aWayBackBrokenOffIsGoneToItsEnd();
+    void endingItOnTheWayPutsBack();
     void onlyTheWayBackIsOpen_data();
     void onlyTheWayBackIsOpen();
     void whatSomebodyWroteSinceIsLeftAlone_data();
@@ -377,6 +378,21 @@ void TestRestoreUndo::aWayBackBrokenOffIsGoneToItsEnd()
     }
     // Unlocking, two rows and locking at least.
     QVERIFY(brokenOff >= 4);
+}
+
+/// Ctrl-C in the middle, rolling back asked for.
+void TestRestoreUndo::endingItOnTheWayPutsBack()
+{
+    UndoBench bench;
+    bench.bench.tap().onWrite = [&, left = unlockAndThreeRows](const base::Bytes& frame) mutable {
+        if (support::isWrite(frame) && --left == 0)
+            bench.bench.stop().request();
+    };
+    const auto outcome = bench.restore(OnFailure::RollBack);
+    QVERIFY(outcome && outcome->verdict == RestoreVerdict::RolledBack);
+    QVERIFY(outcome->notPutBack.isEmpty());
+    bench.mend();
+    QCOMPARE(bench.notAsBefore(), QString());
 }
 
 void TestRestoreUndo::onlyTheWayBackIsOpen_data()
