@@ -19,6 +19,8 @@ constexpr int maxRounds = 10;
 constexpr int maxPasses = 4;
 /// So many unreadable replies, and more than readable ones: no retry would make a write safe.
 constexpr int brokenTooMany = 6;
+/// So many rounds on end without a byte: it does not answer any more, whatever came before.
+constexpr int silentTooMany = 3;
 
 // Twice the speed of the fastest servos of the vendor's list, and the jitter of a resting encoder,
 // both in 1/4096 turn.
@@ -77,18 +79,37 @@ public:
         for (int round = 0; round < maxRounds; ++round) {
             if (m_context.stop.requested())
                 return base::fail(ErrorCode::Stopped, QStringLiteral("identify"), {}, m_servo.id);
+            const int before = heard();
             if (const auto done = oneRound(round == 0); !done)
                 return tl::unexpected(done.error());
             if (const auto verdict = judge())
                 return *verdict;
+            m_silentRounds = heard() == before ? m_silentRounds + 1 : 0;
+            if (m_silentRounds >= silentTooMany)
+                return silent();
         }
-        // What is lost on the way does not speak of a second servo.
-        if (m_broken == 0 && m_secondReplies + m_differences == 0)
-            return base::fail(ErrorCode::NoAnswer, QStringLiteral("identify"), {}, m_servo.id);
-        return finding(TwinSign::BrokenReplies);
+        return doubtful();
     }
 
 private:
+    int heard() const { return m_clean + m_broken + m_secondReplies; }
+
+    base::Result<TwinFinding> silent() const
+    {
+        return base::fail(ErrorCode::NoAnswer, QStringLiteral("identify"), {}, m_servo.id);
+    }
+
+    /// Of signs that were not seen twice. What is lost on the way does not speak of a second servo.
+    base::Result<TwinFinding> doubtful() const
+    {
+        if (m_broken > 0)
+            return finding(TwinSign::BrokenReplies);
+        if (m_secondReplies > 0)
+            return finding(TwinSign::SecondReply);
+        return m_differences > 0 ? base::Result<TwinFinding>(finding(TwinSign::DifferentValues))
+                                 : silent();
+    }
+
     TwinFinding finding(TwinSign sign) const
     {
         TwinFinding found{sign, m_clean + m_broken, m_broken, std::nullopt};
@@ -122,8 +143,8 @@ private:
         const bool whole = *missing == 0;
         // A second reply may be as late as this link ever was. Only where nothing is out of the
         // ordinary once is enough.
-        const bool doubtful = m_broken > brokenBefore || m_secondReplies + m_differences > 0;
-        if (first || doubtful) {
+        const bool isDoubtful = m_broken > brokenBefore || m_secondReplies + m_differences > 0;
+        if (first || isDoubtful) {
             if (const auto heard = m_context.bus.listen(m_context.bus.replyTimeout()); !heard)
                 return heard;
         }
@@ -234,6 +255,7 @@ private:
     int m_goodRounds = 0;
     int m_clean = 0;
     int m_broken = 0;
+    int m_silentRounds = 0;  ///< on end, until now
     int m_secondReplies = 0; ///< rounds with one
     int m_differences = 0;   ///< rounds that differ from the one before
 };

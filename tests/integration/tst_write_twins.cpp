@@ -168,6 +168,7 @@ private Q_SLOTS:
     void aNewIdNeedsNoSecondLook();
     void noiseIsAskedAgainAndNotRemembered();
     void aLostReplyIsNoSecondServo();
+    void silenceIsNoSecondServo();
     void anEmergencyStopIsNotKeptWaiting();
     void torqueOffReachesBoth_data();
     void torqueOffReachesBoth();
@@ -384,6 +385,24 @@ void TestWriteTwins::aLostReplyIsNoSecondServo()
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, ErrorCode::NoAnswer);
     QCOMPARE(refused.error().id, 1);
+}
+
+/// One unreadable reply, and then the cable is out.
+void TestWriteTwins::silenceIsNoSecondServo()
+{
+    Bytes bench;
+    bench.line.servos = {byteSts(1)};
+    bench.line.spoil = [told = false](int, base::Bytes& reply) mutable {
+        if (std::exchange(told, true))
+            reply.clear();
+        else
+            reply.back() ^= 0xFF;
+    };
+    bench.open();
+    device::Servo servo = bench.servo();
+    const auto refused = device::beginWriting(bench.context(), servo, QStringLiteral("write"));
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode::NoAnswer);
 }
 
 void TestWriteTwins::torqueOffReachesBoth_data()
