@@ -135,7 +135,7 @@ base::Result<Owned> ownAll(const Context& outer, const std::vector<MovePlan>& pl
         return base::fail(ErrorCode::Stopped, QStringLiteral("move"));
     Owned owned = own(outer, ids);
     for (const MovePlan& plan : plans) {
-        const auto may = beginWriting(owned.context, *plan.servo, QStringLiteral("move"));
+        const auto may = beginWriting(owned, *plan.servo, QStringLiteral("move"));
         if (!may)
             return tl::unexpected(may.error());
     }

@@ -82,7 +82,9 @@ base::Result<void> releaseAnyway(const Context& context, Servo& servo, base::Err
 {
     if (!sendTorqueOff(context, servo))
         return tl::unexpected(std::move(why));
-    if (why.code != ErrorCode::SeveralServos && readsOff(context, servo)) {
+    const bool unclear =
+        why.code == ErrorCode::SeveralServos || why.code == ErrorCode::IdentityDiffers;
+    if (!unclear && readsOff(context, servo)) {
         context.note(NoticeCode::TorqueSwitchedOff, servo.id);
         return {};
     }

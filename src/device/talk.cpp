@@ -22,7 +22,7 @@ base::Result<bus::Outcome> say(const Context& context, Servo& servo, protocol::R
                                int retries = -1)
 {
     if (changes(request)) {
-        if (const auto may = beginWriting(context, servo, QStringLiteral("write")); !may)
+        if (const auto may = requireVerified(context, servo, QStringLiteral("write")); !may)
             return tl::unexpected(may.error());
     }
     bus::Transaction transaction;

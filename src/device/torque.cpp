@@ -105,14 +105,14 @@ base::Result<void> switchOn(const Context& context, Servo& servo)
 
 namespace {
 /// Sent first of all where it is not known yet that one servo answers: finding out takes its time,
-/// and may end in a refusal.
+/// and may end in a refusal. Who it is does not matter: every table has this register at one place.
 base::Result<void> release(const Context& context, Servo& servo)
 {
     if (!torqueOffOf(servo))
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));
     if (!context.bus.verifiedIds().contains(servo.protocol, servo.id, context.bus.baud()))
         sendTorqueOff(context, servo);
-    auto off = beginWriting(context, servo, QStringLiteral("torque"));
+    auto off = requireVerified(context, servo, QStringLiteral("torque"));
     if (off)
         off = torqueOff(context, servo);
     return off ? off : releaseAnyway(context, servo, std::move(off.error()));
@@ -125,7 +125,7 @@ base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
     const Context& context = owned.context;
     if (wanted == Torque::Off)
         return release(context, servo);
-    if (const auto may = beginWriting(context, servo, QStringLiteral("torque")); !may)
+    if (const auto may = beginWriting(owned, servo, QStringLiteral("torque")); !may)
         return may;
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
     if (torque == nullptr)

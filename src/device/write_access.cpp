@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/write_access.h"
 
+#include "device/reader.h"
 #include "device/twin_check.h"
 
 #include <algorithm>
@@ -91,7 +92,44 @@ base::Result<void> requireAlone(const Context& outer, const Servo& servo, const 
     return base::fail(ErrorCode::SeveralServos, operation, wordOf(*found), servo.id);
 }
 
-base::Result<void> beginWriting(const Context& outer, const Servo& servo, const QString& operation)
+namespace {
+/// A servo can be exchanged on the open line, and no byte of the next write would show it.
+base::Result<void> requireSame(const Context& context, const Servo& servo, const QString& operation)
+{
+    if (servo.protocol == base::Protocol::Lx)
+        return {};
+    const auto now = identify(context, servo.id, servo.protocol);
+    if (!now)
+        return tl::unexpected(now.error());
+    if (now->profile->identity == servo.profile->identity)
+        return {};
+    context.bus.verifiedIds().remove(servo.protocol, servo.id, context.bus.baud());
+    const QString model = now->profile->modelName;
+    return base::fail(ErrorCode::IdentityDiffers, operation, model, servo.id);
+}
+} // namespace
+
+base::Result<void> beginWriting(const Context& context, const Servo& servo,
+                                const QString& operation)
+{
+    if (context.emergencyStop)
+        return {};
+    if (const auto writable = requireWritable(servo, operation); !writable)
+        return writable;
+    if (const auto same = requireSame(context, servo, operation); !same)
+        return same;
+    return requireVerified(context, servo, operation);
+}
+
+base::Result<void> beginWriting(const Owned& owned, const Servo& servo, const QString& operation)
+{
+    const bool step = owned.hold.token() == 0;
+    return step ? requireVerified(owned.context, servo, operation)
+                : beginWriting(owned.context, servo, operation);
+}
+
+base::Result<void> requireVerified(const Context& outer, const Servo& servo,
+                                   const QString& operation)
 {
     if (outer.emergencyStop)
         return {};

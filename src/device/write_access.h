@@ -20,12 +20,21 @@ std::optional<base::Error> writeBar(const Servo& servo);
 base::Result<void> requireAlone(const Context& context, const Servo& servo,
                                 const QString& operation);
 
-/// The above, and where this connection has not written to the servo before: looks whether a second
-/// one answers under its ID (SeveralServos) and what stands at the lock's place. Remembered on the
-/// bus once it is well. Neither delays nor refuses what belongs to an emergency stop. Errors of
-/// reading besides.
+/// The above, and asks the servo who it is: one that was exchanged since it was identified is
+/// IdentityDiffers, with the model found as detail (an LX servo tells nothing to compare). Where
+/// this connection has not written to the servo before: looks whether a second one answers under
+/// its ID (SeveralServos) and what stands at the lock's place. Remembered on the bus once it is
+/// well. Neither delays nor refuses what belongs to an emergency stop. Errors of reading besides.
 base::Result<void> beginWriting(const Context& context, const Servo& servo,
                                 const QString& operation);
+
+/// The same for a manoeuvre that may be a step of a larger one: a hold that was taken before has
+/// asked already.
+base::Result<void> beginWriting(const Owned& owned, const Servo& servo, const QString& operation);
+
+/// For the frames themselves, after beginWriting(): the same without asking who it is.
+base::Result<void> requireVerified(const Context& context, const Servo& servo,
+                                   const QString& operation);
 
 /// After a change of ID or rate: where the servo answers now it needs no second look, and whoever
 /// is plugged in where it was needs one.

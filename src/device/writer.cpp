@@ -137,7 +137,7 @@ base::Result<WriteReport> write(const Context& outer, Servo& servo,
         return tl::unexpected(checked.error());
     const Owned owned = own(outer, {servo.id});
     const Context& context = owned.context;
-    if (const auto may = beginWriting(context, servo, QStringLiteral("write")); !may)
+    if (const auto may = beginWriting(owned, servo, QStringLiteral("write")); !may)
         return tl::unexpected(may.error());
     if (const auto fresh = readBefore(context, servo, *checked); !fresh)
         return tl::unexpected(fresh.error());
