@@ -48,11 +48,11 @@ FindingWord findingWord(jobs::Finding finding)
 {
     switch (finding) {
     case jobs::Finding::AllOld:
-        return {"all-old", QT_TRANSLATE_NOOP("cli", "nothing of it was written")};
+        return {"all-old", QT_TRANSLATE_NOOP("cli", "the old values")};
     case jobs::Finding::AllNew:
-        return {"all-new", QT_TRANSLATE_NOOP("cli", "all of it was written")};
+        return {"all-new", QT_TRANSLATE_NOOP("cli", "the new values")};
     case jobs::Finding::Mixed:
-        return {"mixed", QT_TRANSLATE_NOOP("cli", "part of it was written")};
+        return {"mixed", QT_TRANSLATE_NOOP("cli", "some new, some old values")};
     case jobs::Finding::OtherServo:
         return {"other-servo", QT_TRANSLATE_NOOP("cli", "another servo answers: left alone")};
     case jobs::Finding::NoAnswer:
@@ -60,7 +60,7 @@ FindingWord findingWord(jobs::Finding finding)
     case jobs::Finding::Unreadable:
         return {"unreadable", QT_TRANSLATE_NOOP("cli", "something answers, but nothing readable")};
     case jobs::Finding::Replaced:
-        return {"replaced", QT_TRANSLATE_NOOP("cli", "later writes have replaced it")};
+        return {"replaced", QT_TRANSLATE_NOOP("cli", "other values since, which stay")};
     }
     return {"", ""};
 }
@@ -94,6 +94,8 @@ Json jsonRecovered(const jobs::Recovered& one)
         .add("found_baud", one.before.foundBaud > 0 ? Json(one.before.foundBaud) : Json())
         .add("lock_open", one.before.lockOpen)
         .add("done", one.done);
+    if (!one.left.isEmpty())
+        json.add("left", one.left);
     if (one.action != jobs::RecoverAction::Look)
         json.add("action", one.action == jobs::RecoverAction::Undo ? QStringLiteral("undo")
                                                                    : QStringLiteral("finish"));
@@ -156,8 +158,21 @@ QString settledWord(const jobs::Recovered& one, jobs::RecoverAction asked)
 {
     if (!one.done)
         return translate("cli", "no");
+    if (one.allLeft)
+        return translate("cli", "left as it is");
     const bool undone = asked == jobs::RecoverAction::Finish && one.action != asked;
     return undone ? translate("cli", "undone") : translate("cli", "yes");
+}
+
+/// What was not written although it reads another value than was asked for.
+QString leftLine(const jobs::Recovered& one)
+{
+    if (one.left.isEmpty())
+        return {};
+    return translate("cli", "Change %1, left as they are, because they have another value since or "
+                            "would move the servo: %2")
+               .arg(one.before.intent.uuid.left(shownUuid), one.left.join(QStringLiteral(", "))) +
+           QLatin1Char('\n');
 }
 
 Table recoveredTable(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
@@ -237,7 +252,7 @@ void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction
         intents.push_back(jsonRecovered(one));
     QString text = all.empty() ? nothingOpen(elsewhere) : recoveredTable(all, action).text();
     for (const jobs::Recovered& one : all)
-        text += changesBelow(one.before.intent);
+        text += changesBelow(one.before.intent) + leftLine(one);
     for (const jobs::Recovered& one : all) {
         if (one.error)
             text += text::describe(*one.error).what + QLatin1Char('\n');

@@ -17,18 +17,20 @@ namespace {
 /// Of a snapshot's rows each is known by itself; of others the whole is. What finishing had to
 /// write was not written back then: it has an intent of its own, with its time, and here only what
 /// it was found with is known.
-std::vector<base::ItemEnd> itemEnds(const base::Intent& intent, const Settled& settled,
-                                    const QString& word)
+std::vector<base::ItemEnd> itemEnds(const base::Intent& intent, const device::Servo& servo,
+                                    const Settled& settled, const QString& word)
 {
     const bool undone = word == QLatin1String("undone");
+    const QString unknown = device::outcomeName(device::WriteOutcome::Unknown);
     std::vector<base::ItemEnd> ends;
     if (isSnapshotRestore(intent) && settled.report)
         ends = settled.report->itemEnds();
     for (base::ItemEnd& end : ends)
         end.outcome = undone ? word : end.outcome;
+    for (const QString& key : settled.left)
+        ends.push_back({key, servo.raw(key), unknown});
     if (undone)
         return ends;
-    const QString unknown = device::outcomeName(device::WriteOutcome::Unknown);
     for (const device::WriteItem& item : settled.writtenNow) {
         const auto known = std::find_if(ends.begin(), ends.end(),
                                         [&](const auto& end) { return end.key == item.key; });
@@ -185,12 +187,12 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
         }
     }
     base::Intent rest = withoutReplaced(*before);
-    const bool allReplaced = rest.items.empty() && !intent.items.empty();
     const bool moved = intent.kind == IntentKind::Restore && !newValuesKnown(intent) &&
                        (servo.id != intent.servo.id || servo.baud != intent.servo.baud);
     if (moved)
         rest = withoutPlace(std::move(rest), servo);
     Settled settled = settle(context, rest, servo, action);
+    settled.left = before->replaced + settled.left;
     if (settled.result && moved && action == RecoverAction::Undo)
         settled.result = moveBack(context, intent, servo);
     recovered.report = settled.report;
@@ -201,13 +203,21 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
     }
     if (before->lockOpen.value_or(false))
         context.note(device::NoticeCode::LockClosed, servo.id);
-    const QString word = allReplaced ? QStringLiteral("abandoned")
+    recovered.left = settled.left;
+    recovered.allLeft = settled.nothingToSettle && !settled.left.isEmpty();
+    const QString word = recovered.allLeft ? QStringLiteral("abandoned")
                          : action == RecoverAction::Finish && intent.kind != IntentKind::Trial
                              ? QStringLiteral("done")
                              : QStringLiteral("undone");
-    context.record(intent.uuid, servo.id, {word, {}, itemEnds(intent, settled, word)});
+    context.record(intent.uuid, servo.id, {word, {}, itemEnds(intent, servo, settled, word)});
     recovered.done = true;
     return recovered;
+}
+
+bool isSettledBy(const Recovered& recovered, const device::Servo& servo,
+                 const catalog::Register& reg)
+{
+    return !recovered.left.contains(reg.key) && isRecoverable(recovered.before.intent, servo, reg);
 }
 
 std::vector<base::Intent> begunElsewhere(const std::vector<base::Intent>& open, const QString& port)

@@ -16,7 +16,9 @@ enum class Finding : std::uint8_t {
     OtherServo, ///< identity or values differ: hands off
     NoAnswer,
     Unreadable, ///< something answers, but nothing readable: it may be the servo
-    Replaced,   ///< later writes to the servo, which the journal has, explain what stands there
+    /// Later writes to the servo, which the journal has, explain what stands there, or all of it is
+    /// lost at power-off and reads neither old nor new.
+    Replaced,
 };
 
 struct OpenIntent {
@@ -25,7 +27,7 @@ struct OpenIntent {
     int foundId = -1; ///< where it answers now
     int foundBaud = 0;
     std::optional<bool> lockOpen;
-    QStringList replaced{}; ///< registers with a value of a later write: left alone
+    QStringList replaced{}; ///< registers with such a value: left alone
     std::optional<base::Error> unreadable{};
 };
 
@@ -36,6 +38,10 @@ struct Recovered {
     /// What was done, or tried: not always what was asked for, see recover().
     RecoverAction action = RecoverAction::Look;
     bool done = false;
+    /// Registers that read another value than was asked for and were not written, because a later
+    /// value stands there or the servo would move.
+    QStringList left{};
+    bool allLeft = false; ///< the change is given up: nothing of it was there to be settled
     /// Of a snapshot's restore every row of the intent; of others what was written, if anything.
     std::optional<device::WriteReport> report;
     std::optional<base::Error> error;
@@ -53,6 +59,10 @@ struct RecoverOptions {
 /// in again may have been given another name.
 std::vector<base::Intent> begunElsewhere(const std::vector<base::Intent>& open,
                                          const QString& port);
+
+/// The register that recovery has brought, or would bring, to one side or the other.
+bool isSettledBy(const Recovered& recovered, const device::Servo& servo,
+                 const catalog::Register& reg);
 
 /// Finishes from the oldest on, undoes from the latest on. Where both a restore and its way back
 /// were broken off, the way back is finished and the restore undone, unless one is named by `uuid`.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/recover_look.h"
 
+#include "device/move_limits.h"
 #include "device/persistence.h"
 #include "device/talk.h"
+#include "jobs/recover_settle.h"
+#include "jobs/restore_rows.h"
 
 #include <algorithm>
 
@@ -166,13 +169,21 @@ base::Result<std::vector<device::Servo>> movedByDefaults(const device::Context& 
     return open;
 }
 
-/// The others say nothing about an interrupted write.
-bool comparable(const base::Intent& intent, const device::Servo& servo,
-                const base::JournalItem& item)
+/// The others say nothing about an interrupted write: what a servo never shows, and the commands
+/// that a switch of the mode sets to zero.
+bool isComparable(const base::Intent& intent, const device::Servo& servo,
+                  const base::JournalItem& item)
 {
     const catalog::Register* reg = servo.profile->find(item.key);
-    return reg != nullptr && concernsRecovery(intent, *reg);
+    if (reg == nullptr || provesServo(*reg))
+        return reg != nullptr;
+    return servo.raw(*reg) && !isZeroedBySwitch(intent, servo, *reg);
 }
+
+/// Neither the old value nor the new one, and yet no sign of another servo: a later write of this
+/// program, or a register that is lost at power-off and may have been loaded by a restart. A
+/// snapshot's row is restored whatever a restart has loaded.
+enum class Neither : std::uint8_t { Replaced, LaterTry, ToBeRestored, OtherServo };
 
 /// What was begun later for a servo like this.
 base::Result<std::vector<base::JournalEntry>> laterThan(const device::Context& context,
@@ -232,13 +243,26 @@ bool replacedLater(const std::vector<base::JournalEntry>& later, const base::Int
     return now == raw;
 }
 
+Neither neitherOf(const base::Intent& intent, const device::Servo& servo,
+                  const std::vector<base::JournalEntry>& later, const base::JournalItem& item)
+{
+    const auto raw = servo.raw(item.key);
+    if (raw && leftByLaterTry(later, intent, item.key, *raw))
+        return Neither::LaterTry;
+    if (raw && replacedLater(later, intent, item, *raw))
+        return Neither::Replaced;
+    if (provesServo(*servo.profile->find(item.key)))
+        return Neither::OtherServo;
+    return isSnapshotRestore(intent) ? Neither::ToBeRestored : Neither::Replaced;
+}
+
 Finding compare(const base::Intent& intent, const device::Servo& servo,
                 const std::vector<base::JournalEntry>& later, QStringList& replaced)
 {
     int asOld = 0;
     int asNew = 0;
     for (const base::JournalItem& item : intent.items) {
-        if (!comparable(intent, servo, item))
+        if (!isComparable(intent, servo, item))
             continue;
         const auto raw = servo.raw(item.key);
         if (!newValuesKnown(intent)) {
@@ -246,19 +270,23 @@ Finding compare(const base::Intent& intent, const device::Servo& servo,
             continue;
         }
         const bool isNew = raw == item.newRaw;
-        if (raw != item.oldRaw && !isNew) {
-            if (raw && replacedLater(later, intent, item, *raw) &&
-                !leftByLaterTry(later, intent, item.key, *raw)) {
-                replaced << item.key;
-                continue;
-            }
-            if (!raw || !leftByLaterTry(later, intent, item.key, *raw))
-                return Finding::OtherServo;
-            ++asOld; // neither
-            ++asNew;
+        if (isNew || raw == item.oldRaw) {
+            ++(isNew ? asNew : asOld);
             continue;
         }
-        ++(isNew ? asNew : asOld);
+        switch (neitherOf(intent, servo, later, item)) {
+        case Neither::OtherServo:
+            return Finding::OtherServo;
+        case Neither::LaterTry:
+            ++asOld;
+            ++asNew;
+            break;
+        case Neither::Replaced:
+            replaced << item.key;
+            break;
+        case Neither::ToBeRestored:
+            break;
+        }
     }
     if (asOld + asNew == 0 && !replaced.isEmpty())
         return Finding::Replaced;
@@ -282,10 +310,38 @@ bool onlyBack(const base::Intent& intent)
     return intent.kind == IntentKind::Identify || intent.kind == IntentKind::Trial;
 }
 
-bool concernsRecovery(const base::Intent& intent, const catalog::Register& reg)
+bool provesServo(const catalog::Register& reg)
 {
-    return device::lasting(reg) ||
-           (intent.kind == IntentKind::Trial && reg.role == Role::OperatingMode);
+    return device::lasting(reg) || reg.role == Role::OperatingMode;
+}
+
+bool isZeroedBySwitch(const base::Intent& intent, const device::Servo& servo,
+                      const catalog::Register& reg)
+{
+    return reg.motion && !provesServo(reg) && changesMode(intent, servo);
+}
+
+bool isRecoverable(const base::Intent& intent, const device::Servo& servo,
+                   const catalog::Register& reg)
+{
+    if (!reg.writable())
+        return false;
+    if (provesServo(reg) || !natureOf(reg).testFlag(RestoreReason::Live))
+        return true;
+    // The mark of a restart: a running time turns nothing by itself while goals are positions.
+    return intent.kind == IntentKind::Trial && reg.role == Role::GoalTime && !reg.block &&
+           device::goalKind(servo) == device::GoalKind::Position;
+}
+
+bool changesMode(const base::Intent& intent, const device::Servo& servo)
+{
+    for (const base::JournalItem& item : intent.items) {
+        const catalog::Register* reg = servo.profile->find(item.key);
+        if (reg != nullptr && (reg->role == Role::OperatingMode || reg->role == Role::MinAngle ||
+                               reg->role == Role::MaxAngle))
+            return true;
+    }
+    return false;
 }
 
 base::Result<OpenIntent> look(const device::Context& context, const base::Intent& intent,

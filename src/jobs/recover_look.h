@@ -16,9 +16,21 @@ bool onlyBack(const base::Intent& intent);
 /// As many of a servo's past writes are looked through for what it held.
 constexpr int entriesLookedAt = 1000;
 
-/// What recovery brings to one side or the other: registers that survive a power-off, and a mode
-/// that a test has set, though it may be forgotten then (LX).
-bool concernsRecovery(const base::Intent& intent, const catalog::Register& reg);
+/// A value that is neither the old nor the new one is another servo's: of registers that survive a
+/// power-off, and of the mode, though it may be forgotten then (LX). Any other register may hold
+/// what a restart has loaded.
+bool provesServo(const catalog::Register& reg);
+
+/// What recovery may write by itself: nothing that would turn the shaft, switch torque on or open
+/// the lock. `servo`: with its settings read.
+bool isRecoverable(const base::Intent& intent, const device::Servo& servo,
+                   const catalog::Register& reg);
+
+bool changesMode(const base::Intent& intent, const device::Servo& servo);
+
+/// A command that goes with a switch of the mode: it ends at zero, whichever way that is settled.
+bool isZeroedBySwitch(const base::Intent& intent, const device::Servo& servo,
+                      const catalog::Register& reg);
 
 /// Leaves the bus at the rate where the servo was found, else at the rate it had. `servo` is filled
 /// in unless nobody answered. LinkLost ends it.

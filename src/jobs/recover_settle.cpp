@@ -6,7 +6,6 @@
 #include "device/talk.h"
 #include "jobs/change.h"
 #include "jobs/recover_look.h"
-#include "jobs/restore_rows.h"
 
 #include <algorithm>
 #include <map>
@@ -23,20 +22,13 @@ bool isSnapshotRestore(const base::Intent& intent)
 }
 
 namespace {
-/// The values the action asks for, split into those still to be written and those already there.
+/// The values the action asks for: those still to be written, those already there, and those that
+/// are not written by recovery.
 struct Todo {
     std::vector<device::WriteItem> write;
     std::vector<device::WriteItem> reassert;
+    QStringList left;
 };
-
-/// Whoever ticked a row that is lost at power-off wants it as well. What would turn the shaft is
-/// never written by itself.
-bool isToBeSettled(const base::Intent& intent, const catalog::Register& reg)
-{
-    return reg.writable() &&
-           (concernsRecovery(intent, reg) ||
-            (isSnapshotRestore(intent) && !natureOf(reg).testFlag(RestoreReason::Live)));
-}
 
 /// In the order of the journal, which is that of the writes.
 Todo todo(const base::Intent& intent, const device::Servo& servo, RecoverAction action)
@@ -45,13 +37,22 @@ Todo todo(const base::Intent& intent, const device::Servo& servo, RecoverAction 
     for (const base::JournalItem& item : intent.items) {
         const catalog::Register* reg = servo.profile->find(item.key);
         const auto present = reg != nullptr ? servo.raw(*reg) : std::nullopt;
-        if (!present || !isToBeSettled(intent, *reg))
+        if (reg != nullptr && isZeroedBySwitch(intent, servo, *reg))
             continue;
+        if (!present) {
+            items.left << item.key;
+            continue;
+        }
         // What calibration and restore lead to is not known beforehand: finishing takes what is.
         const std::int64_t finished = newValuesKnown(intent) ? item.newRaw : *present;
         const bool forward = action == RecoverAction::Finish && !onlyBack(intent);
         const std::int64_t wanted = forward ? finished : item.oldRaw;
-        (present == wanted ? items.reassert : items.write).push_back({item.key, wanted});
+        if (present == wanted)
+            items.reassert.push_back({item.key, wanted});
+        else if (isRecoverable(intent, servo, *reg))
+            items.write.push_back({item.key, wanted});
+        else
+            items.left << item.key;
     }
     return items;
 }
@@ -118,18 +119,6 @@ Settled writeItems(const device::Context& context, const base::Intent& intent, d
         options.stopAtFailure = action == RecoverAction::Finish;
     }
     return asSettled(device::write(context, servo, items, options));
-}
-
-bool changesMode(const base::Intent& intent, const device::Servo& servo)
-{
-    for (const base::JournalItem& item : intent.items) {
-        const catalog::Register* reg = servo.profile->find(item.key);
-        if (reg != nullptr &&
-            (reg->role == catalog::Role::OperatingMode || reg->role == catalog::Role::MinAngle ||
-             reg->role == catalog::Role::MaxAngle))
-            return true;
-    }
-    return false;
 }
 
 /// What is kept by means of the lock of this area, written once more with the lock open.
@@ -274,6 +263,8 @@ Settled settle(const device::Context& context, const base::Intent& intent, devic
 {
     const Todo items = todo(intent, servo, action);
     Settled settled = settleRows(context, intent, servo, items, action);
+    settled.left = items.left;
+    settled.nothingToSettle = items.write.empty() && items.reassert.empty();
     const device::LockState lock = device::closeLock(context, servo);
     if (settled.result && lock != device::LockState::Closed && lock != device::LockState::None) {
         settled.result = tl::unexpected(

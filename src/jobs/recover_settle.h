@@ -16,7 +16,10 @@ struct Settled {
     std::optional<device::WriteReport> report{};
     /// What was written only now, with the value it was found with.
     std::vector<device::WriteItem> writtenNow{};
-    bool torqueIsOff = false; ///< proven; only asked for where a snapshot was restored
+    /// What has another value than the action asks for and is not written: see isRecoverable().
+    QStringList left{};
+    bool nothingToSettle = false; ///< all of it is left
+    bool torqueIsOff = false;     ///< proven; only asked for where a snapshot was restored
 };
 /// `servo`: as look() has found it.
 Settled settle(const device::Context& context, const base::Intent& intent, device::Servo& servo,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/persistence.h"
 #include "record/journal_takeover.h"
 #include "session/desk_work.h"
 #include "session/safety_snapshot.h"
@@ -112,6 +111,8 @@ void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid, bool 
             return;
         }
         for (const jobs::Recovered& one : look->found) {
+            if (action != jobs::RecoverAction::Look && one.error)
+                ended.error = one.error; // what was asked for has not been done
             coverRecovered(one);
             followRecovered(one);
         }
@@ -153,8 +154,7 @@ void Desk::coverRecovered(const jobs::Recovered& one)
     UndoStep whole{ref, {}, {}, intent.temporary};
     for (const base::JournalItem& item : intent.items) {
         const catalog::Register* reg = known->servo.profile->find(item.key);
-        const bool settled = reg != nullptr && reg->writable() && !reg->motion &&
-                             (snapshot || device::lasting(*reg));
+        const bool settled = reg != nullptr && jobs::isSettledBy(one, known->servo, *reg);
         if (!settled || item.oldRaw == item.newRaw)
             continue;
         whole.before.push_back({item.key, item.oldRaw});

@@ -91,6 +91,9 @@ private Q_SLOTS:
     void anotherPortIsNamedAtTheFirstConnection();
     void anAdapterUnderAnotherNameIsLookedAt();
     void whatCouldNotBeRecordedIsSaid();
+    void theMarkOfARestartIsPutBack();
+    void whatHasAnotherValueStaysAndIsSaid();
+    void anotherServoIsNotCalledDone();
 };
 
 void TestIntentsDialog::aCutWriteIsOfferedAndUndone()
@@ -365,6 +368,77 @@ void TestIntentsDialog::whatCouldNotBeRecordedIsSaid()
     QVERIFY2(words.line.contains(text("20, kept")), qPrintable(words.line));
     QVERIFY2(words.line.contains(text("NOT RECORDED")), qPrintable(words.line));
     QVERIFY(words.more.join(QLatin1Char('\n')).contains(text("disk full")));
+}
+
+namespace {
+/// The mark of a restart, as a program that was killed in between has left it.
+bool leaveMark(TasksBench& bench, std::int64_t standing)
+{
+    base::Intent intent;
+    intent.kind = base::IntentKind::Trial;
+    intent.temporary = true;
+    intent.servo = bench.entry().servo.identity();
+    intent.items = {{text("torque_limit"), 48, 1000, 999}};
+    bench.withWire(
+        [standing](sim::VirtualBus& wire) { wire.servo(1)->poke(text("torque_limit"), standing); });
+    return bench.session.journal().begin(intent).has_value();
+}
+} // namespace
+
+void TestIntentsDialog::theMarkOfARestartIsPutBack()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(leaveMark(bench, 999));
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the new values"));
+    gui::click(dialog, "intentFinish");
+    QTRY_VERIFY(gui::resultOf(dialog).contains(text("have been put back")));
+    QCOMPARE(bench.raw(1, "torque_limit"), 1000);
+    QVERIFY(bench.session.journal().open()->empty());
+}
+
+void TestIntentsDialog::whatHasAnotherValueStaysAndIsSaid()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(leaveMark(bench, 700));
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("other values since, which stay"));
+    gui::click(dialog, "intentUndo");
+    QTRY_VERIFY(gui::resultOf(dialog).contains(text("Nothing was written")));
+    QVERIFY2(gui::resultOf(dialog).contains(text("Torque limit")),
+             qPrintable(gui::resultOf(dialog)));
+    QCOMPARE(bench.raw(1, "torque_limit"), 700);
+    QVERIFY(bench.session.journal().open()->empty());
+}
+
+/// Exchanged while the list is open: nothing is written, and the status line says no other thing.
+void TestIntentsDialog::anotherServoIsNotCalledDone()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1,sts3250@7", 1, 7, 1));
+    QVERIFY(!leaveOpen(bench).isEmpty());
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    bench.withWire([](sim::VirtualBus& wire) {
+        wire.servo(1)->poke(text("id"), 20);
+        wire.servo(7)->poke(text("id"), 1);
+    });
+    std::optional<session::Event> task;
+    connect(&bench.desk, &session::Desk::happened, dialog, [&task](const session::Event& event) {
+        if (event.kind == session::Event::Kind::Task && event.task == text("recover"))
+            task = event;
+    });
+    gui::click(dialog, "intentFinish");
+    QTRY_VERIFY(task);
+    QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✗")));
+    const ui::EventWords words = ui::describe(*task, bench.desk);
+    QCOMPARE(words.sign, QStringLiteral("✗"));
+    QVERIFY2(!words.line.contains(text("done")), qPrintable(words.line));
+    QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
 }
 
 QTEST_MAIN(TestIntentsDialog)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/intents_dialog.h"
 
+#include "text/language.h"
 #include "text/translate.h"
 #include "ui/dialogs/ask.h"
 #include "ui/widgets/fit_columns.h"
@@ -31,11 +32,31 @@ bool onlyPutBack(const base::Intent& intent)
     return intent.kind == base::IntentKind::Trial || intent.kind == base::IntentKind::Identify;
 }
 
+/// What recovery does not write by itself, by name.
+QString leftLine(const Recovered& one, const catalog::Catalog& catalog)
+{
+    const catalog::ProfilePtr profile = profileOf(catalog, one.before.intent.servo);
+    QStringList names;
+    for (const QString& key : one.left) {
+        const catalog::Register* reg = profile->find(key);
+        names << (reg != nullptr ? reg->name.in(text::inChinese()) : key);
+    }
+    return names.isEmpty()
+               ? QString()
+               : translate("ServoTasks", "Left as they are, because they have another value since "
+                                         "or would move the servo: %1")
+                     .arg(names.join(QStringLiteral(", ")));
+}
+
 /// What settling it has really done, which is not always what the button says.
-TaskWords settledWords(const Recovered& one)
+TaskWords settledWords(const Recovered& one, const catalog::Catalog& catalog)
 {
     if (one.error)
         return errorWords(*one.error);
+    if (one.allLeft)
+        return {Tone::Warn,
+                translate("ServoTasks", "Nothing was written; the change is no longer offered."),
+                {leftLine(one, catalog)}};
     const base::Intent& intent = one.before.intent;
     const bool asBefore = one.before.finding == Finding::AllOld;
     QString line;
@@ -49,7 +70,7 @@ TaskWords settledWords(const Recovered& one)
         line = translate("ServoTasks", "The old values are back.");
     else
         line = translate("ServoTasks", "The change has been finished.");
-    TaskWords words{Tone::Good, line};
+    TaskWords words{Tone::Good, line, {leftLine(one, catalog)}};
     if (one.report)
         words.more << lockLine(one.report->lock);
     words.more.removeAll(QString());
@@ -263,7 +284,8 @@ void IntentsDialog::settled(const std::vector<Recovered>& one)
 {
     const QString uuid = std::exchange(m_settling, QString());
     if (!one.empty() && one.front().before.intent.uuid == uuid)
-        m_result->tell([first = one.front()] { return settledWords(first); });
+        m_result->tell(
+            [this, first = one.front()] { return settledWords(first, m_desk.catalog()); });
     if (!one.empty() && one.front().done)
         m_model->remove(uuid);
     retranslate();

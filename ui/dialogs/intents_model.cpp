@@ -17,18 +17,6 @@ QString whenWord(const base::Intent& intent)
     return intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd hh:mm:ss"));
 }
 
-/// Of the kind of servo the journal names.
-catalog::ProfilePtr profileOf(const catalog::Catalog& catalog, const base::ServoIdentity& who)
-{
-    catalog::Identity identity;
-    identity.firmwareMajor = who.firmwareMajor;
-    identity.firmwareMinor = who.firmwareMinor;
-    identity.modelMajor = who.modelMajor;
-    identity.modelMinor = who.modelMinor;
-    identity.protocol = who.protocol;
-    return catalog.resolve(identity);
-}
-
 QString servoWord(const base::Intent& intent, const catalog::Profile& profile)
 {
     return QStringLiteral("%1 · %2").arg(translate("ServoTasks", "ID %1").arg(intent.servo.id),
@@ -109,6 +97,17 @@ QString IntentsModel::everything(const jobs::Recovered& one) const
     return lines.join(QLatin1Char('\n'));
 }
 
+catalog::ProfilePtr profileOf(const catalog::Catalog& catalog, const base::ServoIdentity& who)
+{
+    catalog::Identity identity;
+    identity.firmwareMajor = who.firmwareMajor;
+    identity.firmwareMinor = who.firmwareMinor;
+    identity.modelMajor = who.modelMajor;
+    identity.modelMinor = who.modelMinor;
+    identity.protocol = who.protocol;
+    return catalog.resolve(identity);
+}
+
 QString intentWord(const base::Intent& intent)
 {
     switch (intent.kind) {
@@ -151,7 +150,7 @@ QString findingWord(Finding finding)
     case Finding::Unreadable:
         return translate("ServoTasks", "something answers, but nothing readable");
     case Finding::Replaced:
-        return translate("ServoTasks", "values of later writes, which stay");
+        return translate("ServoTasks", "other values since, which stay");
     }
     return {};
 }

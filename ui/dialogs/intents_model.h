@@ -37,6 +37,8 @@ private:
     std::vector<jobs::Recovered> m_intents;
 };
 
+/// Of the kind of servo the journal names.
+catalog::ProfilePtr profileOf(const catalog::Catalog& catalog, const base::ServoIdentity& who);
 /// "write", "set ID" …
 QString intentWord(const base::Intent& intent);
 /// What stands in the servo now.
