@@ -202,9 +202,9 @@ base::Result<void> StepCommand::perform(const std::vector<record::StepGain>& tri
     watch.onProgress = [&line](const jobs::SweepProgress& progress) {
         line.show(translate("cli", "%1 %").arg(int(progress.fraction * 100)));
     };
-    watch.onTorqueLeft = [this](int id, const base::Error& error) {
+    watch.onTorqueLeft = [this](const jobs::TorqueLeft& left) {
         m_torqueLeft = true;
-        m_run.console().say(torqueLeftText(id, error));
+        m_run.console().say(torqueLeftText(left));
     };
     jobs::StepOrder order = m_order;
     order.spec.trial = trial;

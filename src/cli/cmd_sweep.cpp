@@ -106,7 +106,7 @@ private:
     std::optional<session::SweepFormat> m_format{}; ///< none: no report is wanted
     QString m_path;
     std::unique_ptr<jobs::SweepRecording> m_readings;
-    std::map<int, base::Error> m_left; ///< torque, by ID
+    std::vector<jobs::TorqueLeft> m_left;
 };
 
 base::Result<void> SweepCommand::collect()
@@ -188,7 +188,7 @@ jobs::SweepWatch SweepCommand::watch()
     watch.onGoal = [this](std::size_t servo, int leg, base::Duration at) {
         m_readings->goal(servo, leg, at);
     };
-    watch.onTorqueLeft = [this](int id, const base::Error& error) { m_left.emplace(id, error); };
+    watch.onTorqueLeft = [this](const jobs::TorqueLeft& left) { m_left.push_back(left); };
     watch.onProgress = [this](const jobs::SweepProgress& progress) {
         m_line->show(progress.warmingUp
                          ? translate("cli", "on the way to the start, or warming up")
@@ -269,10 +269,12 @@ base::Result<Exit> SweepCommand::run()
     const auto saved = save(*done);
     const bool back = allPutBack(context->notices);
     show(*done, keepSweep(m_run.console(), *done, saved ? files() : QStringList()));
-    for (const auto& [id, error] : m_left)
-        m_run.console().say(torqueLeftText(id, error));
+    for (const jobs::TorqueLeft& left : m_left)
+        m_run.console().say(torqueLeftText(left));
     if (!saved)
         return tl::unexpected(saved.error());
+    if (done->end == record::SweepEnd::LinkLost)
+        return Exit::Port;
     if (!back || !m_left.empty())
         return Exit::NotDone;
     switch (done->verdict()) {
@@ -280,7 +282,7 @@ base::Result<Exit> SweepCommand::run()
     case record::Grade::Warn:
         return Exit::Done;
     default:
-        return done->end == record::SweepEnd::LinkLost ? Exit::Port : Exit::NotDone;
+        return Exit::NotDone;
     }
 }
 

@@ -48,11 +48,16 @@ QString keepStep(Console& console, const record::StepRun& run, const QStringList
     return wordsFor(console, record::keepRun(session::historyFile(), run, files));
 }
 
-QString torqueLeftText(int id, const base::Error& error)
+QString torqueLeftText(const jobs::TorqueLeft& left)
 {
-    return translate("cli", "Servo %1 may still have torque: switching it off after the test "
-                            "failed (%2). Use \"torque %1 off\", or cut its supply.")
-        .arg(QString::number(id), base::errorName(error.code));
+    const QString words =
+        left.holding
+            ? translate("cli", "Servo %1 may still have torque and go on to its last goal: "
+                               "stopping it after the test failed (%2). Use \"torque %1 off\", or "
+                               "cut its supply.")
+            : translate("cli", "Servo %1 may still have torque: switching it off after the test "
+                               "failed (%2). Use \"torque %1 off\", or cut its supply.");
+    return words.arg(QString::number(left.id), base::errorName(left.error.code));
 }
 
 base::Result<std::vector<record::TestRun>> listSweeps(const record::RunFilter& filter)

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cli/console.h"
+#include "jobs/sweep.h"
 #include "record/history.h"
 #include "record/sweep_compare.h"
 
@@ -15,7 +16,7 @@ QString keepSweep(Console& console, const record::SweepRun& run, const QStringLi
 QString keepStep(Console& console, const record::StepRun& run, const QStringList& files);
 
 /// For SweepWatch::onTorqueLeft.
-QString torqueLeftText(int id, const base::Error& error);
+QString torqueLeftText(const jobs::TorqueLeft& left);
 
 /// Not made if there is none yet.
 base::Result<std::vector<record::TestRun>> listSweeps(const record::RunFilter& filter);

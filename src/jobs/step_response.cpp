@@ -209,6 +209,8 @@ base::Result<void> StepJob::drive()
     const auto trial = TemporarySettings::set(m_context, m_servo, itemsOf(m_order.spec.trial));
     if (!trial)
         return tl::unexpected(trial.error());
+    if (m_watch.onTrial)
+        m_watch.onTrial((*trial)->items());
     auto gains = gainsOf(m_context, m_servo);
     if (!gains)
         return tl::unexpected(gains.error());

@@ -24,9 +24,11 @@ struct StepOrder {
 
 /// Called on the job's thread while it runs; each may be empty.
 struct StepWatch {
+    /// What a trial has changed; it is in force now.
+    std::function<void(const std::vector<base::JournalItem>&)> onTrial{};
     std::function<void(const record::StepResponse&)> onResponse{}; ///< complete
     std::function<void(const SweepProgress&)> onProgress{};
-    std::function<void(int id, const base::Error&)> onTorqueLeft{}; ///< as SweepWatch's
+    std::function<void(const TorqueLeft&)> onTorqueLeft{}; ///< as SweepWatch's
 };
 
 /// The step in the servo's terms, as it will be.

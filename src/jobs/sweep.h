@@ -31,6 +31,16 @@ struct SweepProgress {
     int leg = 0;                ///< 0: on the way to the start, or warming up
     int cycle = 0;
     bool warmingUp = false;
+    bool ended = false;         ///< the servos are being left as they are to be
+    std::vector<int> silent{};  ///< IDs that have not answered for a while
+    base::Duration silentFor{}; ///< the longest of them
+};
+
+/// How a servo was to be left at the end of a test, which could not be proved.
+struct TorqueLeft {
+    int id = -1;
+    bool holding = false; ///< stopped, holding where it is; else without torque
+    base::Error error{};
 };
 
 /// Called on the job's thread while it runs; each may be empty.
@@ -45,8 +55,8 @@ struct SweepWatch {
     /// The run with all but its legs and figures, once everything has been found possible. An error
     /// keeps it from beginning and becomes the job's.
     std::function<std::optional<base::Error>(const record::SweepRun&)> onBegin{};
-    /// At the end: torque was to be switched off, and that could not be proved.
-    std::function<void(int id, const base::Error&)> onTorqueLeft{};
+    /// At the end, for each servo that could not be left as it was to be.
+    std::function<void(const TorqueLeft&)> onTorqueLeft{};
 };
 
 /// All servos on one bus; their settings are read. What is in `servos` afterwards is what the job

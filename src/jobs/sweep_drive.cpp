@@ -6,7 +6,7 @@
 #include "jobs/sweep_axis.h"
 
 #include <algorithm>
-#include <map>
+#include <optional>
 
 namespace jobs {
 using record::SweepEnd;
@@ -42,6 +42,19 @@ base::Result<void> sendSweepGoals(const device::Context& context,
     return device::sendMoves(owned.context, plans, howFor(servos));
 }
 
+namespace {
+/// `off`: torque goes off; `stops`: the motion ends first. What could not be proved.
+std::optional<TorqueLeft> leave(const device::Context& context, device::Servo& servo, bool stops,
+                                bool off)
+{
+    const auto halted = stops ? device::halt(context, servo) : base::Result<void>{};
+    if (!off)
+        return halted ? std::nullopt : std::optional(TorqueLeft{servo.id, true, halted.error()});
+    const auto released = device::setTorque(context, servo, device::Torque::Off);
+    return released ? std::nullopt : std::optional(TorqueLeft{servo.id, false, released.error()});
+}
+} // namespace
+
 void leaveSafe(const device::Context& context, std::vector<device::Servo>& servos,
                const record::SweepRun& run, int atFault, const SweepWatch& watch)
 {
@@ -51,26 +64,21 @@ void leaveSafe(const device::Context& context, std::vector<device::Servo>& servo
     const base::Stop unstopped;
     const device::Context last{context.bus,     context.catalog,  context.journal, unstopped,
                                context.notices, context.priority, context.hold,    context.epoch};
-    std::map<int, base::Error> left; ///< torque, by ID
+    std::vector<TorqueLeft> left;
     do {
         waitWhileAway(context.bus);
-        if (context.bus.lost())
-            break;
         left.clear();
         for (std::size_t i = 0; i < servos.size(); ++i) {
-            const bool fault = int(i) == atFault;
-            if (run.end != SweepEnd::Finished && !fault)
-                (void)device::halt(last, servos[i]);
             // Neither heat nor a jammed lever gets better by pushing on.
-            if (!fault && !run.spec.releaseAtEnd)
-                continue;
-            if (const auto off = device::setTorque(last, servos[i], device::Torque::Off); !off)
-                left.emplace(servos[i].id, off.error());
+            const bool fault = int(i) == atFault;
+            const bool stops = run.end != SweepEnd::Finished && !fault;
+            if (const auto one = leave(last, servos[i], stops, fault || run.spec.releaseAtEnd))
+                left.push_back(*one);
         }
     } while (context.bus.away()); // pulled in the middle of it
-    for (const auto& [id, error] : left) {
+    for (const TorqueLeft& one : left) {
         if (watch.onTorqueLeft)
-            watch.onTorqueLeft(id, error);
+            watch.onTorqueLeft(one);
     }
 }
 } // namespace jobs

@@ -43,6 +43,13 @@ void forgetMotion(record::SweepLeg& leg)
     leg.followingError.reset();
     leg.phaseLag.reset();
 }
+
+/// Where it came to rest is not known of a leg whose end was not seen.
+void forgetRest(record::SweepLeg& leg)
+{
+    leg.reached.reset();
+    leg.steadyError.reset();
+}
 } // namespace
 
 SweepRunner::SweepRunner(const device::Context& context, std::vector<device::Servo>& servos,
@@ -69,6 +76,8 @@ base::Result<record::SweepRun> SweepRunner::run()
         endRun(SweepEnd::Refused); // nobody goes on towards a goal that was not to be
     record::giveVerdicts(m_run);
     m_context.bus.stopPoll(m_poll);
+    m_toldAt = {};
+    tellProgress();
     leaveSafe(m_context, m_servos, m_run, m_fault, m_watch);
     if (!moved)
         return tl::unexpected(moved.error());
@@ -86,9 +95,30 @@ base::Result<void> SweepRunner::goThrough()
     }
     if (!ended()) {
         measure();
+        confirmEnd();
         finish();
     }
     return {};
+}
+
+/// Finished is only a test whose servos have all answered after their last leg and, if there was a
+/// silence, still have torque. A silence is waited out here as in any leg.
+void SweepRunner::confirmEnd()
+{
+    const Duration over = now();
+    const auto answered = [over](const Track& track) { return track.heardAt >= over; };
+    for (;;) {
+        read(Duration::max(),
+             [&] { return std::all_of(m_tracks.begin(), m_tracks.end(), answered); });
+        if (ended())
+            return;
+        const auto held = stillHeld();
+        if (held)
+            return;
+        if (!canRetry(held.error()))
+            break;
+    }
+    endRun(SweepEnd::Refused);
 }
 
 /// To the first place of the path, which is no leg.
@@ -259,10 +289,13 @@ void SweepRunner::close()
         record::SweepLeg leg = track.meter->finish(now(), m_start);
         // A target that there was no time for is not missed, nor one that nobody saw it come to:
         // when that was is not known either.
-        const bool unseen = track.gapInLeg || now() - track.heardAt >= gapFrom;
+        const bool endUnseen = now() - track.heardAt >= gapFrom;
+        const bool unseen = track.gapInLeg || endUnseen;
         leg.missed = leg.missed && !ended() && !unseen;
         if (unseen)
             forgetMotion(leg);
+        if (endUnseen)
+            forgetRest(leg);
         m_run.servos[i].legs.push_back(leg);
         if (m_watch.onLeg)
             m_watch.onLeg(i, leg);
@@ -380,6 +413,14 @@ void SweepRunner::tellProgress()
         return;
     m_toldAt = now();
     SweepProgress progress;
+    progress.ended = ended();
+    for (std::size_t i = 0; i < m_tracks.size(); ++i) {
+        const Duration silence = now() - m_tracks[i].heardAt;
+        if (silence < gapFrom)
+            continue;
+        progress.silent.push_back(m_servos[i].id);
+        progress.silentFor = std::max(progress.silentFor, silence);
+    }
     progress.warmingUp = !m_measuring;
     progress.leg = m_leg;
     if (m_measuring) {

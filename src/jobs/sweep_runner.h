@@ -41,12 +41,14 @@ private:
     base::Result<void> notAtStart(std::size_t i);
     void warmUp();
     void measure();
+    void confirmEnd();
     void step(int number);
     void wave(int number);
     void begin(int number, base::Duration at);
     void close();
     base::Result<void> send(std::vector<double> targets);
     base::Result<bool> stillHeld();
+    bool canRetry(const base::Error& error);
     bool silent() const; ///< somebody is
     bool sendOrEnd(const std::vector<double>& targets);
 
@@ -84,8 +86,8 @@ private:
     base::Duration m_start{};          ///< of the measured part
     base::Duration m_nextAt{};         ///< Delay: the next goal is due; 0: at once
     base::Duration m_waveStart{};
-    base::Duration m_toldAt{};
-    bool m_drives = false; ///< a goal of this run has been sent
+    base::Duration m_toldAt{}; ///< progress; 0: at once
+    bool m_drives = false;     ///< a goal of this run has been sent
     bool m_measuring = false;
     int m_leg = 0;
     base::Duration m_legAt{}; ///< its goal had been sent

@@ -24,28 +24,34 @@ base::Result<void> SweepRunner::send(std::vector<double> targets)
             m_drives = true;
             return {};
         }
-        switch (sent.error().code) {
-        case ErrorCode::NoAnswer:
-        case ErrorCode::Garbled:
-        case ErrorCode::WrongAnswer:
-        case ErrorCode::LineBusy:
-        case ErrorCode::Uncertain: // a place to go to may be named twice
-            break;
-        case ErrorCode::Stopped:
-            endRun(SweepEnd::Stopped);
-            return {};
-        case ErrorCode::Preempted:
-            endRun(SweepEnd::Emergency);
-            return {};
-        case ErrorCode::LinkLost:
-            endRun(SweepEnd::LinkLost);
-            return {};
-        default:
-            return sent;
-        }
+        if (!canRetry(sent.error()))
+            return ended() ? base::Result<void>{} : sent;
+    }
+}
+
+/// After an error that a silent line explains, once it has been listened to for a while. What ends
+/// the test ends it here.
+bool SweepRunner::canRetry(const base::Error& error)
+{
+    switch (error.code) {
+    case ErrorCode::NoAnswer:
+    case ErrorCode::Garbled:
+    case ErrorCode::WrongAnswer:
+    case ErrorCode::LineBusy:
+    case ErrorCode::Uncertain: // a place to go to may be named twice
         read(now() + gapFrom, [] { return false; });
-        if (ended())
-            return {};
+        return !ended();
+    case ErrorCode::Stopped:
+        endRun(SweepEnd::Stopped);
+        return false;
+    case ErrorCode::Preempted:
+        endRun(SweepEnd::Emergency);
+        return false;
+    case ErrorCode::LinkLost:
+        endRun(SweepEnd::LinkLost);
+        return false;
+    default:
+        return false;
     }
 }
 

@@ -59,7 +59,8 @@ struct StepTest::Live {
     std::optional<jobs::SweepProgress> progress{};
     std::optional<record::StepRun> run{};
     std::vector<record::StepAdvice> advice{};
-    std::vector<int> torqueLeft{}; ///< IDs
+    std::vector<jobs::TorqueLeft> torqueLeft{};
+    std::vector<base::JournalItem> trial{}; ///< what it has changed
 };
 
 StepTest::StepTest(Desk& desk, QObject* parent)
@@ -84,6 +85,8 @@ bool StepTest::start(const StepTestOrder& order)
     m_running = true;
     m_progress = {};
     m_live.clear();
+    m_torqueLeft.clear();
+    m_trialLeft.clear();
     m_liveSpec = order.spec;
     m_job = std::make_shared<Live>();
     const auto live = m_job;
@@ -97,7 +100,8 @@ bool StepTest::start(const StepTestOrder& order)
         const std::lock_guard lock(live->mutex);
         live->progress = progress;
     };
-    watch.onTorqueLeft = [live](int id, const base::Error&) { live->torqueLeft.push_back(id); };
+    watch.onTrial = [live](const std::vector<base::JournalItem>& trial) { live->trial = trial; };
+    watch.onTorqueLeft = [live](const jobs::TorqueLeft& left) { live->torqueLeft.push_back(left); };
     Task task;
     task.name = QStringLiteral("step-response");
     task.effect = Effect::Moves;
@@ -116,7 +120,7 @@ bool StepTest::start(const StepTestOrder& order)
         return {};
     };
     task.guard = this;
-    task.done = [this, live](const TaskEnd& end) { finish(live, end); };
+    task.done = [this, live](const TaskEnd& end) { finish(*live, end); };
     m_drainTimer.start();
     m_desk.perform(order.servo, std::move(task));
     return true;
@@ -150,20 +154,16 @@ void StepTest::drain(Live& live)
     Q_EMIT responded();
 }
 
-void StepTest::finish(const std::shared_ptr<Live>& live, const TaskEnd& end)
-{
-    takeResult(*live, end);
-    if (!live->torqueLeft.empty())
-        Q_EMIT torqueLeft(live->torqueLeft);
-}
-
-void StepTest::takeResult(Live& live, const TaskEnd& end)
+void StepTest::finish(Live& live, const TaskEnd& end)
 {
     drain(live);
     m_drainTimer.stop();
     m_job.reset();
     m_running = false;
     m_live.clear();
+    m_torqueLeft = std::move(live.torqueLeft);
+    if (live.run && !live.run->putBack)
+        m_trialLeft = std::move(live.trial);
     if (!live.run) {
         Q_EMIT failed(end.error.value_or(base::Error{ErrorCode::Stopped, QStringLiteral("step")}));
         return;

@@ -29,6 +29,12 @@ public:
     void stop();
     bool running() const { return m_running; }
     const jobs::SweepProgress& progress() const { return m_progress; }
+    const std::vector<jobs::TorqueLeft>& torqueLeft() const
+    {
+        return m_torqueLeft;
+    } ///< as SweepTest
+    /// Of the run that has ended: what its trial has changed and could not put back.
+    const std::vector<base::JournalItem>& trialLeft() const { return m_trialLeft; }
 
     ServoRef servo() const { return m_servo; } ///< that the runs are of; 0: none yet
     /// Complete ones, oldest first.
@@ -56,8 +62,7 @@ Q_SIGNALS:
     void responded(); ///< live() has grown
     void ended();     ///< runs() has, or its oldest are gone
     void failed(const base::Error& error);
-    void torqueLeft(const std::vector<int>& ids); ///< as SweepTest's
-    void keptChanged();                           ///< earlier() may be another
+    void keptChanged(); ///< earlier() may be another
     void saved(const QString& path);
     void saveFailed(const base::Error& error);
 
@@ -69,8 +74,7 @@ private:
         std::vector<device::WriteItem> after{};
     };
     void drain(Live& live);
-    void finish(const std::shared_ptr<Live>& live, const TaskEnd& end);
-    void takeResult(Live& live, const TaskEnd& end);
+    void finish(Live& live, const TaskEnd& end);
     void happened(const Event& event);
 
     Desk& m_desk;
@@ -82,6 +86,8 @@ private:
     record::StepSpec m_liveSpec;
     std::vector<record::StepAdvice> m_advice;
     jobs::SweepProgress m_progress;
+    std::vector<jobs::TorqueLeft> m_torqueLeft;
+    std::vector<base::JournalItem> m_trialLeft;
     std::vector<Kept> m_kept;        ///< accepted, oldest first
     std::optional<Kept> m_writing{}; ///< on its way to the servo
     bool m_writingBack = false;      ///< and it is back() that asked for it

@@ -56,7 +56,7 @@ struct SweepTest::Ending {
     std::shared_ptr<jobs::SweepRecording> recording{};
     std::optional<record::SweepRun> run{};
     QString path{};
-    std::vector<int> torqueLeft{}; ///< IDs
+    std::vector<jobs::TorqueLeft> torqueLeft{};
 };
 
 SweepTest::SweepTest(Desk& desk, QObject* parent)
@@ -151,6 +151,7 @@ bool SweepTest::start(const SweepTestOrder& order)
     m_running = true;
     ++m_looks; // what is still being looked at does not matter any more
     m_progress = {};
+    m_torqueLeft.clear();
     m_live = std::make_shared<Live>();
     m_live->servos = order.servos;
     const auto live = m_live;
@@ -185,7 +186,9 @@ bool SweepTest::start(const SweepTestOrder& order)
         const std::lock_guard lock(live->mutex);
         live->legs.emplace_back(servo, leg);
     };
-    watch.onTorqueLeft = [ending](int id, const base::Error&) { ending->torqueLeft.push_back(id); };
+    watch.onTorqueLeft = [ending](const jobs::TorqueLeft& left) {
+        ending->torqueLeft.push_back(left);
+    };
     watch.onProgress = [live](const jobs::SweepProgress& progress) {
         const std::lock_guard lock(live->mutex);
         live->progress = progress;
@@ -289,6 +292,7 @@ void SweepTest::finish(Ending& ending, const TaskEnd& end)
     m_drainTimer.stop();
     m_live.reset();
     m_running = false;
+    m_torqueLeft = std::move(ending.torqueLeft);
     if (ending.recording) // else the test before is still here to be saved
         m_recording = ending.recording;
     if (ending.run) {
@@ -299,8 +303,6 @@ void SweepTest::finish(Ending& ending, const TaskEnd& end)
     } else {
         Q_EMIT failed(end.error.value_or(base::Error{ErrorCode::Stopped, QStringLiteral("sweep")}));
     }
-    if (!ending.torqueLeft.empty())
-        Q_EMIT torqueLeft(ending.torqueLeft);
 }
 
 std::vector<record::SweepMetric> SweepTest::figures(std::size_t servo) const

@@ -48,6 +48,8 @@ public:
     const record::SweepRun* run() const { return m_run ? &*m_run : nullptr; }
     const std::vector<ServoRef>& servos() const { return m_servos; } ///< of run(), in its order
     const jobs::SweepProgress& progress() const { return m_progress; }
+    /// Of the test that has ended: servos that could not be left as they were to be.
+    const std::vector<jobs::TorqueLeft>& torqueLeft() const { return m_torqueLeft; }
     /// Worked out anew from the legs while it runs; the final ones afterwards.
     std::vector<record::SweepMetric> figures(std::size_t servo) const;
 
@@ -72,8 +74,6 @@ Q_SIGNALS:
     void legged(); ///< new legs; at most as often
     void ended();
     void failed(const base::Error& error); ///< nothing has moved, or it could not come to the start
-    /// After ended() or failed(): torque was to be switched off, which could not be proved.
-    void torqueLeft(const std::vector<int>& ids);
     void saved(const QString& path);
     void saveFailed(const base::Error& error);
 
@@ -90,6 +90,7 @@ private:
     std::optional<record::SweepRun> m_run;
     std::vector<ServoRef> m_servos;
     jobs::SweepProgress m_progress;
+    std::vector<jobs::TorqueLeft> m_torqueLeft;
     record::SampleStore m_store;
     std::vector<Curves> m_curves;
     base::Duration m_startedAt{};

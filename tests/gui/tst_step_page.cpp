@@ -4,6 +4,7 @@
 // back. Whatever is written is asked of the simulation's own table by reading.
 #include "gui/window_bench.h"
 #include "record/step_json.h"
+#include "sim/sim_link.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/pages/step_page.h"
 
@@ -184,6 +185,33 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!bench.test().running(), runTime);
         QCOMPARE(bench.now("position_p"), 32);
         QCOMPARE(bench.test().runs().back().end, record::SweepEnd::Stopped);
+    }
+
+    /// The link is lost in the middle of a trial: the page says so, and what it has left.
+    void aTrialThatIsBrokenOffIsReported()
+    {
+        StepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        bench.quick();
+        QTRY_VERIFY(bench.tried("position_p")->isEnabled());
+        QVERIFY(bench.run("stepRun"));
+        bench.own<QSpinBox>("stepRepeats")->setValue(20);
+        bench.tried("position_p")->setValue(12);
+        bench.click("stepTry");
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.test().live().empty(), runTime);
+        bench.desk().connection()->simulation()->with(
+            [](sim::VirtualBus& bus) { bus.config().faults.dropRequest = 1; });
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.test().running(), runTime);
+        QCOMPARE(bench.test().runs().back().end, record::SweepEnd::LinkLost);
+        QString said;
+        for (const QLabel* label : bench.own<QWidget>("stepBanner")->findChildren<QLabel*>())
+            said += label->text();
+        for (const char* part : {"link was lost", "12 (own value 32)", "Interrupted writes",
+                                 "Torque could not be switched off: ID 1"})
+            QVERIFY2(said.contains(QLatin1String(part)), qPrintable(said));
+        auto* figures = bench.own<QTableWidget>("stepFigures");
+        QVERIFY(figures->horizontalHeaderItem(2)->text().contains(QLatin1String("broken off")));
+        QVERIFY(figures->isColumnHidden(4)); // nothing is better or worse
     }
 
     void anotherModeIsOffered()

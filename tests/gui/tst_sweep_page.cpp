@@ -342,6 +342,62 @@ private Q_SLOTS:
         QCOMPARE(bench.now("torque_switch"), 0);
     }
 
+    /// While the test waits, in words and in the list; once the line is back Run can be used again.
+    void aSilentLineIsReported()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
+        bench.prepare(50);
+        bench.run();
+        QVERIFY(bench.begun());
+        const auto lose = [&bench](double share) {
+            bench.desk().connection()->simulation()->with(
+                [share](sim::VirtualBus& bus) { bus.config().faults.dropRequest = share; });
+        };
+        lose(1);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.find<ui::Pill>("sweepVerdict")->words(),
+                                  QStringLiteral("no answer"), 10000);
+        QVERIFY(bench.test().running());
+        QVERIFY2(bench.text("sweepProgressWords").startsWith(QLatin1String("No answer from ID 1")),
+                 qPrintable(bench.text("sweepProgressWords")));
+        QTRY_VERIFY_WITH_TIMEOUT(bench.entry().silent, 10000);
+        QVERIFY(bench.over());
+        QCOMPARE(bench.test().run()->end, record::SweepEnd::LinkLost);
+        QTRY_VERIFY(bench.find<QWidget>("sweepBanner")->isVisible());
+        QTRY_VERIFY(bench.text("sweepOutlook").contains(QLatin1String("no answer")));
+        QVERIFY(!bench.find<QPushButton>("sweepRun")->isEnabled());
+        lose(0);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.entry().silent, testTime);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find<QPushButton>("sweepRun")->isEnabled(), testTime);
+        QVERIFY(!bench.text("sweepOutlook").contains(QLatin1String("no answer")));
+        QCOMPARE(bench.find<QLineEdit>("sweepStart")->text(), QStringLiteral("1800"));
+    }
+
+    void whatWasTypedForAServoComesBackWithIt()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2")));
+        bench.prepare(2, 900);
+        QVERIFY(bench.choose(2));
+        auto* start = bench.find<QLineEdit>("sweepStart");
+        QTRY_VERIFY(start->text() != QLatin1String("1800")); // its own proposal
+        const QString proposed = start->text();
+        QVERIFY(bench.choose(1));
+        QTRY_COMPARE(start->text(), QStringLiteral("1800"));
+        QCOMPARE(bench.find<QLineEdit>("sweepEnd")->text(), QStringLiteral("2200"));
+        QCOMPARE(bench.find<QSpinBox>("sweepPause")->value(), 900);
+        bench.click("sweepRun");
+        auto* no = bench.find<QPushButton>("questionNo");
+        QVERIFY(no != nullptr);
+        QString said;
+        for (const QLabel* label : no->window()->findChildren<QLabel*>())
+            said += label->text();
+        QVERIFY2(said.contains(QStringLiteral("1800 … 2200")), qPrintable(said));
+        QTest::mouseClick(no, Qt::LeftButton);
+        QVERIFY(bench.choose(2));
+        QTRY_COMPARE(start->text(), proposed);
+    }
+
     void closingThePortEndsTheTestAndKeepsIt()
     {
         SweepBench bench;

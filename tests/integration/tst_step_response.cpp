@@ -147,6 +147,8 @@ private Q_SLOTS:
     void gainsAreBackHoweverItEnds_data();
     void gainsAreBackHoweverItEnds();
     void aLostLinkIsFoundByRecovery();
+    void aSilenceInTheLastResponseEndsIt_data();
+    void aSilenceInTheLastResponseEndsIt();
     void aPlugPulledAndPutBackCostsOneResponse();
     void whoRestartedWithThePlugStaysOffAndHasItsOwnGains_data();
     void whoRestartedWithThePlugStaysOffAndHasItsOwnGains();
@@ -359,6 +361,37 @@ void TestStepResponse::aLostLinkIsFoundByRecovery()
     const auto settled = jobs::recover(bench.context(), jobs::RecoverAction::Undo);
     QVERIFY(settled && settled->front().done);
     QCOMPARE(bench.raw(1, text("position_p")), 32);
+}
+
+void TestStepResponse::aSilenceInTheLastResponseEndsIt_data()
+{
+    QTest::addColumn<bool>("unplugged"); ///< else the line is dumb
+    QTest::newRow("plug") << true;
+    QTest::newRow("line") << false;
+}
+
+void TestStepResponse::aSilenceInTheLastResponseEndsIt()
+{
+    QFETCH(bool, unplugged);
+    SimBench bench(text("sts3215@1"));
+    std::vector<int> left;
+    bool silent = false;
+    jobs::StepWatch watch;
+    watch.onResponse = [&](const record::StepResponse& response) { silent = response.number == 3; };
+    watch.onProgress = [&](const jobs::SweepProgress&) {
+        if (silent && unplugged && !bench.bus().away() && !bench.bus().lost())
+            bench.cutLink();
+        else if (silent)
+            bench.wireConfig().faults.dropRequest = 1.0;
+    };
+    watch.onTorqueLeft = [&left](const jobs::TorqueLeft& one) { left.push_back(one.id); };
+    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->end, SweepEnd::LinkLost);
+    QVERIFY(!done->putBack);
+    QCOMPARE(done->responses.size(), std::size_t(4));
+    QCOMPARE(left, std::vector<int>{1});
+    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
 }
 
 namespace {

@@ -70,6 +70,11 @@ private Q_SLOTS:
     void anAlarmEndsIt();
     void aSilentSecondIsAGap();
     void aLongSilenceEndsIt();
+    void aSilenceAfterTheLastLegEndsIt_data();
+    void aSilenceAfterTheLastLegEndsIt();
+    void whoLostTorqueInTheLastLegIsFound();
+    void everyServoThatCouldNotBeLeftSafeIsNamed_data();
+    void everyServoThatCouldNotBeLeftSafeIsNamed();
     void aPlugPulledAndPutBackIsAGap();
     void whoeverIsStoppedWhileThePlugIsOutIsReleasedAfterIt();
     void aPlugThatStaysOutEndsIt();
@@ -363,7 +368,8 @@ void TestSweep::aSilentSecondIsAGap()
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QCOMPARE(done->gaps.size(), std::size_t(1));
-    QVERIFY(done->gaps[0].span > 1300ms && done->gaps[0].span < 2300ms);
+    const auto span = done->gaps[0].span;
+    QVERIFY2(span > 1300ms && span < 2300ms, qPrintable(QString::number(span.count())));
     QCOMPARE(done->servos.at(0).legs.size(), std::size_t(6));
     QVERIFY(*metric(done->servos.at(0), "communication_errors") > 0);
 }
@@ -383,6 +389,110 @@ void TestSweep::aLongSilenceEndsIt()
     QCOMPARE(done->verdict(), Grade::NotMeasured);
     QVERIFY(done->servos.at(0).legs.size() >= 2);
     QCOMPARE(done->servos.at(0).legs[0].number, 1);
+}
+
+void TestSweep::aSilenceAfterTheLastLegEndsIt_data()
+{
+    QTest::addColumn<int>("silentId"); ///< -1: the whole line
+    QTest::addColumn<int>("afterMs");  ///< the last goal
+    for (const int id : {-1, 2}) {
+        for (const int after : {0, 100, 1900})
+            QTest::addRow("%s, %d ms", id < 0 ? "line" : "one servo", after) << id << after;
+    }
+}
+
+/// What falls silent in the last leg for good has not finished the test.
+void TestSweep::aSilenceAfterTheLastLegEndsIt()
+{
+    QFETCH(int, silentId);
+    QFETCH(int, afterMs);
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    base::Duration silentFrom = base::Duration::max();
+    jobs::SweepWatch watch;
+    watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
+        if (leg == 6)
+            silentFrom = at + std::chrono::milliseconds(afterMs);
+    };
+    watch.onProgress = [&](const jobs::SweepProgress&) {
+        if (bench.clock().now() < silentFrom)
+            return;
+        if (silentId < 0)
+            bench.wireConfig().faults.dropRequest = 1.0;
+        else
+            bench.withWire([&](sim::VirtualBus& wire) { wire.unplug(std::size_t(silentId - 1)); });
+    };
+    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::LinkLost);
+    QCOMPARE(done->endedBy, silentId < 0 ? 1 : silentId);
+    for (const record::SweepServo& servo : done->servos) {
+        QCOMPARE(servo.legs.size(), std::size_t(6));
+        QCOMPARE(servo.verdict, Grade::NotMeasured);
+    }
+}
+
+void TestSweep::whoLostTorqueInTheLastLegIsFound()
+{
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    base::Duration backAt = base::Duration::max();
+    jobs::SweepWatch watch;
+    watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
+        if (leg != 6)
+            return;
+        bench.wireConfig().faults.dropRequest = 1.0;
+        backAt = at + 3s; // after the last leg
+    };
+    watch.onProgress = [&](const jobs::SweepProgress&) {
+        if (bench.clock().now() < backAt)
+            return;
+        backAt = base::Duration::max();
+        bench.powerCycle();
+        bench.wireConfig().faults.dropRequest = 0;
+    };
+    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::TorqueLost);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+}
+
+void TestSweep::everyServoThatCouldNotBeLeftSafeIsNamed_data()
+{
+    QTest::addColumn<bool>("release");
+    QTest::addColumn<bool>("unplugged"); ///< else the line is dumb
+    for (const bool release : {false, true}) {
+        for (const bool unplugged : {false, true})
+            QTest::addRow("%s, %s", release ? "release" : "hold", unplugged ? "plug" : "line")
+                << release << unplugged;
+    }
+}
+
+void TestSweep::everyServoThatCouldNotBeLeftSafeIsNamed()
+{
+    QFETCH(bool, release);
+    QFETCH(bool, unplugged);
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    record::SweepSpec spec = sweepSpec();
+    spec.releaseAtEnd = release;
+    std::vector<std::pair<int, bool>> left;
+    jobs::SweepWatch watch;
+    watch.onGoal = [&](std::size_t, int leg, base::Duration) {
+        if (leg == 3 && unplugged)
+            bench.cutLink();
+        else if (leg == 3)
+            bench.wireConfig().faults.dropRequest = 1.0;
+    };
+    watch.onTorqueLeft = [&](const jobs::TorqueLeft& one) {
+        left.emplace_back(one.id, one.holding);
+    };
+    const auto done = run(bench.context(), servos, spec, watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::LinkLost);
+    // The one that ended it was to be without torque, the other one as the order says.
+    const bool first = !release && unplugged; // the plug is of no servo
+    QCOMPARE(left, (std::vector<std::pair<int, bool>>{{1, first}, {2, !release}}));
 }
 
 namespace {

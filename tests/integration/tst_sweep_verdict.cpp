@@ -523,7 +523,7 @@ void TestSweepVerdict::torqueThatStaysIsTold()
     spec.releaseAtEnd = true;
     std::vector<int> left;
     jobs::SweepWatch watch;
-    watch.onTorqueLeft = [&left](int id, const base::Error&) { left.push_back(id); };
+    watch.onTorqueLeft = [&left](const jobs::TorqueLeft& one) { left.push_back(one.id); };
     const auto follow = [](Duration, double goal) { return goal; };
     QVERIFY(scripted(spec, follow, 200us, watch));
     QVERIFY(left.empty());

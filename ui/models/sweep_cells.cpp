@@ -3,6 +3,7 @@
 
 #include "report/html_page.h"
 #include "report/sweep_words.h"
+#include "text/error_words.h"
 #include "text/language.h"
 #include "text/translate.h"
 
@@ -85,19 +86,33 @@ QString reasonText(const record::VerdictLine& line)
     return form.arg(bound ? sweepValue(bound, line.limit.unit) : QString());
 }
 
-QString torqueLeftText(const std::vector<int>& ids)
+QString torqueLeftText(const std::vector<jobs::TorqueLeft>& left)
 {
-    QStringList names;
-    for (const int id : ids)
-        names.append(QStringLiteral("ID %1").arg(id));
-    return text::translate("ui::SweepPage", "Torque could not be switched off: %1.")
-        .arg(names.join(QStringLiteral(", ")));
+    QStringList torque;
+    QStringList moving;
+    for (const jobs::TorqueLeft& one : left)
+        (one.holding ? moving : torque).append(QStringLiteral("ID %1").arg(one.id));
+    const QString comma = QStringLiteral(", ");
+    QStringList sentences;
+    if (!torque.isEmpty())
+        sentences << text::translate("ui::SweepPage", "Torque could not be switched off: %1.")
+                         .arg(torque.join(comma));
+    if (!moving.isEmpty())
+        sentences << text::translate("ui::SweepPage", "Motion could not be stopped: %1.")
+                         .arg(moving.join(comma));
+    return sentences.join(QLatin1Char(' '));
 }
 
 QString torqueLeftRemedy()
 {
     return text::translate("ui::SweepPage",
-                           "It may still hold. Press the emergency stop or cut its "
-                           "supply.");
+                           "Torque may still be on, and the last goal may still be approached. "
+                           "Press the emergency stop or cut the supply.");
+}
+
+BannerWords failedWords(const base::Error& error, const std::vector<jobs::TorqueLeft>& left)
+{
+    const text::Description why = text::describe(error);
+    return {Tone::Bad, why.what, torqueLeftText(left), torqueLeftRemedy()};
 }
 } // namespace ui

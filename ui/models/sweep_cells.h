@@ -3,8 +3,9 @@
 // report's. Numbers are written as in the report, so that page and paper read alike. Main thread.
 #pragma once
 
-#include "record/sweep_run.h"
+#include "jobs/sweep.h"
 #include "ui/app/theme.h"
+#include "ui/widgets/banner.h"
 
 namespace ui {
 /// The role by which a model tells ToneDelegate the tone of a cell, as int.
@@ -20,7 +21,9 @@ Tone gradeTone(record::Grade grade);
 /// "> 8": above this it warns or fails; "–" for no limit.
 QString limitText(const record::SweepLimit& limit, const std::optional<double>& bound);
 QString reasonText(const record::VerdictLine& line); ///< "above 8 step"
-/// Torque was to be switched off at the end, which could not be proved.
-QString torqueLeftText(const std::vector<int>& ids);
+/// Of servos that could not be left at the end as they were to be.
+QString torqueLeftText(const std::vector<jobs::TorqueLeft>& left);
 QString torqueLeftRemedy();
+/// Why a test failed, and the servos that it has left so.
+BannerWords failedWords(const base::Error& error, const std::vector<jobs::TorqueLeft>& left);
 } // namespace ui

@@ -63,11 +63,6 @@ void StepPage::connectAll()
     connect(&m_test, &session::StepTest::progressed, this, &StepPage::showProgress);
     connect(&m_test, &session::StepTest::ended, this, &StepPage::ended);
     connect(&m_test, &session::StepTest::failed, this, &StepPage::failed);
-    connect(&m_test, &session::StepTest::torqueLeft, this, [this](const std::vector<int>& ids) {
-        m_banner->present([ids] {
-            return BannerWords{Tone::Bad, torqueLeftText(ids), {}, torqueLeftRemedy()};
-        });
-    });
     connect(&m_test, &session::StepTest::keptChanged, this, &StepPage::showState);
     connect(&m_selection, &Selection::changed, this, &StepPage::servoChosen);
     for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
@@ -233,26 +228,50 @@ void StepPage::ended()
 {
     const record::StepRun& run = m_test.runs().back();
     m_archive.keep(std::make_shared<const record::StepRun>(run));
-    if (!run.putBack) {
-        m_banner->present([] {
-            return BannerWords{
-                Tone::Bad,
-                tr("What the run had set could not be put back."),
-                {},
-                tr("It is noted in the journal: settle it under interrupted writes when the servo "
-                   "answers again. At power-off the servo forgets it by itself.")};
-        });
-    } else if (run.end != record::SweepEnd::Finished && run.end != record::SweepEnd::Stopped) {
-        m_banner->present([end = run.end] {
-            return BannerWords{Tone::Warn, report::endWords(end).in(text::inChinese())};
-        });
-    }
+    const bool early =
+        run.end != record::SweepEnd::Finished && run.end != record::SweepEnd::Stopped;
+    if (early || !run.putBack || !m_test.torqueLeft().empty())
+        m_banner->present(endWords());
     servoChosen();
+}
+
+/// How the latest run ended, and all that it has left in the servo.
+std::function<BannerWords()> StepPage::endWords() const
+{
+    const record::StepRun& run = m_test.runs().back();
+    const session::ServoEntry* entry = m_desk.servo(m_test.servo());
+    return [end = run.end, putBack = run.putBack, trial = m_test.trialLeft(),
+            torque = m_test.torqueLeft(),
+            profile = entry != nullptr ? entry->servo.profile : catalog::ProfilePtr()] {
+        const bool bad = !putBack || !torque.empty();
+        BannerWords words{bad ? Tone::Bad : Tone::Warn,
+                          report::endWords(end).in(text::inChinese())};
+        QStringList left;
+        QStringList remedies;
+        if (!trial.empty())
+            left << tr("The trial is still in the servo: %1.")
+                        .arg(trialLeftText(trial, profile.get()));
+        else if (!putBack)
+            left << tr("What the run had set could not be put back.");
+        if (!putBack)
+            remedies << tr("It is noted in the journal: when the servo answers again, put it back "
+                           "under Port → Interrupted writes. At power-off the servo forgets it by "
+                           "itself.");
+        if (!torque.empty()) {
+            left << torqueLeftText(torque);
+            remedies << torqueLeftRemedy();
+        }
+        words.cause = left.join(QLatin1Char(' '));
+        words.remedy = remedies.join(QLatin1Char(' '));
+        return words;
+    };
 }
 
 void StepPage::failed(const base::Error& error)
 {
-    if (error.code != base::ErrorCode::Stopped)
+    if (!m_test.torqueLeft().empty())
+        m_banner->present([error, left = m_test.torqueLeft()] { return failedWords(error, left); });
+    else if (error.code != base::ErrorCode::Stopped)
         m_banner->present(error);
     servoChosen();
 }

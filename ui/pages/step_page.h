@@ -19,6 +19,7 @@ class QScrollArea;
 
 namespace ui {
 class Banner;
+struct BannerWords;
 class StepForm;
 class StepGains;
 class StepResults;
@@ -50,6 +51,7 @@ private:
     void accept();
     void ended();
     void failed(const base::Error& error);
+    std::function<BannerWords()> endWords() const;
     void showState();
     void showProgress();
     bool otherMode() const; ///< the servo is in one without positions

@@ -192,6 +192,9 @@ void StepResults::showFigures()
     }
     for (const int column : {Before, Difference, Change})
         m_figures->setColumnHidden(column, before == nullptr);
+    // Of a run that was broken off nothing is better or worse.
+    if (brokenOff(before) || brokenOff(&after))
+        m_figures->setColumnHidden(Change, true);
     m_figures->resizeColumnsToContents();
 }
 

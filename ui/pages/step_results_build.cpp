@@ -3,6 +3,7 @@
 #include "text/error_words.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/pages/step_results.h"
+#include "ui/pages/step_words.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/roomy_column.h"
 #include "ui/widgets/tone_delegate.h"
@@ -135,9 +136,12 @@ void StepResults::retranslate()
     m_chart->setAccessibleName(tr("Step responses over each other"));
     m_figures->setAccessibleName(tr("Figures before and after"));
     m_figures->setToolTip(tr("Means of all steps of a run, there and back"));
-    m_figures->setHorizontalHeaderLabels({tr("Figure"), tr("Before"),
-                                          m_test.before() != nullptr ? tr("After") : tr("Value"),
-                                          tr("Difference"), tr("Change")});
+    const QString value = m_test.before() != nullptr ? tr("After") : tr("Value");
+    m_figures->setHorizontalHeaderLabels(
+        {tr("Figure"),
+         brokenOff(m_test.before()) ? tr("%1 (broken off)").arg(tr("Before")) : tr("Before"),
+         some && brokenOff(&m_test.runs().back()) ? tr("%1 (broken off)").arg(value) : value,
+         tr("Difference"), tr("Change")});
     const bool advised = !m_test.advice().empty();
     m_adviceTitle->setText(advised ? tr("<b>What to try next</b>")
                            : some  ? tr("Nothing in these figures asks for another setting.")

@@ -2,7 +2,11 @@
 // Short words of the step page. Pure; main thread.
 #pragma once
 
+#include "base/journal.h"
+#include "catalog/profile.h"
 #include "record/step_run.h"
+#include "text/language.h"
+#include "text/translate.h"
 
 #include <QStringList>
 
@@ -13,6 +17,26 @@ inline QString stepGainsText(const std::vector<record::StepGain>& gains)
     QStringList words;
     for (const record::StepGain& gain : gains)
         words << QStringLiteral("%1 %2").arg(gain.key).arg(gain.raw);
+    return words.join(QStringLiteral(", "));
+}
+
+inline bool brokenOff(const record::StepRun* run)
+{
+    return run != nullptr && run->end != record::SweepEnd::Finished;
+}
+
+/// "Position loop P 12 (own value 32)"; by key without a profile.
+inline QString trialLeftText(const std::vector<base::JournalItem>& trial,
+                             const catalog::Profile* profile)
+{
+    QStringList words;
+    for (const base::JournalItem& item : trial) {
+        const catalog::Register* reg = profile != nullptr ? profile->find(item.key) : nullptr;
+        words << text::translate("ui::StepPage", "%1 %2 (own value %3)")
+                     .arg(reg != nullptr ? reg->name.in(text::inChinese()) : item.key)
+                     .arg(item.newRaw)
+                     .arg(item.oldRaw);
+    }
     return words.join(QStringLiteral(", "));
 }
 } // namespace ui

@@ -321,11 +321,33 @@ void SweepForm::showServo(const session::ServoEntry* entry)
     }
 }
 
-void SweepForm::startAnew()
+SweepForm::Typed SweepForm::typedValues() const
 {
-    m_rangeTyped = false;
-    m_pauseTyped = false;
-    m_periodTyped = false;
+    Typed values;
+    if (m_rangeTyped)
+        values.range = record::SweepRange{m_start->text(), m_end->text()};
+    if (m_pauseTyped)
+        values.pause = m_pause->value();
+    if (m_periodTyped)
+        values.period = m_period->value();
+    return values;
+}
+
+void SweepForm::takeTyped(const Typed& values)
+{
+    m_rangeTyped = values.range.has_value();
+    m_pauseTyped = values.pause.has_value();
+    m_periodTyped = values.period.has_value();
+    const QSignalBlocker quietPause(m_pause);
+    const QSignalBlocker quietPeriod(m_period);
+    if (values.range) {
+        m_start->setText(values.range->from);
+        m_end->setText(values.range->to);
+    }
+    if (values.pause)
+        m_pause->setValue(*values.pause);
+    if (values.period)
+        m_period->setValue(*values.period);
 }
 
 void SweepForm::propose(const record::SweepRange& range)

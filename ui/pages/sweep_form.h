@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include <array>
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -43,8 +44,15 @@ public:
     void propose(const record::SweepRange& range);
     void propose(base::Duration enough);
     void setPace(base::Duration enough); ///< asked for: typed or not
-    /// Another servo: what was typed for the one before is a proposal again.
-    void startAnew();
+    /// What was typed into range, delay and period; the rest is proposed.
+    struct Typed {
+        std::optional<record::SweepRange> range{};
+        std::optional<int> pause{};     ///< ms
+        std::optional<double> period{}; ///< s
+    };
+    Typed typedValues() const;
+    /// Another servo: what was typed for it before. What was not is a proposal again.
+    void takeTyped(const Typed& values);
 
     /// As shown. A list that could not be read is empty; complaint() says why.
     record::SweepSpec spec() const;

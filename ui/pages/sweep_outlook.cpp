@@ -133,8 +133,24 @@ OutlookWords outlookWords(const std::vector<session::SweepLook>& looks,
     return worst;
 }
 
+namespace {
+/// "No answer from ID 1, ID 2 for 3 s"
+QString silenceWords(const jobs::SweepProgress& progress)
+{
+    QStringList names;
+    for (const int id : progress.silent)
+        names.append(QStringLiteral("ID %1").arg(id));
+    return SweepPage::tr("No answer from %1 for %2")
+        .arg(names.join(QStringLiteral(", ")), shortSpan(progress.silentFor));
+}
+} // namespace
+
 QString progressWords(const jobs::SweepProgress& progress, const record::SweepRun* run)
 {
+    if (progress.ended)
+        return SweepPage::tr("The test has ended; stopping the servos");
+    if (!progress.silent.empty())
+        return silenceWords(progress);
     if (run == nullptr || (progress.leg == 0 && run->spec.warmUp <= Duration::zero()))
         return SweepPage::tr("On the way to the start");
     if (progress.warmingUp)

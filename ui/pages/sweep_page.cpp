@@ -29,6 +29,7 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr auto lookDelay = 250ms; ///< after the last letter
+constexpr auto retryAfter = 1s;   ///< of a servo that is heard again
 constexpr int leastSetup = 300;
 constexpr int mostSetup = 360;
 constexpr int setupPercent = 28;
@@ -43,7 +44,15 @@ QString settingsOf(const session::ServoEntry* entry)
         .arg(mode != nullptr ? mode->key : QString())
         .arg(span ? span->min : 0)
         .arg(span ? span->max : 0)
-        .arg(entry->stopped);
+        .arg(int(entry->stopped) + 2 * int(entry->silent));
+}
+
+bool gotNoAnswer(const session::SweepLook& look)
+{
+    using base::ErrorCode;
+    return look.error &&
+           (look.error->code == ErrorCode::NoAnswer || look.error->code == ErrorCode::Garbled ||
+            look.error->code == ErrorCode::WrongAnswer || look.error->code == ErrorCode::LineBusy);
 }
 
 bool wrongMode(const session::SweepLook& look)
@@ -190,11 +199,6 @@ void SweepPage::connectAll()
     connect(&m_test, &session::SweepTest::progressed, this, &SweepPage::showProgress);
     connect(&m_test, &session::SweepTest::ended, this, &SweepPage::ended);
     connect(&m_test, &session::SweepTest::failed, this, &SweepPage::failed);
-    connect(&m_test, &session::SweepTest::torqueLeft, this, [this](const std::vector<int>& ids) {
-        m_banner->present([ids] {
-            return BannerWords{Tone::Bad, torqueLeftText(ids), {}, torqueLeftRemedy()};
-        });
-    });
     for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
                               &session::Desk::servosCleared, &session::Desk::taskChanged})
         connect(&m_desk, signal, this, &SweepPage::showState);
@@ -225,18 +229,37 @@ void SweepPage::servoChosen()
     const auto ticked = m_servos->ticked();
     const session::ServoRef first = ticked.empty() ? 0 : ticked.front();
     if (first != 0 && first != m_shown) {
+        if (m_shown != 0)
+            m_typed[m_shown] = m_form->typedValues();
         m_shown = first;
-        m_form->startAnew();
+        m_form->takeTyped(m_typed[first]);
         m_form->showServo(m_desk.servo(first));
     }
     lookSoon();
 }
 
-/// Somebody has changed mode or limits: what was found out may not be so any more.
+/// Mode or limits have changed, or a servo that could not be read answers: what was found out may
+/// not be so any more.
 void SweepPage::settingsRead(session::ServoRef ref)
 {
     const auto seen = m_settingsSeen.find(ref);
-    if (seen != m_settingsSeen.end() && seen->second != settingsOf(m_desk.servo(ref)))
+    if (seen == m_settingsSeen.end())
+        return;
+    if (seen->second != settingsOf(m_desk.servo(ref)))
+        lookSoon();
+    else
+        lookAgain();
+}
+
+/// After a reading that got no answer, once its servos are heard again.
+void SweepPage::lookAgain()
+{
+    const auto heardSince = [this](const session::SweepLook& one) {
+        const session::ServoEntry* entry = m_desk.servo(one.servo);
+        return gotNoAnswer(one) && entry != nullptr && !entry->silent &&
+               entry->lastSeen - m_lookedAt > retryAfter;
+    };
+    if (!m_lookTimer.isActive() && std::any_of(m_looks.begin(), m_looks.end(), heardSince))
         lookSoon();
 }
 
@@ -282,6 +305,7 @@ QStringList SweepPage::heldByStop() const
 void SweepPage::takeLooks(const std::vector<session::SweepLook>& looks)
 {
     m_looks = looks;
+    m_lookedAt = m_desk.now();
     std::vector<session::ServoRef> looked;
     for (const session::SweepLook& one : looks)
         looked.push_back(one.servo);

@@ -6,6 +6,7 @@
 
 #include "session/settings.h"
 #include "ui/app/bench.h"
+#include "ui/pages/sweep_form.h"
 
 #include <QPointer>
 #include <QTimer>
@@ -18,7 +19,6 @@ class QScrollArea;
 
 namespace ui {
 class Banner;
-class SweepForm;
 class SweepResults;
 class SweepServos;
 class ThinProgress;
@@ -53,7 +53,9 @@ private:
     void look();
     void takeLooks(const std::vector<session::SweepLook>& looks);
     void servoChosen();
+    void lookAgain();
     void settingsRead(session::ServoRef ref);
+    QString rangeOf(session::ServoRef ref, const record::SweepSpec& spec) const;
     void noteSettings(const std::vector<session::ServoRef>& servos);
     QStringList heldByStop() const;
     static QString torqueAfterwards(bool released);
@@ -90,7 +92,9 @@ private:
     SweepResults* m_results = nullptr;
     QTimer m_lookTimer;
     std::vector<session::SweepLook> m_looks;
-    session::ServoRef m_shown = 0;                       ///< the fields are about it
+    base::Duration m_lookedAt{};                           ///< desk clock
+    session::ServoRef m_shown = 0;                         ///< the fields are about it
+    std::map<session::ServoRef, SweepForm::Typed> m_typed; ///< for the servos shown before
     std::map<session::ServoRef, QString> m_settingsSeen; ///< mode and limits when it was looked at
     std::vector<session::ReferenceResult> m_references;  ///< of the latest test
     std::optional<Consent> m_consent;                    ///< that was given in this session

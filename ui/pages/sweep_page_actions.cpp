@@ -29,14 +29,15 @@ void SweepPage::run()
     QStringList names;
     for (const session::ServoRef ref : now.servos) {
         const session::ServoEntry* entry = m_desk.servo(ref);
-        names.append(
-            QStringLiteral("ID %1 · %2").arg(entry->servo.id).arg(entry->servo.profile->modelName));
+        names.append(QStringLiteral("ID %1 · %2, %3")
+                         .arg(QString::number(entry->servo.id), entry->servo.profile->modelName,
+                              rangeOf(ref, now.spec)));
     }
     Question question;
     question.title = tr("Start the test?");
     question.text = tr("These servos get torque and move by themselves until the test has ended: "
                        "%1")
-                        .arg(names.join(QStringLiteral(", "))) +
+                        .arg(QLatin1Char('\n') + names.join(QLatin1Char('\n'))) +
                     QLatin1Char('\n') + torqueAfterwards(now.spec.releaseAtEnd);
     question.risk = tr("Nothing may be in their way, and nobody's fingers. Esc takes torque off "
                        "all servos at once.");
@@ -46,6 +47,26 @@ void SweepPage::run()
         m_consent = consent;
         start();
     });
+}
+
+/// "1500 … 2500" as typed; of a list its outermost targets, as far as they have been worked out.
+QString SweepPage::rangeOf(session::ServoRef ref, const record::SweepSpec& spec) const
+{
+    const auto words = [](const QString& from, const QString& to) {
+        return tr("range %1 … %2").arg(from, to);
+    };
+    const auto look = std::find_if(m_looks.begin(), m_looks.end(), [ref](const auto& one) {
+        return one.servo == ref && one.outlook;
+    });
+    if (spec.shape != record::SweepShape::Points) {
+        const auto own = spec.ranges.find(m_desk.servo(ref)->servo.id);
+        const record::SweepRange& range = own != spec.ranges.end() ? own->second : spec.range;
+        return words(range.from, range.to);
+    }
+    if (look == m_looks.end())
+        return tr("%n target(s)", nullptr, int(spec.points.size()));
+    const auto& axis = look->outlook->axis;
+    return words(QString::number(axis.from), QString::number(axis.to));
 }
 
 /// However it ends, apart from faults and the emergency stop; also of servos without torque before.
@@ -71,6 +92,10 @@ void SweepPage::start()
 void SweepPage::ended()
 {
     keep();
+    if (!m_test.torqueLeft().empty())
+        m_banner->present([left = m_test.torqueLeft()] {
+            return BannerWords{Tone::Bad, torqueLeftText(left), {}, torqueLeftRemedy()};
+        });
     showVerdicts();
     showState();
     lookSoon(); // what the servo has set now may be something else
@@ -117,9 +142,12 @@ void SweepPage::showReference()
 
 void SweepPage::failed(const base::Error& error)
 {
-    if (error.code != base::ErrorCode::Stopped)
+    if (!m_test.torqueLeft().empty())
+        m_banner->present([error, left = m_test.torqueLeft()] { return failedWords(error, left); });
+    else if (error.code != base::ErrorCode::Stopped)
         m_banner->present(error);
     showState();
+    lookSoon();
 }
 
 void SweepPage::editLimits(session::ServoRef ref)

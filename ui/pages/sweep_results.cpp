@@ -125,6 +125,7 @@ void SweepResults::connectTest()
     connect(&m_test, &session::SweepTest::began, this, &SweepResults::begin);
     connect(&m_test, &session::SweepTest::ended, this, &SweepResults::end);
     connect(&m_test, &session::SweepTest::failed, this, &SweepResults::showVerdict);
+    connect(&m_test, &session::SweepTest::progressed, this, &SweepResults::showVerdict);
     connect(&m_test, &session::SweepTest::grown, this, [this] {
         if (isVisible())
             m_chart->advance(m_desk.now());
@@ -295,7 +296,9 @@ void SweepResults::showVerdict()
         return;
     m_title->setText(m_servos->count() > 1 ? tr("Position and goal")
                                            : tr("Position and goal — %1").arg(servoName(*tested)));
-    if (m_test.running())
+    if (m_test.running() && !m_test.progress().silent.empty())
+        m_verdict->setState(Tone::Warn, tr("no answer"));
+    else if (m_test.running())
         m_verdict->setState(Tone::Accent, tr("running"));
     else
         m_verdict->setState(toneOf(m_test.run()->verdict()), verdictWords(*m_test.run()),
