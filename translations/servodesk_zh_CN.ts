@@ -716,6 +716,50 @@
         <source>commissioning</source>
         <translation>批量设置</translation>
     </message>
+    <message>
+        <source>. No answer: ID %1</source>
+        <translation>。无应答：ID %1</translation>
+    </message>
+    <message>
+        <source>These were expected and asked several times.</source>
+        <translation>这些舵机应当存在，已多次询问。</translation>
+    </message>
+    <message>
+        <source>unknown model</source>
+        <translation>未知型号</translation>
+    </message>
+    <message>
+        <source>Another servo answers under ID %1: %2</source>
+        <translation>ID %1 下应答的是另一个舵机：%2</translation>
+    </message>
+    <message>
+        <source>It takes the place of %1 in the list. Unfinished writes stay noted for that servo.</source>
+        <translation>它在列表中取代 %1。未写完的记录仍归原舵机。</translation>
+    </message>
+    <message>
+        <source>Stop sent, but not confirmed yet: ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not closed: the EPROM lock of ID %1 is still open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the cable and try again. The unfinished write stays in the journal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>. EPROM lock closed: ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>. EPROM LOCK STILL OPEN: ID %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect again to finish or undo the write.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Feedback</name>
@@ -1347,6 +1391,41 @@
     <message>
         <source>Acts at once. Nobody says whether it survives power-off.</source>
         <translation>立即生效。资料没有说明断电后是否保存。</translation>
+    </message>
+</context>
+<context>
+    <name>RestoreWords</name>
+    <message>
+        <source>%1 (last read: %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (value unknown)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The old values could not be put back: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the table and write the rest again; the journal knows what was to be written.</source>
+        <translation type="unfinished">请重新读取内存表并再写入其余的行；日志里有要写入的内容。</translation>
+    </message>
+    <message>
+        <source>When the servo answers again, open Port → Interrupted writes: Undo there puts the old values back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table that was saved before the first write has the old values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The EPROM lock is open.</source>
+        <translation type="unfinished">EPROM 未上锁。</translation>
+    </message>
+    <message>
+        <source>The EPROM lock is not proven closed.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2052,8 +2131,16 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>有应答，但无法识别</translation>
     </message>
     <message>
-        <source>values of later writes, which stay</source>
-        <translation>之后写入的值，保持不变</translation>
+        <source>Left as they are, because they have another value since or would move the servo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was written; the change is no longer offered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other values since, which stay</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2564,18 +2651,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>register names, as dump shows them</source>
         <translation>寄存器名称，见 dump 的输出</translation>
-    </message>
-    <message>
-        <source>nothing of it was written</source>
-        <translation>什么都没写入</translation>
-    </message>
-    <message>
-        <source>all of it was written</source>
-        <translation>已全部写入</translation>
-    </message>
-    <message>
-        <source>part of it was written</source>
-        <translation>只写入了一部分</translation>
     </message>
     <message>
         <source>another servo answers: left alone</source>
@@ -4280,10 +4355,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>有应答，但无法识别</translation>
     </message>
     <message>
-        <source>later writes have replaced it</source>
-        <translation>已被之后的写入取代</translation>
-    </message>
-    <message>
         <source>%1 registers</source>
         <translation>%1 个参数</translation>
     </message>
@@ -4324,8 +4395,44 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>%1，固件 %2</translation>
     </message>
     <message>
-        <source>Could not be put back: %1. The change stays open; look at it with: servodesk-cli recover</source>
-        <translation>未能写回：%1。该更改仍未写完，请查看：servodesk-cli recover</translation>
+        <source>the old values</source>
+        <translation type="unfinished">原值</translation>
+    </message>
+    <message>
+        <source>the new values</source>
+        <translation type="unfinished">新值</translation>
+    </message>
+    <message>
+        <source>some new, some old values</source>
+        <translation type="unfinished">部分新值，部分原值</translation>
+    </message>
+    <message>
+        <source>other values since, which stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1, left as they are, because they have another value since or would move the servo: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The change stays open; look at it with: servodesk-cli recover</source>
+        <translation>此次更改仍未完成；请用以下命令查看：servodesk-cli recover</translation>
+    </message>
+    <message>
+        <source>The values in the table stand in the servo. The snapshot that was taken before the first write has the earlier ones.</source>
+        <translation>舵机中现在是表中的值。第一次写入前保存的快照里有原来的值。</translation>
+    </message>
+    <message>
+        <source>Could not be put back: %1.</source>
+        <translation>未能恢复原值：%1。</translation>
+    </message>
+    <message>
+        <source>Servo %1 may still have torque and go on to its last goal: stopping it after the test failed (%2). Use &quot;torque %1 off&quot;, or cut its supply.</source>
+        <translation>舵机 %1 可能仍有扭矩并继续走向最后的目标：测试结束后未能使其停止（%2）。请使用“torque %1 off”，或切断其供电。</translation>
     </message>
 </context>
 <context>
@@ -4836,10 +4943,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>The EPROM lock has been closed.</source>
         <translation>EPROM 已上锁。</translation>
-    </message>
-    <message>
-        <source>The EPROM lock could not be closed; it is noted in the journal. Use recover when the servo answers again.</source>
-        <translation>EPROM 无法上锁；已记入日志。舵机恢复应答后请用 recover。</translation>
     </message>
     <message>
         <source>%3 was set to 0, so that nothing moves in the new mode.</source>
@@ -6453,6 +6556,26 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>%3 could not be put back to %1; it is noted in the journal. Use recover when the servo answers again. At power-off the servo forgets the temporary value by itself.</source>
         <translation>%3 未能恢复为 %1；已记入写入日志。舵机再次应答后请使用 recover。断电后舵机会自行丢弃临时值。</translation>
     </message>
+    <message>
+        <source>not written: the servo shows %1, where %2 was left; it would have become %3</source>
+        <translation>未写入：舵机当前值为 %1，而之前写入的是 %2；本应改为 %3</translation>
+    </message>
+    <message>
+        <source>another servo answers under this ID: %1</source>
+        <translation>此 ID 下应答的是另一个舵机：%1</translation>
+    </message>
+    <message>
+        <source>Another program has changed the value since, or the servo was exchanged for one of its kind.</source>
+        <translation>此后有其他程序改动了该值，或舵机被换成了同型号的另一个。</translation>
+    </message>
+    <message>
+        <source>Edit the value in the table if you want %1; this step is no longer offered.</source>
+        <translation>如果需要 %1，请在参数表中修改；此步骤不再提供。</translation>
+    </message>
+    <message>
+        <source>The EPROM lock could not be proven closed; it is noted in the journal. Use recover when the servo answers again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -6645,6 +6768,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>would cause an alarm now</source>
         <translation>会立即引起报警</translation>
+    </message>
+    <message>
+        <source>old values not put back</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8285,6 +8412,50 @@ Asked more than once: %9</source>
     <message>
         <source>Its servos then have no torque.</source>
         <translation>之后舵机卸力。</translation>
+    </message>
+    <message>
+        <source>A write is unfinished. Close anyway?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A write is unfinished. Disconnect anyway?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ID %1: the journal still holds the unfinished write. The next connection offers to finish or undo it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The EPROM lock of ID %1 is open. It is closed first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The EPROM lock of ID %1 is open and cannot be closed now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock and disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The EPROM lock stays open: settings written by any program are kept at power-off.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10261,18 +10432,6 @@ Asked more than once: %9</source>
         <translation>已写入并回读 %1 行</translation>
     </message>
     <message>
-        <source>Not as wanted: %1.</source>
-        <translation>与要求不符：%1。</translation>
-    </message>
-    <message>
-        <source>The EPROM lock is open.</source>
-        <translation>EPROM 未上锁。</translation>
-    </message>
-    <message>
-        <source>Read the table and write the rest again; the journal knows what was to be written.</source>
-        <translation>请重新读取内存表并再写入其余的行；日志里有要写入的内容。</translation>
-    </message>
-    <message>
         <source>Save the result</source>
         <translation>保存结果</translation>
     </message>
@@ -10295,6 +10454,10 @@ Asked more than once: %9</source>
     <message>
         <source>%1 is a limit of another model (%2).</source>
         <translation>“%1”是其他型号（%2）的限制。</translation>
+    </message>
+    <message>
+        <source>Not written, or not proven: %1.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10462,10 +10625,6 @@ Asked more than once: %9</source>
         <translation>运行时的设置未能恢复。</translation>
     </message>
     <message>
-        <source>It is noted in the journal: settle it under interrupted writes when the servo answers again. At power-off the servo forgets it by itself.</source>
-        <translation>日志中已有记录：舵机恢复应答后，请在“中断的写入”中处理。断电后舵机会自行恢复。</translation>
-    </message>
-    <message>
         <source>Step response</source>
         <translation>阶跃响应</translation>
     </message>
@@ -10520,6 +10679,18 @@ Asked more than once: %9</source>
     <message>
         <source>Afterwards it holds its position with torque on. The same applies if you stop the run or close the window during it.</source>
         <translation>结束后舵机保持位置，扭矩开启。中途停止或关闭窗口也是如此。</translation>
+    </message>
+    <message>
+        <source>It is noted in the journal: when the servo answers again, put it back under Port → Interrupted writes. At power-off the servo forgets it by itself.</source>
+        <translation>已写入记录：舵机恢复应答后，请在“端口 → 中断的写入”中恢复原值。断电后，舵机自己会忘掉这些设置。</translation>
+    </message>
+    <message>
+        <source>%1 %2 (own value %3)</source>
+        <translation>%1 %2（原值 %3）</translation>
+    </message>
+    <message>
+        <source>Trial values still in the servo: %1.</source>
+        <translation>试用值仍在舵机中：%1。</translation>
     </message>
 </context>
 <context>
@@ -10627,6 +10798,10 @@ Asked more than once: %9</source>
     <message>
         <source>Save these runs as %1</source>
         <translation>将这些运行结果保存为 %1</translation>
+    </message>
+    <message>
+        <source>%1 (broken off)</source>
+        <translation>%1（提前结束）</translation>
     </message>
 </context>
 <context>
@@ -11066,10 +11241,6 @@ Asked more than once: %9</source>
         <translation>未能卸力：%1。</translation>
     </message>
     <message>
-        <source>It may still hold. Press the emergency stop or cut its supply.</source>
-        <translation>舵机可能仍在保持位置。请按急停，或切断其供电。</translation>
-    </message>
-    <message>
         <source>most moves are too short for a verdict: targets count as reached within %1 steps, so moves need at least %2 steps.</source>
         <translation>大多数行程太短，无法得出结论：距目标 %1 步以内即视为到位，因此每个行程至少需要 %2 步。</translation>
     </message>
@@ -11084,6 +11255,30 @@ Asked more than once: %9</source>
     <message>
         <source>Afterwards they hold their position with torque on. The same applies if you stop the test or close the window during it.</source>
         <translation>结束后舵机保持位置，扭矩开启。中途停止测试或关闭窗口也是如此。</translation>
+    </message>
+    <message>
+        <source>Motion could not be stopped: %1.</source>
+        <translation>未能停止运动：%1。</translation>
+    </message>
+    <message>
+        <source>No answer from %1 for %2</source>
+        <translation>%1 已 %2 无应答</translation>
+    </message>
+    <message>
+        <source>The test has ended; stopping the servos</source>
+        <translation>测试已结束，正在停止舵机</translation>
+    </message>
+    <message>
+        <source>range %1 … %2</source>
+        <translation>行程 %1 … %2</translation>
+    </message>
+    <message>
+        <source>Such a servo may still hold or move to its last goal. Press the emergency stop or cut the supply.</source>
+        <translation>这些舵机可能仍在保持位置，或继续走向最后的目标。请按急停，或切断供电。</translation>
+    </message>
+    <message>
+        <source>targets of the list</source>
+        <translation>列表中的目标</translation>
     </message>
 </context>
 <context>
@@ -11167,6 +11362,10 @@ Asked more than once: %9</source>
     <message>
         <source>Save the report as %1, and all readings in a file beside it</source>
         <translation>将报告保存为 %1，旁边另有全部采样数据的文件</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>无应答</translation>
     </message>
 </context>
 <context>

@@ -105,9 +105,8 @@ QString torqueLeftText(const std::vector<jobs::TorqueLeft>& left)
 
 QString torqueLeftRemedy()
 {
-    return text::translate("ui::SweepPage",
-                           "Torque may still be on, and the last goal may still be approached. "
-                           "Press the emergency stop or cut the supply.");
+    return text::translate("ui::SweepPage", "Such a servo may still hold or move to its last goal. "
+                                            "Press the emergency stop or cut the supply.");
 }
 
 BannerWords failedWords(const base::Error& error, const std::vector<jobs::TorqueLeft>& left)

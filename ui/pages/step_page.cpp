@@ -249,7 +249,7 @@ std::function<BannerWords()> StepPage::endWords() const
         QStringList left;
         QStringList remedies;
         if (!trial.empty())
-            left << tr("The trial is still in the servo: %1.")
+            left << tr("Trial values still in the servo: %1.")
                         .arg(trialLeftText(trial, profile.get()));
         else if (!putBack)
             left << tr("What the run had set could not be put back.");

@@ -64,7 +64,7 @@ QString SweepPage::rangeOf(session::ServoRef ref, const record::SweepSpec& spec)
         return words(range.from, range.to);
     }
     if (look == m_looks.end())
-        return tr("%n target(s)", nullptr, int(spec.points.size()));
+        return tr("targets of the list");
     const auto& axis = look->outlook->axis;
     return words(QString::number(axis.from), QString::number(axis.to));
 }
