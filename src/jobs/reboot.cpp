@@ -42,12 +42,21 @@ bool endsAll(ErrorCode code)
            code == ErrorCode::Preempted;
 }
 
-/// The mark could not be noted in the journal, which is none of the servo's doing.
-bool concernsJournal(ErrorCode code)
+/// The servo has no such value, or does not take another one. Anything else, such as a full disk
+/// or a lost line, is none of its doing.
+bool takesNoMark(ErrorCode code)
 {
-    return code == ErrorCode::FileMissing || code == ErrorCode::FileUnreadable ||
-           code == ErrorCode::FileFormat || code == ErrorCode::FileUnwritable ||
-           code == ErrorCode::DiskFull;
+    switch (code) {
+    case ErrorCode::NotSupported:
+    case ErrorCode::OutOfRange:
+    case ErrorCode::ReadOnly:
+    case ErrorCode::NeedsConsent:
+    case ErrorCode::Refused:
+    case ErrorCode::Mismatch:
+        return true;
+    default:
+        return false;
+    }
 }
 
 /// Null: nothing in this servo can be a mark. In motor mode the running time is the motor's output.
@@ -68,14 +77,14 @@ std::optional<std::int64_t> loadedAtStart(const device::Servo& servo, const cata
 }
 
 /// Without a mark silence has to prove the restart, so a servo that takes none is no error. A
-/// journal that cannot be written is one, before the command is sent.
+/// journal that cannot be written and a lost line are, before the command is sent.
 base::Result<Mark> setMark(const device::Context& context, device::Servo& servo)
 {
     const catalog::Register* reg = markOf(servo);
     if (reg == nullptr)
         return Mark{};
     const auto read = device::readRoles(context, servo, {reg->role, Role::MaxTorque});
-    if (!read && endsAll(read.error().code))
+    if (!read && !takesNoMark(read.error().code))
         return tl::unexpected(read.error());
     const auto now = servo.raw(reg->role);
     const auto loaded = loadedAtStart(servo, *reg);
@@ -85,7 +94,7 @@ base::Result<Mark> setMark(const device::Context& context, device::Servo& servo)
         return Mark{reg, *now};
     const std::int64_t raw = *now > reg->min.value_or(0) ? *now - 1 : *now + 1;
     auto written = TemporarySettings::set(context, servo, {{reg->key, raw}});
-    if (!written && (endsAll(written.error().code) || concernsJournal(written.error().code)))
+    if (!written && !takesNoMark(written.error().code))
         return tl::unexpected(written.error());
     return written ? Mark{reg, raw, std::move(*written)} : Mark{};
 }
@@ -211,8 +220,7 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
     auto mark = setMark(context, servo);
     if (!mark) {
-        if (concernsJournal(mark.error().code))
-            context.note(device::NoticeCode::TorqueStaysOff, servo.id);
+        context.note(device::NoticeCode::TorqueStaysOff, servo.id); // it was proven a moment ago
         return tl::unexpected(mark.error());
     }
     const auto milliseconds = restart(context, servo, *mark);
