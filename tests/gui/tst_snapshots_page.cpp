@@ -277,6 +277,37 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.bannerText().isEmpty());
     }
 
+    /// The servo falls silent in the middle, so the way back that was asked for fails as well.
+    void aWayBackThatFailedIsSaid()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        const std::int64_t voltage = bench.now("max_voltage");
+        QVERIFY(bench.taken());
+        QVERIFY(bench.write("max_voltage", voltage + 5));
+        QVERIFY(bench.write("position_p", bench.now("position_p") + 8));
+        QTRY_COMPARE(bench.button("restoreWrite")->text(), QStringLiteral("Write 2 ticked rows"));
+        bench.find<QCheckBox>("restoreRollBack")->setChecked(true);
+        const auto simulation = bench.desk().connection()->simulation();
+        simulation->with([](sim::VirtualBus& wire) {
+            wire.config().adapterLatency = std::chrono::milliseconds(150);
+        });
+        bench.click("restoreWrite");
+        QTRY_VERIFY_WITH_TIMEOUT(simulation->with([&](sim::VirtualBus& wire) {
+            const bool written = wire.servo(1)->raw(QStringLiteral("max_voltage")) == voltage;
+            if (written)
+                wire.config().faults.muteIds = {1};
+            return written;
+        }),
+                                 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.bannerText().isEmpty(), 60'000);
+        const QString said = bench.bannerText();
+        QVERIFY2(said.contains(QLatin1String("The old values could not be put back: Maximum")),
+                 qPrintable(said));
+        QVERIFY2(said.contains(QLatin1String("Interrupted writes")), qPrintable(said));
+        QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
+    }
+
     /// Consent was given for one write: after Undo the dangerous row is not ticked by itself.
     void aDangerousRowIsNotTickedAgainAfterUndo()
     {

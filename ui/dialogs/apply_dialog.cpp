@@ -6,6 +6,7 @@
 #include "text/notice_words.h"
 #include "text/restore_words.h"
 #include "ui/dialogs/ask.h"
+#include "ui/dialogs/restore_words.h"
 #include "ui/models/sweep_cells.h"
 #include "ui/widgets/tone_delegate.h"
 
@@ -56,6 +57,12 @@ QString signOf(Tone tone)
                                   : QStringLiteral("✘ ");
 }
 
+RegisterNames plainNames()
+{
+    return {[](const QString& key) { return key; },
+            [](const QString&, std::int64_t raw) { return QString::number(raw); }};
+}
+
 /// "P gain 40 → 32" for each row to come, or what became of each.
 QString details(const jobs::Applied& one)
 {
@@ -69,6 +76,9 @@ QString details(const jobs::Applied& one)
                          .arg(qint64(row.write.oldRaw.value_or(0)))
                          .arg(qint64(row.write.newRaw))
                          .arg(text::outcomeWord(device::outcomeName(row.write.outcome)));
+        const QString left = notPutBackWords(*one.outcome, plainNames());
+        if (!left.isEmpty())
+            lines << left << restoreRemedy(*one.outcome);
     } else {
         for (const jobs::RestoreWrite& write : jobs::writesOf(one.plan))
             lines << QStringLiteral("%1: %2 → %3")
@@ -225,6 +235,8 @@ void ApplyDialog::fillRow(int row)
     const Tone how = toneOf(one);
     const std::size_t left = jobs::leftOut(one.plan).size();
     QString words = signOf(how) + text::restoreVerdictWords(jobs::verdictName(one.verdict));
+    if (one.outcome && !one.outcome->notPutBack.isEmpty())
+        words += QStringLiteral(" · ") + tr("old values not put back");
     if (left > 0)
         words += QStringLiteral(" · ") +
                  (left == 1 ? tr("1 row left out") : tr("%1 rows left out").arg(left));

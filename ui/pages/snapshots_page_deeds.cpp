@@ -9,6 +9,7 @@
 #include "ui/dialogs/ask.h"
 #include "ui/dialogs/dry_run_dialog.h"
 #include "ui/dialogs/note_dialog.h"
+#include "ui/dialogs/restore_words.h"
 #include "ui/dialogs/template_dialog.h"
 #include "ui/pages/snapshot_pane.h"
 #include "ui/pages/snapshot_shelf.h"
@@ -289,6 +290,50 @@ void SnapshotsPage::sendPlan()
     m_desk.restore(m_selection.current(), order);
 }
 
+namespace {
+bool tookValue(const jobs::RestoreRowResult& row)
+{
+    return row.write.outcome == device::WriteOutcome::Kept ||
+           row.write.outcome == device::WriteOutcome::Temporary;
+}
+
+bool wentWell(const jobs::RestoreOutcome& outcome)
+{
+    return outcome.verdict == jobs::RestoreVerdict::Done ||
+           outcome.verdict == jobs::RestoreVerdict::AlreadySo;
+}
+
+BannerWords outcomeWords(const jobs::RestoreOutcome& outcome, const CompareModel& model)
+{
+    const RegisterNames names{
+        [&model](const QString& key) { return model.nameOf(key); },
+        [&model](const QString& key, std::int64_t raw) { return model.formatted(key, raw); }};
+    const auto good = std::count_if(outcome.rows.begin(), outcome.rows.end(), tookValue);
+    QStringList others;
+    for (const jobs::RestoreRowResult& row : outcome.rows) {
+        if (!tookValue(row))
+            others << names.name(row.write.key);
+    }
+    BannerWords words;
+    words.tone = wentWell(outcome) ? Tone::Good : Tone::Bad;
+    words.what = text::restoreVerdictWords(jobs::verdictName(outcome.verdict));
+    if (outcome.verdict != jobs::RestoreVerdict::RolledBack)
+        words.what += QStringLiteral(": ") +
+                      (good == 1 ? SnapshotsPage::tr("1 row written and read back")
+                                 : SnapshotsPage::tr("%1 rows written and read back").arg(good));
+    QStringList cause;
+    if (!others.isEmpty())
+        cause << SnapshotsPage::tr("Not written, or not proven: %1.")
+                     .arg(others.join(QStringLiteral(", ")));
+    cause << notPutBackWords(outcome, names) << lockWords(outcome.lock);
+    cause.removeAll(QString());
+    words.cause = cause.join(QLatin1Char(' '));
+    if (outcome.verdict == jobs::RestoreVerdict::Failed)
+        words.remedy = restoreRemedy(outcome);
+    return words;
+}
+} // namespace
+
 void SnapshotsPage::restored(const session::RestoreEnd& end, const QString& source)
 {
     m_writing = false;
@@ -299,39 +344,14 @@ void SnapshotsPage::restored(const session::RestoreEnd& end, const QString& sour
         if (const session::ServoEntry* servo = entry())
             m_results.push_back(
                 jobs::resultOf(*end.outcome, servo->servo, source, session::programName()));
-        std::size_t good = 0;
-        QStringList others;
+        // Ticked by hand for this one write: a dangerous row asks for it anew.
         for (const jobs::RestoreRowResult& row : end.outcome->rows) {
-            const bool fine = row.write.outcome == device::WriteOutcome::Kept ||
-                              row.write.outcome == device::WriteOutcome::Temporary;
-            good += fine ? 1 : 0;
-            // Ticked by hand for this one write: a dangerous row asks for it anew.
-            if (fine)
+            if (tookValue(row))
                 m_ticks.erase(row.write.key);
-            else
-                others << row.write.key;
         }
-        const auto verdict = end.outcome->verdict;
-        const bool fine =
-            verdict == jobs::RestoreVerdict::Done || verdict == jobs::RestoreVerdict::AlreadySo;
         m_tellsRestore = true;
         m_banner->present(
-            [verdict, fine, good, others, open = end.outcome->lock == device::LockState::Open] {
-                BannerWords words;
-                words.tone = fine ? Tone::Good : Tone::Bad;
-                words.what = text::restoreVerdictWords(jobs::verdictName(verdict)) +
-                             QStringLiteral(": ") +
-                             (good == 1 ? tr("1 row written and read back")
-                                        : tr("%1 rows written and read back").arg(good));
-                if (!others.isEmpty())
-                    words.cause = tr("Not as wanted: %1.").arg(others.join(QStringLiteral(", ")));
-                if (open)
-                    words.cause += QLatin1Char(' ') + tr("The EPROM lock is open.");
-                if (!fine)
-                    words.remedy = tr("Read the table and write the rest again; the journal knows "
-                                      "what was to be written.");
-                return words;
-            },
+            [this, outcome = *end.outcome] { return outcomeWords(outcome, m_pane->model()); },
             {m_saveResult});
     }
     m_desk.readTable(m_selection.current());
