@@ -1397,15 +1397,15 @@
     <name>RestoreWords</name>
     <message>
         <source>%1 (last read: %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（最近读到：%2）</translation>
     </message>
     <message>
         <source>%1 (value unknown)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（数值未知）</translation>
     </message>
     <message>
         <source>The old values could not be put back: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>未能恢复原值：%1。</translation>
     </message>
     <message>
         <source>Read the table and write the rest again; the journal knows what was to be written.</source>
@@ -1413,19 +1413,19 @@
     </message>
     <message>
         <source>When the servo answers again, open Port → Interrupted writes: Undo there puts the old values back.</source>
-        <translation type="unfinished"></translation>
+        <translation>舵机恢复应答后，请打开“端口 → 中断的写入”：在那里撤销即可恢复原值。</translation>
     </message>
     <message>
         <source>The table that was saved before the first write has the old values.</source>
-        <translation type="unfinished"></translation>
+        <translation>首次写入前保存的内存表中有原值。</translation>
     </message>
     <message>
         <source>The EPROM lock is open.</source>
-        <translation type="unfinished">EPROM 未上锁。</translation>
+        <translation>EPROM 未上锁。</translation>
     </message>
     <message>
         <source>The EPROM lock is not proven closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>未能证实 EPROM 锁已关闭。</translation>
     </message>
 </context>
 <context>
@@ -2132,15 +2132,15 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Left as they are, because they have another value since or would move the servo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>保持不变，因为之后已是其他数值，或写入会使舵机转动：%1</translation>
     </message>
     <message>
         <source>Nothing was written; the change is no longer offered.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有写入任何内容；不再提示此次改动。</translation>
     </message>
     <message>
         <source>other values since, which stay</source>
-        <translation type="unfinished"></translation>
+        <translation>之后已是其他数值，保持不变</translation>
     </message>
 </context>
 <context>
@@ -4396,27 +4396,27 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>the old values</source>
-        <translation type="unfinished">原值</translation>
+        <translation>原值</translation>
     </message>
     <message>
         <source>the new values</source>
-        <translation type="unfinished">新值</translation>
+        <translation>新值</translation>
     </message>
     <message>
         <source>some new, some old values</source>
-        <translation type="unfinished">部分新值，部分原值</translation>
+        <translation>部分新值，部分原值</translation>
     </message>
     <message>
         <source>other values since, which stay</source>
-        <translation type="unfinished"></translation>
+        <translation>之后已是其他数值，保持不变</translation>
     </message>
     <message>
         <source>left as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>保持不变</translation>
     </message>
     <message>
         <source>Change %1, left as they are, because they have another value since or would move the servo: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>改动 %1：保持不变，因为之后已是其他数值，或写入会使舵机转动：%2</translation>
     </message>
     <message>
         <source>The change stays open; look at it with: servodesk-cli recover</source>
@@ -6574,7 +6574,7 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>The EPROM lock could not be proven closed; it is noted in the journal. Use recover when the servo answers again.</source>
-        <translation type="unfinished"></translation>
+        <translation>未能证实 EPROM 锁已关闭；已写入记录。舵机恢复应答后请使用 recover。</translation>
     </message>
 </context>
 <context>
@@ -6771,7 +6771,7 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>old values not put back</source>
-        <translation type="unfinished"></translation>
+        <translation>未能恢复原值</translation>
     </message>
 </context>
 <context>
@@ -10457,7 +10457,7 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>Not written, or not proven: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>未写入或未能证实：%1。</translation>
     </message>
 </context>
 <context>
