@@ -1409,7 +1409,7 @@
     </message>
     <message>
         <source>Read the table and write the rest again; the journal knows what was to be written.</source>
-        <translation type="unfinished">请重新读取内存表并再写入其余的行；日志里有要写入的内容。</translation>
+        <translation>请重新读取内存表并再写入其余的行；写入日志里有要写入的内容。</translation>
     </message>
     <message>
         <source>When the servo answers again, open Port → Interrupted writes: Undo there puts the old values back.</source>
@@ -1425,7 +1425,7 @@
     </message>
     <message>
         <source>The EPROM lock is not proven closed.</source>
-        <translation>未能证实 EPROM 锁已关闭。</translation>
+        <translation>不能确认 EPROM 已上锁。</translation>
     </message>
 </context>
 <context>
@@ -6574,7 +6574,7 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>The EPROM lock could not be proven closed; it is noted in the journal. Use recover when the servo answers again.</source>
-        <translation>未能证实 EPROM 锁已关闭；已写入记录。舵机恢复应答后请使用 recover。</translation>
+        <translation>不能确认 EPROM 已上锁；已记入写入日志。舵机恢复应答后请用 recover。</translation>
     </message>
 </context>
 <context>
