@@ -12,6 +12,14 @@
 #include "jobs/job.h"
 
 namespace jobs {
+/// A servo that was there before, or that the user has asked for.
+struct ExpectedServo {
+    int id = -1;
+    int baud = 0;
+    std::optional<base::Protocol> protocol{}; ///< none: any
+    bool operator==(const ExpectedServo&) const = default;
+};
+
 struct ScanSpec {
     int firstId = 0;
     int lastId = 253;
@@ -19,6 +27,8 @@ struct ScanSpec {
     std::vector<base::Protocol> protocols{}; ///< empty: those that can be met at each rate
     bool slowPass = false;                   ///< ask silent IDs again with long patience
     bool identify = true;
+    /// Asked again, with long patience, before their silence counts.
+    std::vector<ExpectedServo> expected{};
 };
 
 struct Found {

@@ -99,6 +99,7 @@ base::Result<void> RateSweep::run()
         .and_then([this] { return listen(patient(m_context.bus, lateWindow)); })
         .and_then([this] { return confirmLate(); })
         .and_then([this] { return explainGarbles(); })
+        .and_then([this] { return askExpected(); })
         .and_then([this] { return m_spec.slowPass ? askSilent() : base::Result<void>{}; });
 }
 
@@ -195,6 +196,20 @@ base::Result<bool> RateSweep::askUntilKnown(int id, bool persistent)
             break;
     }
     return contact.present();
+}
+
+/// One lost reply must not make a known servo disappear.
+base::Result<void> RateSweep::askExpected()
+{
+    for (const ExpectedServo& one : m_spec.expected) {
+        const bool here = one.baud == m_context.bus.baud() &&
+                          one.protocol.value_or(m_protocol) == m_protocol && m_ids.contains(one.id);
+        if (!here || m_contacts[one.id].present())
+            continue;
+        if (const auto asked = askUntilKnown(one.id, true); !asked)
+            return tl::unexpected(asked.error());
+    }
+    return {};
 }
 
 base::Result<void> RateSweep::askSilent()

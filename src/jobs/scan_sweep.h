@@ -67,6 +67,7 @@ private:
     base::Result<void> explainGarbles();
     base::Result<bool> findSource(const Garble& garble);
     base::Result<bool> askUntilKnown(int id, bool persistent);
+    base::Result<void> askExpected();
     base::Result<void> askSilent();
     base::Result<void> ask(int id, base::Duration patience);
     base::Result<bus::Outcome> question(int id, base::Duration patience);

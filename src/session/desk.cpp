@@ -198,30 +198,12 @@ void Desk::powerCycle()
         known.turns.reset();
 }
 
-/// What a job reads comes into the list when it has ended; that its servos answer is seen here.
-void Desk::noteHeard()
-{
-    const auto statistics = m_connection->bus().statistics().byId;
-    for (const auto& [id, counters] : statistics) {
-        std::uint64_t& before = m_answers[id];
-        if (std::exchange(before, counters.ok) == counters.ok)
-            continue;
-        const auto answers = [this, id = id](const auto& item) {
-            const device::Servo& servo = item.second.servo;
-            return servo.id == id && (!hasBaud() || servo.baud == baud());
-        };
-        const auto first = std::find_if(m_servos.begin(), m_servos.end(), answers);
-        const bool alone = first != m_servos.end() && std::find_if(std::next(first), m_servos.end(),
-                                                                   answers) == m_servos.end();
-        if (alone)
-            first->second.lastSeen = now();
-    }
-}
-
 void Desk::lookAtLink()
 {
-    if (m_connection)
+    if (m_connection) {
         noteHeard();
+        identifyHeard();
+    }
     if (!m_connection || !m_connection->bus().lost())
         return;
     setState(LinkState::Lost);
@@ -236,8 +218,8 @@ void Desk::lookAtLink()
 void Desk::goOn()
 {
     startNext();
-    const bool idle =
-        !m_opening && !m_running && m_queue.empty() && !(m_search && m_search->started);
+    const bool idle = !m_opening && !m_running && m_queue.empty() &&
+                      !(m_search && m_search->started) && m_identifying.empty();
     if (idle && (m_state == LinkState::Closing || m_state == LinkState::Lost)) {
         m_search.reset();
         m_feeder.stop(nullptr);

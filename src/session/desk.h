@@ -75,8 +75,11 @@ public:
 
     // --- search ---
     /// Queued behind running tasks where it needs other rates. Servos appear as they are found;
-    /// those in the searched range that did not answer leave the list at the end.
+    /// those in the searched range that did not answer, also when asked again, leave the list at
+    /// the end, and the event names them.
     void search(const jobs::ScanSpec& spec);
+    /// The next searches also say whether this ID is absent at the port's rate.
+    void expect(std::optional<int> id) { m_expectedId = id; }
     void stopSearch();
     bool searching() const { return m_search != nullptr; }
     /// Of a search that finds nothing.
@@ -175,7 +178,18 @@ private:
     void goOn();
     void finishClosing();
     void forgetServos();
+
+    // who answers (desk_presence.cpp)
+    struct Answers { ///< of one ID
+        std::uint64_t ok = 0;
+        std::uint64_t missed = 0; ///< when it last answered, or was last not counted
+    };
     void noteHeard();
+    void identifyHeard();
+    void identifyAgain(ServoRef ref);
+    void identifiedAgain(ServoRef ref, const base::Result<device::Servo>& now);
+    void replace(ServoRef ref, const jobs::Found& now);
+    void suspectExchange(const Work& ended);
 
     // closing while servos move (desk_leave.cpp)
     struct Leaving {
@@ -194,6 +208,7 @@ private:
     // search (desk_search.cpp)
     void startSearch();
     void runSearch(Search& search);
+    ServoRef add(const jobs::Found& one);
     void insert(ServoEntry added);
     bool before(ServoRef a, ServoRef b) const;
     void remove(ServoRef ref);
@@ -201,6 +216,8 @@ private:
     void met(ServoEntry& known, const jobs::Found& one);
     void searchEnded(const base::Result<jobs::ScanReport>& result);
     void removeSilent(const jobs::ScanReport& report);
+    std::vector<jobs::ExpectedServo> expectedServos() const;
+    std::vector<int> missingOf(const jobs::ScanReport& report) const;
 
     // tasks (desk_tasks.cpp, desk_read.cpp)
     void enqueue(std::shared_ptr<Work> work);
@@ -221,13 +238,15 @@ private:
 
     // writes (desk_writes.cpp)
     enum class WriteKind : std::uint8_t { New, Undo, Redo };
-    void enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind);
+    /// `expected`: of a way back, what its registers must still hold.
+    void enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind,
+                      const std::vector<device::WriteItem>& expected = {});
     void awaitWrites(ServoEntry& known, const WriteOrder& order);
     void writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind,
                     const std::optional<device::WriteReport>& report);
     void markWrites(const ServoEntry& about, const Work& ended, const WriteOrder& order,
                     const std::optional<device::WriteReport>& report);
-    void remember(ServoRef ref, const WriteOrder& order, WriteKind kind,
+    void remember(const Work& ended, const WriteOrder& order, WriteKind kind,
                   const std::optional<device::WriteReport>& report);
 
     // snapshots (desk_restore.cpp)
@@ -271,7 +290,7 @@ private:
     bool m_stopNotSent = false;       ///< an emergency stop found no port
     std::unique_ptr<Connection> m_connection;
     QTimer m_look;
-    std::map<int, std::uint64_t> m_answers; ///< by ID, when the bus was looked at last
+    std::map<int, Answers> m_answers; ///< by ID, when the bus was looked at last
 
     std::map<ServoRef, ServoEntry> m_servos;
     std::vector<ServoRef> m_order; ///< as shown: by ID, then protocol and rate
@@ -281,7 +300,9 @@ private:
     std::optional<jobs::ScanSpec> m_nextSearch; ///< begins when the present one has stopped
     std::optional<jobs::ScanReport> m_lastSearch;
     jobs::ScanSpec m_lastSpec;
-    bool m_checkAfterSearch = false; ///< of an emergency stop
+    std::optional<int> m_expectedId;
+    std::set<ServoRef> m_identifying; ///< on the search thread
+    bool m_checkAfterSearch = false;  ///< of an emergency stop
     bool m_intentsLooked = false;
 
     std::deque<std::shared_ptr<Work>> m_queue;

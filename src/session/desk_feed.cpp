@@ -63,6 +63,8 @@ void Desk::collectFeed()
         Q_EMIT tableChanged(ref);
     for (const ServoRef ref : batch.news)
         Q_EMIT servoChanged(ref);
+    if (!batch.news.empty())
+        identifyHeard();
 }
 
 Communication Desk::communication(ServoRef ref) const

@@ -20,13 +20,6 @@ bool sameServo(const device::Servo& a, const device::Servo& b)
 {
     return a.protocol == b.protocol && a.id == b.id && a.baud == b.baud;
 }
-
-/// False when something else answers there now than what is in the list. Who could not be
-/// identified this time or last is taken for the same.
-bool sameKind(const device::Servo& a, const device::Servo& b)
-{
-    return !a.profile || !b.profile || a.profile->identity == b.profile->identity;
-}
 } // namespace
 
 void Desk::search(const jobs::ScanSpec& spec)
@@ -46,6 +39,7 @@ void Desk::search(const jobs::ScanSpec& spec)
     }
     m_search = std::make_unique<Search>();
     m_search->spec = spec;
+    m_search->spec.expected = expectedServos();
     if (m_search->spec.protocols.empty() && m_request.protocol)
         m_search->spec.protocols = {*m_request.protocol};
     m_lastSpec = m_search->spec;
@@ -110,17 +104,22 @@ void Desk::found(const jobs::Found& one)
         if (!sameServo(known.servo, one.servo))
             continue;
         if (!sameKind(known.servo, one.servo)) {
-            remove(ref);
-            break;
+            replace(ref, one);
+            return;
         }
         known.twinsSuspected = one.twinsSuspected;
         known.heardLate = one.heardLate;
         known.lastSeen = now();
-        known.silent = false;
+        known.silent = known.heardAgain = false;
         met(known, one);
         changed(known);
         return;
     }
+    add(one);
+}
+
+ServoRef Desk::add(const jobs::Found& one)
+{
     ServoEntry added;
     added.ref = ++m_lastRef;
     added.servo = one.servo;
@@ -132,6 +131,7 @@ void Desk::found(const jobs::Found& one)
     insert(std::move(added));
     if (ServoEntry* known = entry(ref))
         markAlarms(*known);
+    return ref;
 }
 
 /// Another of its kind may have been put in its place, and nothing in it tells: what was read and
@@ -186,12 +186,15 @@ void Desk::remove(ServoRef ref)
 void Desk::searchEnded(const base::Result<jobs::ScanReport>& result)
 {
     const device::Notices notices = m_search->notices;
+    if (m_connection)
+        noteHeard(); // what the search has asked in vain does not count
     m_search.reset();
     if (std::exchange(m_checkAfterSearch, false))
         checkStop();
     Event event{.kind = Event::Kind::SearchEnded, .notices = notices};
     if (result) {
         m_lastSearch = *result;
+        event.missing = missingOf(*result);
         removeSilent(*result);
     } else {
         event.error = result.error();
@@ -208,6 +211,44 @@ void Desk::searchEnded(const base::Result<jobs::ScanReport>& result)
         lookForIntents();
     }
     goOn();
+}
+
+std::vector<jobs::ExpectedServo> Desk::expectedServos() const
+{
+    std::vector<jobs::ExpectedServo> expected;
+    for (const auto& [ref, known] : m_servos)
+        expected.push_back({known.servo.id, known.servo.baud, known.servo.protocol});
+    const bool listed = m_expectedId && std::any_of(expected.begin(), expected.end(),
+                                                    [this](const jobs::ExpectedServo& one) {
+                                                        return one.id == *m_expectedId;
+                                                    });
+    if (m_expectedId && !listed)
+        expected.push_back({*m_expectedId, baud()});
+    return expected;
+}
+
+/// Under no rate, that is: one that was found at another one is there.
+std::vector<int> Desk::missingOf(const jobs::ScanReport& report) const
+{
+    if (report.stopped)
+        return {};
+    std::set<int> missing;
+    for (const jobs::ExpectedServo& one : m_lastSpec.expected) {
+        const auto& languages = m_lastSpec.protocols;
+        const bool language = languages.empty() || !one.protocol ||
+                              std::count(languages.begin(), languages.end(), *one.protocol) > 0;
+        const bool asked = language && one.id >= m_lastSpec.firstId &&
+                           one.id <= m_lastSpec.lastId &&
+                           std::count(report.rates.begin(), report.rates.end(), one.baud) > 0;
+        const bool found =
+            std::any_of(report.found.begin(), report.found.end(), [&](const jobs::Found& other) {
+                return other.servo.id == one.id &&
+                       (!one.protocol || other.servo.protocol == *one.protocol);
+            });
+        if (asked && !found)
+            missing.insert(one.id);
+    }
+    return {missing.begin(), missing.end()};
 }
 
 /// Those that were asked and did not answer leave the list; one that is being worked on does not.

@@ -240,6 +240,7 @@ void Desk::workEnded(const std::shared_ptr<Work>& work)
     maybeReleased(*work);
     if (work->merged)
         work->merged(*work);
+    suspectExchange(*work);
     const bool onlyMoves =
         work->task.effect == Effect::Moves && !work->task.savesTable && !work->task.lasting;
     for (const ServoRef ref : work->refs()) {
@@ -263,6 +264,7 @@ void Desk::workEnded(const std::shared_ptr<Work>& work)
     }
     if (work->task.done && work->task.guard)
         work->task.done({work->error, work->notices});
+    identifyHeard();
     Q_EMIT taskChanged();
     goOn();
 }
@@ -290,8 +292,7 @@ void Desk::Work::partEnded(Desk& desk, const Part& part) const
         known->silent = true;
         known->garbled = garbage;
     } else if ((!error && task.others.empty()) || (heard && *heard >= startedAt)) {
-        known->silent = false;
-        known->garbled = false;
+        known->heardAgain = known->silent;
     }
     if (!part.savedPath.isEmpty()) {
         known->snapshotPath = part.savedPath;
@@ -338,6 +339,10 @@ void Desk::dropQueue(base::ErrorCode why, bool finishWrites)
 /// What the job has read, and beside it what live reading has brought since the job began.
 void Desk::merge(ServoEntry& into, const device::Servo& from, base::Duration since)
 {
+    if (!sameKind(into.servo, from)) { // what was read is another servo's
+        into.silent = into.heardAgain = true;
+        return;
+    }
     device::Image image = from.image;
     image.takeNewer(into.servo.image, since);
     const bool moved = into.servo.id != from.id || into.servo.baud != from.baud;

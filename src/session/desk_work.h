@@ -6,6 +6,10 @@
 #include "session/desk.h"
 
 namespace session {
+/// False when something else answers there now than what is in the list. One that could not be
+/// identified this time or last is taken for the same.
+bool sameKind(const device::Servo& a, const device::Servo& b);
+
 /// One emergency stop being checked, servo by servo.
 struct Desk::PendingCheck {
     StopCheck told;

@@ -14,7 +14,8 @@ using device::WriteOutcome;
 WriteOutcome outcomeOf(const base::Error& error)
 {
     using base::ErrorCode;
-    if (error.code == ErrorCode::LinkLost)
+    if (error.code == ErrorCode::LinkLost || error.code == ErrorCode::IdentityDiffers ||
+        isChangedSince(error))
         return WriteOutcome::NotSent;
     const bool silent = error.code == ErrorCode::NoAnswer || error.code == ErrorCode::Garbled ||
                         error.code == ErrorCode::LineBusy;
@@ -101,7 +102,8 @@ void Desk::awaitWrites(ServoEntry& known, const WriteOrder& order)
     Q_EMIT tableChanged(known.ref);
 }
 
-void Desk::enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind)
+void Desk::enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind,
+                        const std::vector<device::WriteItem>& expected)
 {
     ServoEntry* known = entry(ref);
     if (known == nullptr || order.items.empty())
@@ -116,7 +118,10 @@ void Desk::enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind)
     work->task.effect = effectOf(*known, order);
     work->movesRate = changesPlace(*known, order);
     work->finishes = true;
-    work->task.work = [order, kind, report](TaskContext& task) {
+    work->task.work = [order, kind, expected, report](TaskContext& task) -> base::Result<void> {
+        if (const auto same = requireUnchanged(task.device, task.servo, expected, order.items);
+            !same)
+            return same;
         device::WriteOptions options;
         options.temporary = order.temporary;
         options.dangerous = order.dangerous;
@@ -160,7 +165,7 @@ void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind
         markWrites(*known, ended, order, report);
         Q_EMIT tableChanged(ended.ref);
     }
-    remember(ended.ref, order, kind, report);
+    remember(ended, order, kind, report);
     tell({.kind = Event::Kind::Written,
           .servo = ended.ref,
           .error = ended.error,
@@ -189,15 +194,18 @@ void Desk::markWrites(const ServoEntry& about, const Work& ended, const WriteOrd
 }
 
 /// What really changed can be taken back. What moves or energises is left out: undoing a setting
-/// must not turn a shaft. A way back that failed stays where it was.
-void Desk::remember(ServoRef ref, const WriteOrder& order, WriteKind kind,
+/// must not turn a shaft. A way back that failed stays where it was, unless the value is no longer
+/// the one that was written: then there is none.
+void Desk::remember(const Work& ended, const WriteOrder& order, WriteKind kind,
                     const std::optional<device::WriteReport>& report)
 {
+    const ServoRef ref = ended.ref;
     if (kind != WriteKind::New) {
         const bool done = report && std::all_of(report->writes.begin(), report->writes.end(), took);
         const bool toUndo = (kind == WriteKind::Undo) != done;
         const auto step = std::exchange(m_returning, std::nullopt);
-        if (step && servo(ref) != nullptr)
+        const bool gone = ended.error && isChangedSince(*ended.error);
+        if (step && !gone && servo(ref) != nullptr)
             (toUndo ? m_undo : m_redo).push_back(*step);
         Q_EMIT undoChanged();
         return;
@@ -236,7 +244,7 @@ void Desk::undo()
     m_undo.pop_back();
     // Consent was given for the way there, so it holds for the way back.
     enqueueWrite(m_returning->servo, {m_returning->before, m_returning->temporary, true},
-                 WriteKind::Undo);
+                 WriteKind::Undo, m_returning->after);
     Q_EMIT undoChanged();
 }
 
@@ -247,7 +255,7 @@ void Desk::redo(bool dangerous)
     m_returning = m_redo.back();
     m_redo.pop_back();
     enqueueWrite(m_returning->servo, {m_returning->after, m_returning->temporary, dangerous},
-                 WriteKind::Redo);
+                 WriteKind::Redo, m_returning->before);
     Q_EMIT undoChanged();
 }
 

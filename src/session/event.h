@@ -36,7 +36,8 @@ struct Event {
         Connected,
         Disconnected,
         LinkLost,
-        SearchEnded,
+        SearchEnded, ///< missing
+        Exchanged,   ///< `servo` answers where another one was, named by task
         TableSaved,  ///< path: before the first write of the session
         Written,     ///< report; or error: nothing was written
         Task,        ///< task names it; error if it failed
@@ -60,6 +61,8 @@ struct Event {
     device::Notices notices{};
     bool undone = false; ///< the write was an undo
     bool redone = false; ///< it was a redo
+    /// Expected by a search that has asked there, and silent: IDs.
+    std::vector<int> missing{};
     StopCheck stop{};
     bool owed = false;    ///< the stop is sent first when the link is back
     bool earlier = false; ///< a stop that was not sent, said again once a port is open

@@ -40,6 +40,22 @@ std::vector<record::Mark> latchAlarms(ServoEntry& entry, Duration at)
     return marks;
 }
 
+namespace {
+/// The polled table shows who answers.
+bool tellsAnother(const catalog::Profile& profile, const bus::Sample& sample)
+{
+    constexpr std::size_t head = 5; // firmware, byte order, model
+    constexpr std::size_t modelMajor = 3;
+    const catalog::Identity& who = profile.identity;
+    if (sample.protocol != base::Protocol::Feetech || sample.address != 0 ||
+        sample.data.size() < head)
+        return false;
+    return sample.data[0] != who.firmwareMajor || sample.data[1] != who.firmwareMinor ||
+           sample.data[modelMajor] != who.modelMajor ||
+           sample.data[modelMajor + 1] != who.modelMinor;
+}
+} // namespace
+
 /// What phase and mode make of the registers may have changed since the batch before.
 void Feeder::freshen(Source& source, const ServoEntry& entry)
 {
@@ -101,7 +117,11 @@ void Feeder::takeSample(Source& source, std::size_t poll, ServoEntry& entry,
     round.answered[block] = sample.answered;
     Reading& reading = round.reading;
     reading.at = sample.at;
-    if (sample.answered) {
+    if (sample.answered && tellsAnother(*source.target.profile, sample))
+        entry.silent = true;
+    if (sample.answered && entry.silent) {
+        reading.answered = true; // by whom is not known yet
+    } else if (sample.answered) {
         device::Servo& servo = entry.servo;
         servo.image.store(sample.address, sample.data, sample.at);
         if (servo.repliesCarryStatus())
@@ -144,6 +164,8 @@ void Feeder::close(Source& source, std::size_t poll, ServoEntry& entry)
     if (!entry.servo.repliesCarryStatus() || !reading.answered)
         reading.status = entry.servo.status;
     look(entry, reading);
+    if (entry.silent && reading.answered)
+        return;
     count(reading);
     m_batch.read.insert(entry.ref);
     m_batch.readings.push_back(std::move(reading));
@@ -152,7 +174,7 @@ void Feeder::close(Source& source, std::size_t poll, ServoEntry& entry)
 /// What a reading tells beside its numbers.
 void Feeder::look(ServoEntry& entry, const Reading& reading)
 {
-    if (reading.answered)
+    if (reading.answered && !entry.silent)
         entry.statusAt = reading.at;
     const LinkWatch::News news =
         entry.link.reading(reading.answered, reading.at, reading.error == base::ErrorCode::Garbled);
@@ -170,9 +192,12 @@ void Feeder::look(ServoEntry& entry, const Reading& reading)
         m_batch.news.insert(entry.ref);
     if (!reading.answered)
         return;
-    if (std::exchange(entry.silent, false))
-        m_batch.news.insert(entry.ref);
     entry.lastSeen = reading.at;
+    if (entry.silent) { // until it has been identified
+        if (!std::exchange(entry.heardAgain, true))
+            m_batch.news.insert(entry.ref);
+        return;
+    }
     const bool otherStatus = std::exchange(entry.servo.status, reading.status) != reading.status;
     if (otherStatus || !entry.servo.repliesCarryStatus()) {
         const auto marks = latchAlarms(entry, reading.at);

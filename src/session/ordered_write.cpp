@@ -2,6 +2,7 @@
 #include "session/ordered_write.h"
 
 #include "device/motion.h"
+#include "device/write_access.h"
 #include "jobs/change.h"
 
 #include <algorithm>
@@ -106,6 +107,49 @@ void append(std::optional<WriteReport>& sum, const WriteReport& part)
         sum->writes.push_back(write);
 }
 } // namespace
+
+namespace {
+const QString writeBack = QStringLiteral("write-back");
+
+std::optional<std::int64_t> valueFor(const std::vector<WriteItem>& items, const QString& key)
+{
+    const auto item = std::find_if(items.begin(), items.end(),
+                                   [&](const WriteItem& one) { return one.key == key; });
+    return item != items.end() ? std::optional(item->raw) : std::nullopt;
+}
+} // namespace
+
+bool isChangedSince(const base::Error& error)
+{
+    return error.code == base::ErrorCode::Mismatch && error.operation == writeBack;
+}
+
+base::Result<void> requireUnchanged(const Context& context, Servo& servo,
+                                    const std::vector<WriteItem>& expected,
+                                    const std::vector<WriteItem>& items)
+{
+    if (expected.empty())
+        return {};
+    const auto may = device::beginWriting(context, servo, QStringLiteral("write"));
+    if (!may)
+        return may;
+    QStringList keys;
+    for (const WriteItem& item : expected)
+        keys << item.key;
+    if (const auto read = device::readKeys(context, servo, keys); !read)
+        return read;
+    for (const WriteItem& item : expected) {
+        const auto found = servo.raw(item.key);
+        const auto target = valueFor(items, item.key);
+        if (!found || found == item.raw || found == target)
+            continue;
+        const QString values =
+            QStringLiteral("%1 %2 %3").arg(*found).arg(item.raw).arg(target.value_or(item.raw));
+        return tl::unexpected(
+            base::Error{base::ErrorCode::Mismatch, writeBack, values, servo.id, item.key});
+    }
+    return {};
+}
 
 base::Result<void> writeInOrder(const Context& context, Servo& servo,
                                 const std::vector<WriteItem>& items,

@@ -8,6 +8,15 @@
 #include "device/writer.h"
 
 namespace session {
+/// Before `items` are written back: each of `expected` must still hold its value, or already the
+/// one it is to get. Otherwise Mismatch of operation "write-back" with the register as key and
+/// "FOUND EXPECTED TARGET" as detail; IdentityDiffers and errors of reading besides. None expected:
+/// nothing is asked.
+base::Result<void> requireUnchanged(const device::Context& context, device::Servo& servo,
+                                    const std::vector<device::WriteItem>& expected,
+                                    const std::vector<device::WriteItem>& items);
+bool isChangedSince(const base::Error& error);
+
 base::Result<void> writeInOrder(const device::Context& context, device::Servo& servo,
                                 const std::vector<device::WriteItem>& items,
                                 const device::WriteOptions& options,

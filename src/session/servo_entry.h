@@ -35,8 +35,10 @@ struct ServoEntry {
     bool twinsSuspected = false; ///< two servos may share this ID
     bool heardLate = false;
     base::Duration lastSeen{};
-    bool silent = false;       ///< did not answer when it was last asked
-    bool garbled = false;      ///< silent, but something unreadable came in its place
+    bool silent = false;  ///< did not answer when it was last asked
+    bool garbled = false; ///< silent, but something unreadable came in its place
+    /// Silent, and something has answered since: not taken for this servo until it is identified.
+    bool heardAgain = false;
     base::Duration statusAt{}; ///< of the regular reading that brought servo.status
     LinkWatch link;            ///< by regular readings
     AlarmLatch alarms;         ///< until acknowledged

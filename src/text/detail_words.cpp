@@ -119,6 +119,26 @@ QString badArgument(const base::Error& error)
     return {};
 }
 
+/// "FOUND WRITTEN BEFORE": a value that was to be written back is no longer the one left there.
+QStringList changedSince(const base::Error& error)
+{
+    constexpr qsizetype values = 3;
+    const bool so =
+        error.code == ErrorCode::Mismatch && error.operation == QLatin1String("write-back");
+    const QStringList parts = so ? error.detail.split(QLatin1Char(' ')) : QStringList();
+    return parts.size() == values ? parts : QStringList();
+}
+
+/// Never written over: the change may be wanted.
+QString changedSinceCase(const base::Error& error)
+{
+    const QStringList values = changedSince(error);
+    return values.isEmpty() ? QString()
+                            : translate("text", "not written: the servo shows %1, where %2 was "
+                                                "left; it would have become %3")
+                                  .arg(values[0], values[1], values[2]);
+}
+
 const QLatin1StringView brailleMark(", brltty");
 
 /// The port is missing because the braille service has taken the adapter.
@@ -165,7 +185,13 @@ QString specialCase(const base::Error& error)
         return bar;
     if (const QString other = repliedInstead(error); !other.isEmpty())
         return translate("text", "no answer under this ID, but ID %1 replied").arg(other);
+    if (const QString changed = changedSinceCase(error); !changed.isEmpty())
+        return changed;
     switch (error.code) {
+    case ErrorCode::IdentityDiffers:
+        return error.detail.isEmpty()
+                   ? QString()
+                   : translate("text", "another servo answers under this ID: %1").arg(error.detail);
     case ErrorCode::OutOfRange:
         return standsOutside(error)
                    ? translate("text", "it stands outside its limits (%1)").arg(error.detail)
@@ -204,6 +230,9 @@ QString specialCause(const base::Error& error)
     if (!repliedInstead(error).isEmpty())
         return translate("text", "The servo answers under another ID than the one it hears, or a "
                                  "second program uses the bus.");
+    if (!changedSince(error).isEmpty())
+        return translate("text", "Another program has changed the value since, or the servo was "
+                                 "exchanged for one of its kind.");
     if (takenByBraille(error))
         return translate("text", "It takes adapters with this chip for braille displays, and their "
                                  "port vanishes.");
@@ -223,6 +252,10 @@ QString specialRemedy(const base::Error& error)
     if (!repliedInstead(error).isEmpty())
         return translate("text", "Close other programs that use the bus, connect this servo alone, "
                                  "and search for it.");
+    if (const QStringList values = changedSince(error); !values.isEmpty())
+        return translate("text", "Edit the value in the table if you want %1; this step is no "
+                                 "longer offered.")
+            .arg(values[2]);
     if (takenByBraille(error))
         return translate("text", "If nobody here reads braille, run \"sudo apt remove brltty\", "
                                  "then plug the adapter in again.");

@@ -38,6 +38,7 @@ private Q_SLOTS:
     void oneLateReplyAdvisesNothing();
     void lateEchoesAreNobody();
     void slowPassFindsWhoWasSilent();
+    void aServoThatIsExpectedIsAskedAgain();
     void aBundleMissesNobodyWhoWasSilentOnce();
     void aLineOnWhichNoTwoSearchesAgreeIsRefused();
     void searchesAllRatesAndReturnsToItsOwn();
@@ -170,6 +171,28 @@ void TestScan::slowPassFindsWhoWasSilent()
         QVERIFY(report);
         QCOMPARE(idsOf(*report), slowPass ? QList<int>({1, 2, 30}) : QList<int>({1, 2}));
         QCOMPARE(report->slowPassAdvised, !slowPass);
+    }
+}
+
+/// One reply was lost. Who was not there before is not asked twice.
+void TestScan::aServoThatIsExpectedIsAskedAgain()
+{
+    for (const bool expected : {false, true}) {
+        SimBench bench(six, {fast, fast, {}});
+        bool lost = false;
+        bench.tap().answerInstead = [&](const base::Bytes& frame) -> std::optional<base::Bytes> {
+            if (frame[2] != 100 || frame[4] != support::Ping || std::exchange(lost, true))
+                return std::nullopt;
+            return base::Bytes();
+        };
+        jobs::ScanSpec spec;
+        if (expected)
+            spec.expected = {{100, fast, base::Protocol::Feetech}, {5, fast}, {100, 500'000}};
+        const auto report = jobs::scan(bench.context(), spec);
+        QVERIFY(report && lost);
+        QCOMPARE(idsOf(*report), expected ? QList<int>({0, 7, 100, 101, 200, 253})
+                                          : QList<int>({0, 7, 101, 200, 253}));
+        QVERIFY(bench.onlyAsked());
     }
 }
 

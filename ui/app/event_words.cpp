@@ -127,7 +127,30 @@ EventWords searchEnded(const Event& event, const session::Desk& desk)
     const QString line = text::translate("EventWords", "Search ended after %2 s, servos found: %1")
                              .arg(report->found.size())
                              .arg(double(report->elapsed.count()) / 1e6, 0, 'f', 1);
-    return report->found.empty() ? warned(line) : good(line);
+    if (event.missing.empty())
+        return report->found.empty() ? warned(line) : good(line);
+    QStringList missing;
+    for (const int id : event.missing)
+        missing << QString::number(id);
+    EventWords words = warned(line + text::translate("EventWords", ". No answer: ID %1")
+                                         .arg(missing.join(QStringLiteral(", "))));
+    words.more << text::translate("EventWords", "These were expected and asked several times.");
+    return words;
+}
+
+EventWords exchanged(const Event& event, const session::Desk& desk)
+{
+    const session::ServoEntry* servo = desk.servo(event.servo);
+    const QString model = servo != nullptr && servo->servo.profile
+                              ? servo->servo.profile->modelName
+                              : text::translate("EventWords", "unknown model");
+    EventWords words = warned(text::translate("EventWords", "Another servo answers under ID %1: %2")
+                                  .arg(event.id)
+                                  .arg(model));
+    words.more << text::translate("EventWords", "It takes the place of %1 in the list. Unfinished "
+                                                "writes stay noted for that servo.")
+                      .arg(event.task);
+    return words;
 }
 
 QString idsOf(const std::vector<session::ServoRef>& servos, const session::Desk& desk)
@@ -257,6 +280,8 @@ EventWords sentence(const Event& event, const session::Desk& desk)
         return good(text::translate("EventWords", "Connected: %1").arg(event.task));
     case Event::Kind::Disconnected:
         return disconnected(event, desk);
+    case Event::Kind::Exchanged:
+        return exchanged(event, desk);
     case Event::Kind::NotHalted:
         return notHalted(event, desk);
     case Event::Kind::LinkLost:

@@ -93,6 +93,7 @@ void MainWindow::start(const Options& options)
     if (options.size.isValid())
         resize(options.size);
     m_wantedId = options.select;
+    m_desk.expect(m_wantedId);
     m_selectFirst = !options.screenshot.isEmpty() && !options.select;
     const std::map<QString, QWidget*> pages{
         {QStringLiteral("operate"), m_operate},     {QStringLiteral("memory"), m_memory},
@@ -282,15 +283,16 @@ void MainWindow::selectWanted(session::ServoRef added)
         return;
     if (m_wantedId ? servo->servo.id == *m_wantedId : m_selectFirst) {
         m_wantedId.reset();
+        m_desk.expect(std::nullopt);
         m_selectFirst = false;
         m_selection.select(added);
     }
 }
 
-/// A servo that is alone is the one that is meant.
+/// A servo that is alone is the one that is meant, unless another one was asked for.
 void MainWindow::searchEnded()
 {
-    if (m_selection.current() == 0 && m_desk.servos().size() == 1)
+    if (m_selection.current() == 0 && !m_wantedId && m_desk.servos().size() == 1)
         m_selection.select(m_desk.servos().front());
     const session::ServoEntry* shown = m_desk.servo(m_selection.current());
     if (shown != nullptr && shown->servo.profile && !shown->tableRead)
