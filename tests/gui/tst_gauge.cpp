@@ -2,6 +2,7 @@
 // Gauge and dial: what they say of a value and its limits, and that the dial asks for goals only
 // when it may, within the limits, by mouse, wheel and keys.
 #include "gui/desk_bench.h"
+#include "ui/widgets/circle_text.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/position_dial.h"
 
@@ -135,6 +136,37 @@ private Q_SLOTS:
             QTest::mouseMove(&dial, at(dial, angle));
         QTest::mouseRelease(&dial, Qt::LeftButton, {}, at(dial, 0));
         QVERIFY(std::abs(wished.back().front().value<std::int64_t>() - (2048 + 8192)) < 40);
+    }
+
+    void wordsStayInsideTheFace_data()
+    {
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<double>("diameter");
+        const QString english = QStringLiteral("turns since connecting: 10 (not certain)");
+        const QString chinese = QStringLiteral("连接以来的圈数：10（不确定）");
+        for (const double diameter : {120.0, 186.0, 300.0}) {
+            QTest::addRow("English, %.0f", diameter) << english << diameter;
+            QTest::addRow("Chinese, %.0f", diameter) << chinese << diameter;
+            QTest::addRow("short, %.0f", diameter) << QStringLiteral("2048") << diameter;
+        }
+    }
+    void wordsStayInsideTheFace()
+    {
+        QFETCH(QString, words);
+        QFETCH(double, diameter);
+        const QRectF circle(10, 10, diameter, diameter);
+        const double top = circle.center().y() + diameter * 0.2;
+        const ui::CircleText fitted = ui::fitIntoCircle(words, QApplication::font(), circle, top);
+        const QRectF taken =
+            QFontMetricsF(fitted.font)
+                .boundingRect(fitted.place, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap,
+                              words);
+        for (const QPointF& corner :
+             {taken.topLeft(), taken.topRight(), taken.bottomLeft(), taken.bottomRight()}) {
+            const QPointF away = corner - circle.center();
+            QVERIFY(std::hypot(away.x(), away.y()) <= diameter / 2 + 2);
+        }
+        QCOMPARE(taken.top(), top);
     }
 
     void theWheelNeedsTheFocus()

@@ -2,6 +2,7 @@
 #include "ui/widgets/position_dial.h"
 
 #include "ui/app/theme.h"
+#include "ui/widgets/circle_text.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -239,7 +240,6 @@ void PositionDial::paintTexts(QPainter& painter) const
     QFont big = font();
     big.setPointSizeF(font().pointSizeF() * 1.9);
     big.setBold(true);
-    const int line = fontMetrics().height();
     const int bigLine = QFontMetrics(big).height();
     const double middle = round.center().y() + round.height() * 0.12;
     painter.setPen(m_view.old ? tone(Tone::Quiet, palette())
@@ -247,12 +247,15 @@ void PositionDial::paintTexts(QPainter& painter) const
     painter.setFont(big);
     painter.drawText(QRectF(round.left(), middle - bigLine / 2.0, round.width(), bigLine),
                      Qt::AlignCenter, m_view.value);
-    painter.setFont(font());
     painter.setPen(tone(Tone::Quiet, palette()));
     double top = middle + bigLine / 2.0;
     for (const QString& words : {m_view.below, m_view.turns}) {
-        painter.drawText(QRectF(round.left(), top, round.width(), line), Qt::AlignCenter, words);
-        top += words.isEmpty() ? 0 : line;
+        if (words.isEmpty())
+            continue;
+        const CircleText fitted = fitIntoCircle(words, font(), round, top);
+        painter.setFont(fitted.font);
+        painter.drawText(fitted.place, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, words);
+        top = fitted.place.bottom();
     }
 }
 
