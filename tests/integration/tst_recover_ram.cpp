@@ -2,6 +2,7 @@
 // Interrupted writes of registers that are lost at power-off, and the mark of a restart: what is
 // said of them has been read, what undo and finish ask for is written and read back, and what would
 // move the servo or is another value by now stays.
+#include "device/motion.h"
 #include "device/writer.h"
 #include "jobs/change.h"
 #include "jobs/recover.h"
@@ -82,6 +83,8 @@ private Q_SLOTS:
     void theMarkOfARestartIsTakenBack();
     void afterTheRestartNothingIsOwed();
     void aRefusedValueIsNotClaimed();
+    void aModeThatIsForgottenIsSettled_data();
+    void aModeThatIsForgottenIsSettled();
 };
 
 void TestRecoverRam::aWriteIsReadThenSettled_data()
@@ -260,6 +263,40 @@ void TestRecoverRam::aRefusedValueIsNotClaimed()
     QVERIFY(!refused.done && refused.error);
     QCOMPARE(refused.error->code, base::ErrorCode::Refused);
     QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+}
+
+void TestRecoverRam::aModeThatIsForgottenIsSettled_data()
+{
+    QTest::addColumn<int>("action");
+    QTest::newRow("undo") << int(RecoverAction::Undo);
+    QTest::newRow("finish") << int(RecoverAction::Finish);
+}
+
+/// An LX servo loses its mode at power-off, but it is a setting like any other until then.
+void TestRecoverRam::aModeThatIsForgottenIsSettled()
+{
+    constexpr int modeWrite = 29;
+    QFETCH(int, action);
+    SimBench bench(text("lx16a@1"), {.baud = 115'200});
+    device::Servo servo = bench.servo(1, base::Protocol::Lx);
+    const QString before = servo.mode()->key;
+    bool sent = false;
+    bench.tap().onWrite = [&](const Bytes& frame) {
+        if (sent)
+            bench.cutLink();
+        sent = sent || (frame.size() > 4 && frame[4] == modeWrite);
+    };
+    const auto report = device::switchMode(bench.context(), servo, text("motor"));
+    QVERIFY(report && !report->allGood() && sent);
+    bench.tap().onWrite = nullptr;
+    bench.reconnect(115'200);
+    QCOMPARE(bench.servo(1, base::Protocol::Lx).mode()->key, text("motor"));
+    QCOMPARE(recover(bench, RecoverAction::Look).before.finding, Finding::AllNew);
+    QVERIFY(recover(bench, RecoverAction(action)).done);
+    const device::Servo after = bench.servo(1, base::Protocol::Lx);
+    QCOMPARE(after.mode()->key, action == int(RecoverAction::Undo) ? before : text("motor"));
+    QCOMPARE(bench.raw(1, text("load")), 0);
+    QVERIFY(bench.journal().open()->empty());
 }
 
 QTEST_GUILESS_MAIN(TestRecoverRam)
