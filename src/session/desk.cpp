@@ -11,6 +11,8 @@ using namespace std::chrono_literals;
 namespace {
 /// Unplugging is noticed by the bus within 200 ms, and here within as much again.
 constexpr auto lookInterval = 200ms;
+/// Torque switches that have not been read back by then are reported.
+constexpr auto confirmedWithin = 1500ms;
 } // namespace
 
 Desk::Desk(Session& session, QObject* parent)
@@ -22,6 +24,9 @@ Desk::Desk(Session& session, QObject* parent)
 {
     m_look.setInterval(lookInterval);
     connect(&m_look, &QTimer::timeout, this, &Desk::lookAtLink);
+    m_stopUnconfirmed.setInterval(confirmedWithin);
+    m_stopUnconfirmed.setSingleShot(true);
+    connect(&m_stopUnconfirmed, &QTimer::timeout, this, &Desk::reportUnconfirmed);
     m_feedTimer.setInterval(33ms);
     m_feedTimer.setTimerType(Qt::PreciseTimer);
     connect(&m_feedTimer, &QTimer::timeout, this, [this] {
@@ -132,6 +137,7 @@ void Desk::opened(base::Result<std::unique_ptr<Connection>> result)
         return;
     }
     m_connection = std::move(*result);
+    m_portName = m_connection->bus().portName();
     for (auto& [ref, known] : m_servos) {
         m_connection->know(known.servo);
         known.turns.reset();
@@ -142,7 +148,7 @@ void Desk::opened(base::Result<std::unique_ptr<Connection>> result)
         tell({.kind = Event::Kind::StopNotSent, .earlier = true});
 }
 
-void Desk::disconnectFrom(AtClose moving)
+void Desk::disconnectFrom(AtClose moving, LockAtClose lock)
 {
     if (m_state == LinkState::Off && !m_connection) {
         m_nextRequest.reset();
@@ -153,15 +159,8 @@ void Desk::disconnectFrom(AtClose moving)
             closeNow();
         return;
     }
-    m_leaving = Leaving{moving};
-    if (m_state != LinkState::Open || moving == AtClose::LeaveMoving || driven().empty()) {
-        closeNow();
-        return;
-    }
-    dropQueue(base::ErrorCode::Stopped, true);
-    stopSearch();
-    stopTest(); // hours may be left of it
-    haltDriven();
+    m_leaving = Leaving{moving, lock};
+    makeSafe();
 }
 
 void Desk::closeNow()
@@ -180,12 +179,12 @@ void Desk::closeNow()
     goOn();
 }
 
-void Desk::close(AtClose moving)
+void Desk::close(AtClose moving, LockAtClose lock)
 {
     m_closing = true;
     m_nextRequest.reset();
     const bool idle = m_state == LinkState::Off && !m_connection && !m_opening;
-    disconnectFrom(moving);
+    disconnectFrom(moving, lock);
     if (idle)
         QMetaObject::invokeMethod(this, &Desk::closed, Qt::QueuedConnection);
 }
@@ -243,7 +242,9 @@ void Desk::finishClosing()
     tell({.kind = Event::Kind::Disconnected,
           .task = m_request.name,
           .halted = left.halted,
-          .moving = left.moving});
+          .moving = left.moving,
+          .locked = left.locked,
+          .unlocked = left.unlocked});
     if (m_closing) {
         // Not from within the call that asked for it: a window being closed cannot be closed.
         QMetaObject::invokeMethod(this, &Desk::closed, Qt::QueuedConnection);

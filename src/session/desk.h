@@ -42,6 +42,19 @@ enum class AtClose : std::uint8_t {
     LeaveMoving, ///< the user has said so
 };
 
+/// What becomes of an EPROM lock that a write of this program has left open.
+enum class LockAtClose : std::uint8_t {
+    Close,       ///< as far as the servo answers; the port closes in any case
+    CloseOrStay, ///< where one stays open the port does: stayedOpen()
+    LeaveOpen,   ///< the user has said so
+};
+
+/// What the journal still holds of the servos on this port, beside the work that is under way.
+struct UnfinishedWrites {
+    std::vector<int> ids{};           ///< of the servos
+    std::vector<ServoRef> unlocked{}; ///< those whose EPROM lock is open since
+};
+
 class Desk final : public QObject {
     Q_OBJECT
 
@@ -60,14 +73,17 @@ public:
     const catalog::Catalog& catalog() const { return m_session.catalog(); }
     Session& session() { return m_session; }
     Connection* connection() const { return m_connection.get(); } ///< null while not open
+    bool hadPort() const { return !m_portName.isEmpty(); }        ///< one was open before, or is
 
     /// Closes what is open first. linkChanged follows; a failure arrives as connectFailed.
     void connectTo(const PortRequest& request);
     /// Ends searches and polls, finishes the writes asked for, drops other tasks that wait. The
     /// list stays, greyed by the state.
-    void disconnectFrom(AtClose moving = AtClose::Stop);
+    void disconnectFrom(AtClose moving = AtClose::Stop, LockAtClose lock = LockAtClose::Close);
     /// Like disconnectFrom(), for closing the window: closed() follows, once.
-    void close(AtClose moving = AtClose::Stop);
+    void close(AtClose moving = AtClose::Stop, LockAtClose lock = LockAtClose::Close);
+    /// Reads the journal; unfinishedFound follows, after a few seconds in any case.
+    void findUnfinished();
     /// Reads which of the servos that were moved or energised from here still turn; motionFound
     /// follows. Writes nothing.
     void findMotion();
@@ -106,6 +122,8 @@ public:
     bool testing() const;                  ///< a lasting task runs; see Task::lasting
     void stopTask();                       ///< the running task; those that wait are dropped
     void stopTest(); ///< the running one, if it is a lasting one; nothing else
+    /// A test runs, or a servo may move on the program's command.
+    bool driving() const;
 
     /// Regular reading of what `user` ("memory", "operate", "record") wants to see, of servos that
     /// answer at the port's rate. Replaces this user's wish before; no parts: ends it.
@@ -143,7 +161,8 @@ Q_SIGNALS:
     void connectFailed(const base::Error& error);
     void closed();
     void motionFound(const std::vector<session::MovingServo>& moving);
-    void stayedOpen(); ///< after AtClose::StopOrStay; an Event names the servos
+    void unfinishedFound(const session::UnfinishedWrites& found);
+    void stayedOpen(); ///< after AtClose::StopOrStay or LockAtClose::CloseOrStay; see NotLeft
 
     void searchChanged(); ///< started or ended
     void searchProgress(const jobs::Progress& progress);
@@ -194,13 +213,23 @@ private:
     // closing while servos move (desk_leave.cpp)
     struct Leaving {
         AtClose how = AtClose::Stop;
-        std::size_t open = 0; ///< servos that are still asked
+        LockAtClose lock = LockAtClose::Close;
+        std::size_t open = 0; ///< tasks that have not ended
         std::vector<ServoRef> halted{};
         std::vector<ServoRef> moving{};
+        std::vector<ServoRef> locked{};
+        std::vector<ServoRef> unlocked{};
     };
     std::vector<ServoRef> driven() const;
-    void haltDriven();
+    std::vector<ServoRef> unlocked() const;
+    bool isWorkedOn(int id) const;
+    void noteDriven(const Work& ended);
+    void takeUnfinished(const std::vector<base::Intent>& open, UnfinishedWrites& found);
+    void makeSafe();
+    void haltDriven(const std::vector<ServoRef>& all);
     void halted(ServoRef ref, bool moved, const std::optional<base::Error>& error);
+    void closeLocks(const std::vector<ServoRef>& all);
+    void madeSafe();
     void leave();
     void closeNow();
     void tell(Event event);
@@ -274,6 +303,7 @@ private:
     void checkStop(ServoRef ref, const std::shared_ptr<PendingCheck>& check);
     void takeVerdict(ServoRef ref, PendingCheck& check, const jobs::StopVerdict& verdict,
                      const std::optional<base::Error>& error);
+    void reportUnconfirmed();
     /// Names the servos that are held.
     std::optional<base::Error> refusalByStop(const Work& work) const;
     void maybeReleased(const Work& ended);
@@ -286,8 +316,11 @@ private:
     std::optional<PortRequest> m_nextRequest; ///< connect when the present one is closed
     bool m_opening = false; ///< the opening of a port has not ended, wanted or not
     bool m_closing = false;
-    std::optional<Leaving> m_leaving; ///< the port closes when these have been stopped
-    bool m_stopNotSent = false;       ///< an emergency stop found no port
+    std::optional<Leaving> m_leaving;        ///< the port closes when these have been stopped
+    bool m_stopNotSent = false;              ///< an emergency stop found no port
+    std::weak_ptr<PendingCheck> m_stopCheck; ///< of the latest emergency stop
+    QTimer m_stopUnconfirmed;                ///< when that has taken too long
+    QString m_portName;                      ///< as the journal has it; of the latest port
     std::unique_ptr<Connection> m_connection;
     QTimer m_look;
     std::map<int, Answers> m_answers; ///< by ID, when the bus was looked at last

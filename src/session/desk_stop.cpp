@@ -48,6 +48,10 @@ void Desk::checkStop()
     if (m_state != LinkState::Open)
         return;
     check->open = asked.size();
+    check->unread = asked;
+    m_stopCheck = check;
+    if (!asked.empty())
+        m_stopUnconfirmed.start();
     if (asked.empty() && !check->told.elsewhere.empty())
         tell({.kind = Event::Kind::StopChecked, .stop = check->told});
     for (const ServoRef ref : asked)
@@ -85,6 +89,7 @@ void Desk::takeVerdict(ServoRef ref, PendingCheck& check, const jobs::StopVerdic
                   : verdict.torque == Torque::Off ? check.told.off
                                                   : check.told.silent;
     place.push_back(ref);
+    std::erase(check.unread, ref);
     if (verdict.mayHold)
         check.told.stillHeld.push_back(ref);
     ServoEntry* known = entry(ref);
@@ -92,6 +97,18 @@ void Desk::takeVerdict(ServoRef ref, PendingCheck& check, const jobs::StopVerdic
         known->silent = true;
     if (--check.open == 0 && !check.overtaken)
         tell({.kind = Event::Kind::StopChecked, .error = error, .stop = check.told});
+}
+
+void Desk::reportUnconfirmed()
+{
+    const auto check = m_stopCheck.lock();
+    if (!check || check->overtaken || check->unread.empty() || m_state != LinkState::Open)
+        return;
+    if (m_connection->bus().away()) // has been said: it is still owed
+        return;
+    StopCheck told;
+    told.silent = check->unread;
+    tell({.kind = Event::Kind::StopUnconfirmed, .stop = told});
 }
 
 /// After a stop only torque may be switched on.

@@ -238,6 +238,7 @@ void Desk::workEnded(const std::shared_ptr<Work>& work)
     for (const Work::Part& other : work->others)
         work->partEnded(*this, other);
     maybeReleased(*work);
+    noteDriven(*work);
     if (work->merged)
         work->merged(*work);
     suspectExchange(*work);

@@ -13,6 +13,7 @@ bool sameKind(const device::Servo& a, const device::Servo& b);
 /// One emergency stop being checked, servo by servo.
 struct Desk::PendingCheck {
     StopCheck told;
+    std::vector<ServoRef> unread; ///< no verdict yet
     std::size_t open = 0;
     bool overtaken = false; ///< by another stop
 };

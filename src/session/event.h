@@ -46,9 +46,10 @@ struct Event {
         Ended,       ///< a lasting task; error if it did not succeed
         Stopped,     ///< emergency stop sent, or owed
         StopNotSent, ///< there was no port to send it on
-        NotHalted,   ///< the port stays open: `moving` could not be stopped
-        StopChecked, ///< `stop` says whether torque is off everywhere
-        Failed,      ///< anything else that went wrong
+        NotLeft,     ///< the port stays open: `moving` could not be stopped, `unlocked` not locked
+        StopUnconfirmed, ///< `stop.silent`: torque off was sent, and has not been read back yet
+        StopChecked,     ///< `stop` says whether torque is off everywhere
+        Failed,          ///< anything else that went wrong
     };
     Kind kind = Kind::Failed;
     QDateTime at{};
@@ -66,9 +67,12 @@ struct Event {
     StopCheck stop{};
     bool owed = false;    ///< the stop is sent first when the link is back
     bool earlier = false; ///< a stop that was not sent, said again once a port is open
-    /// Of Disconnected and NotHalted: servos that were stopped before the port closed, and those
-    /// that still turned then.
+    /// Of Disconnected and NotLeft: servos that were stopped before the port closed, and those that
+    /// still turned then.
     std::vector<ServoRef> halted{};
     std::vector<ServoRef> moving{};
+    /// Likewise: EPROM locks of this program that were closed, and those that stayed open.
+    std::vector<ServoRef> locked{};
+    std::vector<ServoRef> unlocked{};
 };
 } // namespace session

@@ -45,7 +45,8 @@ struct ServoEntry {
     device::TurnCounter turns;
     /// By an emergency stop: nothing may move it until torque is switched on again.
     bool stopped = false;
-    bool driven = false; ///< this program has moved or energised it
+    bool driven = false;       ///< this program has moved or energised it
+    base::Duration drivenAt{}; ///< the latest time
 
     bool reading = false;         ///< its table is being read
     bool tableRead = false;       ///< the whole table has been read at least once

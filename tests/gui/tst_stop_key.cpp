@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Esc stops from anywhere: the first one in an editor, menu or dialog only cancels that, the next
-// always stops, Shift+Esc and the red button always do.
+// Esc stops from anywhere: the first one in an editor, menu or dialog only cancels that, unless a
+// servo is driven; the next always stops, Shift+Esc and the red button always do.
+#include "device/move_limits.h"
 #include "gui/window_bench.h"
 #include "sim/sim_link.h"
 #include "ui/dialogs/ask.h"
@@ -126,6 +127,57 @@ private Q_SLOTS:
         QCOMPARE(stops.count, 0);
         QTest::keyClick(bench.window.get(), Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
+    }
+
+    /// What the start of a test promises holds while a menu or a question is open.
+    void escStopsADrivenServoFromAMenuOrAQuestion_data()
+    {
+        QTest::addColumn<bool>("menu");
+        QTest::addColumn<bool>("moves");
+        QTest::newRow("menu") << true << true;
+        QTest::newRow("question") << false << true;
+        QTest::newRow("menu, holding") << true << false;
+        QTest::newRow("question, holding") << false << false;
+    }
+    void escStopsADrivenServoFromAMenuOrAQuestion()
+    {
+        QFETCH(bool, menu);
+        QFETCH(bool, moves);
+        gui::WindowBench bench;
+        bench.page = QStringLiteral("operate");
+        QVERIFY(bench.ready(1));
+        Stops stops(bench.desk());
+        session::Drive& drive = bench.bench.drive;
+        drive.setServos({bench.selection().current()});
+        const auto idle = [&] { return bench.settled() && !drive.busy(); };
+        drive.switchMode(QStringLiteral("speed"));
+        QTRY_VERIFY(idle());
+        drive.setTorque(device::Torque::On);
+        QTRY_VERIFY(idle());
+        const device::Servo& servo = bench.entry().servo;
+        if (moves)
+            drive.move(
+                {.goal = device::exactText(800, servo.meaning(*device::goalRegister(servo)))});
+        QTRY_COMPARE(bench.desk().driving(), moves);
+        QTRY_VERIFY(idle());
+        QPointer<QWidget> open;
+        if (menu) {
+            QMenu* first = bench.window->menuBar()->actions().front()->menu();
+            first->popup(bench.window->mapToGlobal(QPoint(10, 40)));
+            open = first;
+        } else {
+            ui::ask(bench.window.get(),
+                    {.title = QStringLiteral("?"), .yes = QStringLiteral("yes")}, [] {});
+            QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+            open = QApplication::activeModalWidget();
+        }
+        QTRY_VERIFY(open->isVisible());
+        QTest::keyClick(open, Qt::Key_Escape);
+        QCOMPARE(stops.count, moves ? 1 : 0);
+        QTRY_VERIFY(open.isNull() || !open->isVisible());
+        if (moves)
+            QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(0));
+        QTRY_VERIFY(!moves || !bench.desk().driving());
     }
 
     void theFirstEscInAListOfChoicesClosesIt()

@@ -78,12 +78,16 @@ struct Bench : gui::WindowBench {
     bool closed()
     {
         window->close();
-        if (auto* yes = find<QPushButton>("questionYes")) {
-            for (const QLabel* label : yes->window()->findChildren<QLabel*>())
-                question += label->text() + QLatin1Char('\n');
-            QTest::mouseClick(yes, Qt::LeftButton);
-        }
-        return QTest::qWaitFor([this] { return !window->isVisible(); }, longTime);
+        const auto answered = [this] {
+            auto* yes = find<QPushButton>("questionYes");
+            if (yes != nullptr && yes->isVisible()) {
+                for (const QLabel* label : yes->window()->findChildren<QLabel*>())
+                    question += label->text() + QLatin1Char('\n');
+                QTest::mouseClick(yes, Qt::LeftButton);
+            }
+            return !window->isVisible();
+        };
+        return QTest::qWaitFor(answered, longTime);
     }
     /// Of the servo, asked by another program after this one has let go of the port; -1: nobody
     /// answers under that ID.
@@ -273,6 +277,7 @@ private Q_SLOTS:
                             .contains(QLatin1String("Unfinished")));
         }
         QVERIFY(bench.closed());
+        QVERIFY(bench.question.contains(QLatin1String("the journal still holds")));
         QCOMPARE(bench.raw("lock"), 0);
     }
 

@@ -221,11 +221,28 @@ EventWords stopNotSent(const Event& event)
             QStringLiteral("✗")};
 }
 
-EventWords notHalted(const Event& event, const session::Desk& desk)
+EventWords stopUnconfirmed(const Event& event, const session::Desk& desk)
 {
-    return {text::translate("EventWords", "Not closed: ID %1 could not be stopped.")
+    return {text::translate("EventWords", "Stop sent, but not confirmed yet: ID %1")
+                .arg(idsOf(event.stop.silent, desk)),
+            {text::translate("EventWords", "Keep clear, and switch the supply off if in doubt.")},
+            Tone::Bad,
+            QStringLiteral("!")};
+}
+
+EventWords notLeft(const Event& event, const session::Desk& desk)
+{
+    if (!event.moving.empty())
+        return {
+            text::translate("EventWords", "Not closed: ID %1 could not be stopped.")
                 .arg(idsOf(event.moving, desk)),
             {text::translate("EventWords", "Press Esc for torque off, or switch off the supply.")},
+            Tone::Bad,
+            QStringLiteral("✗")};
+    return {text::translate("EventWords", "Not closed: the EPROM lock of ID %1 is still open.")
+                .arg(idsOf(event.unlocked, desk)),
+            {text::translate("EventWords", "Check the cable and try again. The unfinished write "
+                                           "stays in the journal.")},
             Tone::Bad,
             QStringLiteral("✗")};
 }
@@ -242,6 +259,16 @@ EventWords disconnected(const Event& event, const session::Desk& desk)
                  {text::translate("EventWords", "Switch off the supply to stop it.")},
                  Tone::Bad,
                  QStringLiteral("✗")};
+    }
+    if (!event.locked.empty())
+        words.line += text::translate("EventWords", ". EPROM lock closed: ID %1")
+                          .arg(idsOf(event.locked, desk));
+    if (!event.unlocked.empty()) {
+        words.line += text::translate("EventWords", ". EPROM LOCK STILL OPEN: ID %1")
+                          .arg(idsOf(event.unlocked, desk));
+        words.more << text::translate("EventWords", "Connect again to finish or undo the write.");
+        words.tone = Tone::Bad;
+        words.sign = QStringLiteral("✗");
     }
     return words;
 }
@@ -282,8 +309,10 @@ EventWords sentence(const Event& event, const session::Desk& desk)
         return disconnected(event, desk);
     case Event::Kind::Exchanged:
         return exchanged(event, desk);
-    case Event::Kind::NotHalted:
-        return notHalted(event, desk);
+    case Event::Kind::NotLeft:
+        return notLeft(event, desk);
+    case Event::Kind::StopUnconfirmed:
+        return stopUnconfirmed(event, desk);
     case Event::Kind::LinkLost:
         return failed({base::ErrorCode::LinkLost, QStringLiteral("read"), event.task});
     case Event::Kind::SearchEnded:

@@ -15,6 +15,7 @@ LeaveQuestion::LeaveQuestion(session::Desk& desk, QWidget* window)
     , m_window(window)
 {
     connect(&desk, &session::Desk::motionFound, this, &LeaveQuestion::found);
+    connect(&desk, &session::Desk::unfinishedFound, this, &LeaveQuestion::askAboutWrites);
 }
 
 void LeaveQuestion::disconnectPort()
@@ -32,6 +33,7 @@ void LeaveQuestion::begin(Way way)
     if (m_way) // it is being asked already
         return;
     m_way = way;
+    m_lock = session::LockAtClose::CloseOrStay;
     if (const auto holds = m_desk.testHolds())
         askAboutTest(*holds);
     else
@@ -54,6 +56,58 @@ void LeaveQuestion::askAboutTest(bool holds)
 }
 
 void LeaveQuestion::proceed()
+{
+    m_desk.findUnfinished();
+}
+
+/// Without them there is no question.
+void LeaveQuestion::askAboutWrites(const session::UnfinishedWrites& found)
+{
+    if (!m_way)
+        return;
+    QStringList ids;
+    for (const int id : found.ids)
+        ids << QString::number(id);
+    QStringList open;
+    for (const session::ServoRef ref : found.unlocked)
+        open << QString::number(m_desk.servo(ref)->servo.id);
+    if (ids.isEmpty() && open.isEmpty()) {
+        askAboutMotion();
+        return;
+    }
+    const bool closes = m_way == Way::Close;
+    const bool connected = m_desk.state() == session::LinkState::Open;
+    Question question;
+    question.title = closes ? tr("A write is unfinished. Close anyway?")
+                            : tr("A write is unfinished. Disconnect anyway?");
+    if (!ids.isEmpty())
+        question.text = tr("ID %1: the journal still holds the unfinished write. The next "
+                           "connection offers to finish or undo it.")
+                            .arg(ids.join(QStringLiteral(", ")));
+    question.yes = closes ? tr("Close") : tr("Disconnect");
+    if (!open.isEmpty()) {
+        const QString which = open.join(QStringLiteral(", "));
+        question.risk =
+            connected ? tr("The EPROM lock of ID %1 is open. It is closed first.").arg(which)
+                      : tr("The EPROM lock of ID %1 is open and cannot be closed now.").arg(which);
+    }
+    if (!open.isEmpty() && connected) {
+        question.yes = closes ? tr("Lock and close") : tr("Lock and disconnect");
+        question.other = tr("Leave it open");
+        question.otherTip = tr("The EPROM lock stays open: settings written by any program are "
+                               "kept at power-off.");
+    }
+    question.harmless = true;
+    question.guard = this;
+    question.otherwise = [this] {
+        m_lock = session::LockAtClose::LeaveOpen;
+        askAboutMotion();
+    };
+    question.refused = [this] { m_way.reset(); };
+    ask(m_window, question, [this] { askAboutMotion(); });
+}
+
+void LeaveQuestion::askAboutMotion()
 {
     if (m_desk.state() == session::LinkState::Open)
         m_desk.findMotion();
@@ -108,8 +162,8 @@ void LeaveQuestion::go(AtClose how)
     const Way way = m_way.value_or(Way::Disconnect);
     m_way.reset();
     if (way == Way::Close)
-        m_desk.close(how);
+        m_desk.close(how, m_lock);
     else
-        m_desk.disconnectFrom(how);
+        m_desk.disconnectFrom(how, m_lock);
 }
 } // namespace ui

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closing the window or the port while servos turn on the program's command asks first: stop them,
 // leave them turning, or stay. Reads before it asks; what does not move closes without a question.
-// A test that moves servos is asked about first: what becomes of their torque is said.
+// A test that moves servos is asked about first: what becomes of their torque is said. Then what
+// the journal still holds is named; an EPROM lock that a write has left open is closed or left on
+// request.
 // Owned by the window; main thread.
 #pragma once
 
@@ -29,11 +31,14 @@ private:
     void begin(Way way);
     void askAboutTest(bool holds);
     void proceed();
+    void askAboutWrites(const session::UnfinishedWrites& found);
+    void askAboutMotion();
     void found(const std::vector<session::MovingServo>& moving);
     void go(session::AtClose how);
 
     session::Desk& m_desk;
     QWidget* m_window;
     std::optional<Way> m_way; ///< asked for, and not decided yet
+    session::LockAtClose m_lock = session::LockAtClose::CloseOrStay;
 };
 } // namespace ui

@@ -155,7 +155,7 @@ void MainWindow::connectCommands()
     connect(m_logDock, &QDockWidget::visibilityChanged, this,
             [this] { m_commands.action(Command::MessageLog)->setChecked(!m_logDock->isHidden()); });
     connect(m_stop, &QPushButton::clicked, this, [this] { m_desk.emergencyStop(); });
-    auto* stopKey = new StopKey(this);
+    auto* stopKey = new StopKey([this] { return m_desk.driving(); }, this);
     connect(stopKey, &StopKey::pressed, this, [this] { m_desk.emergencyStop(); });
 }
 
@@ -174,7 +174,10 @@ void MainWindow::connectDesk()
     connect(&m_desk, &session::Desk::servoRemoved, this,
             [this](session::ServoRef ref) { m_selection.drop(ref); });
     connect(&m_desk, &session::Desk::servosCleared, this, [this] { m_selection.select(0); });
-    connect(&m_desk, &session::Desk::closed, this, &QWidget::close);
+    connect(&m_desk, &session::Desk::closed, this, [this] {
+        m_mayClose = true;
+        close();
+    });
 }
 
 void MainWindow::happened(const session::Event& event)
@@ -190,7 +193,7 @@ void MainWindow::presentStop(const session::Event& event)
     using Kind = session::Event::Kind;
     const bool stops = event.kind == Kind::Stopped || event.kind == Kind::StopNotSent;
     const bool unsent =
-        event.kind == Kind::StopNotSent || event.owed || event.kind == Kind::NotHalted;
+        event.kind == Kind::StopNotSent || event.owed || event.kind == Kind::NotLeft;
     if (stops && !unsent && std::exchange(m_stopShown, false))
         m_banner->clear();
     if (!unsent)
@@ -302,7 +305,8 @@ void MainWindow::searchEnded()
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     m_settings.setWindow(saveGeometry(), saveState());
-    if (m_desk.state() == session::LinkState::Off) {
+    const bool nothingToAsk = m_mayClose || !m_desk.hadPort();
+    if (m_desk.state() == session::LinkState::Off && nothingToAsk) {
         event->accept();
         return;
     }

@@ -107,5 +107,6 @@ private:
     std::optional<int> m_wantedId; ///< of the command line; selected when it is found
     bool m_selectFirst = false;    ///< a screenshot without a wish selects the first servo found
     bool m_wasOpen = false;
+    bool m_mayClose = false; ///< the desk has been closed
 };
 } // namespace ui

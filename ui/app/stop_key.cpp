@@ -7,6 +7,8 @@
 #include <QKeyEvent>
 #include <QWidget>
 
+#include <utility>
+
 namespace ui {
 namespace {
 /// An editor inside a table: somewhere between it and its window is the viewport of a view.
@@ -23,17 +25,17 @@ bool inCellEditor(const QWidget* focus)
 }
 
 /// `asked`: who got the key.
-bool somethingToCancel(const QWidget& asked)
+bool menuOrDialog(const QWidget& asked)
 {
     return QApplication::activePopupWidget() != nullptr ||
            QApplication::activeModalWidget() != nullptr ||
-           qobject_cast<QDialog*>(asked.window()) != nullptr ||
-           inCellEditor(QApplication::focusWidget());
+           qobject_cast<QDialog*>(asked.window()) != nullptr;
 }
 } // namespace
 
-StopKey::StopKey(QObject* parent)
+StopKey::StopKey(std::function<bool()> driving, QObject* parent)
     : QObject(parent)
+    , m_driving(std::move(driving))
 {
     qApp->installEventFilter(this);
 }
@@ -69,16 +71,23 @@ bool StopKey::filterKey(const QKeyEvent& event, const QWidget& asked)
     if (event.isAutoRepeat())
         return true;
     const bool always = event.modifiers().testFlag(Qt::ShiftModifier);
-    if (!always && !m_cancelled && somethingToCancel(asked)) {
-        m_cancelled = true;
-        m_passing = &event;
-        // The address may be another event's once this one has been dealt with.
-        QMetaObject::invokeMethod(
-            this, [this] { m_passing = nullptr; }, Qt::QueuedConnection);
-        return false;
-    }
-    m_cancelled = false;
-    Q_EMIT pressed();
-    return true;
+    const bool editing = inCellEditor(QApplication::focusWidget());
+    const bool cancels = !always && !m_cancelled && (editing || menuOrDialog(asked));
+    const bool stops = !cancels || (!editing && m_driving());
+    m_cancelled = !stops;
+    if (cancels)
+        passOn(event);
+    if (stops)
+        Q_EMIT pressed();
+    return !cancels;
+}
+
+/// It reaches each parent in turn; the address may be another event's once this one has been dealt
+/// with.
+void StopKey::passOn(const QKeyEvent& event)
+{
+    m_passing = &event;
+    QMetaObject::invokeMethod(
+        this, [this] { m_passing = nullptr; }, Qt::QueuedConnection);
 }
 } // namespace ui

@@ -2,11 +2,13 @@
 // Esc takes torque off from anywhere in the program, as one application event filter, because a
 // shortcut does not fire while a cell editor, menu or dialog is open. The first Esc in the editor
 // of a table's cell, a menu or a dialog cancels that; the next one always stops, and Shift+Esc
-// always does. In other fields, such as those of the motion panel, the first one stops. Main
-// thread.
+// always does. While servos are driven the first one in a menu or a dialog stops as well. In other
+// fields, such as those of the motion panel, the first one stops. Main thread.
 #pragma once
 
 #include <QObject>
+
+#include <functional>
 
 class QKeyEvent;
 class QWidget;
@@ -16,8 +18,9 @@ class StopKey final : public QObject {
     Q_OBJECT
 
 public:
-    /// Listens to the whole application as long as it lives.
-    explicit StopKey(QObject* parent = nullptr);
+    /// Listens to the whole application as long as it lives. `driving`: servos may move on the
+    /// program's command.
+    explicit StopKey(std::function<bool()> driving, QObject* parent = nullptr);
 
 Q_SIGNALS:
     void pressed();
@@ -27,7 +30,9 @@ protected:
 
 private:
     bool filterKey(const QKeyEvent& event, const QWidget& asked);
+    void passOn(const QKeyEvent& event);
 
+    std::function<bool()> m_driving;
     bool m_cancelled = false;        ///< the latest Esc was left to an editor, menu or dialog
     const void* m_passing = nullptr; ///< an event on its way up through parents
 };

@@ -25,6 +25,8 @@ struct StopBench : Bench {
         QObject::connect(&desk, &Desk::happened, &desk, [this](const Event& event) {
             if (event.kind == Event::Kind::StopChecked)
                 checks.push_back(event);
+            if (event.kind == Event::Kind::StopUnconfirmed)
+                unconfirmed.push_back(event);
         });
     }
     bool stopAndCheck()
@@ -65,6 +67,7 @@ struct StopBench : Bench {
         return degrees;
     }
     std::vector<Event> checks;
+    std::vector<Event> unconfirmed;
 };
 
 base::Result<void> say(TaskContext& task, protocol::Request request)
@@ -105,6 +108,48 @@ private Q_SLOTS:
         for (const int id : {1, 2, 3})
             QCOMPARE(bench.real(id, torque), 0);
         QCOMPARE(bench.raw(bench.at(1), torque), std::optional<std::int64_t>(0));
+    }
+
+    /// What keeps the check waiting does not keep its absence from being said.
+    void aStopThatIsNotConfirmedSoonSaysSo()
+    {
+        StopBench bench(QStringLiteral("sim:sts3215@1,sts3215@2"));
+        QVERIFY(bench.search());
+        QVERIFY(bench.settle());
+        std::atomic<bool> begun = false;
+        std::atomic<bool> done = false;
+        Task task;
+        task.name = QStringLiteral("test");
+        task.work = [&](TaskContext&) -> base::Result<void> {
+            begun = true;
+            while (!done)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            return {};
+        };
+        bench.desk.perform(bench.at(1), std::move(task));
+        const bool waits = QTest::qWaitFor([&] { return begun.load(); }, 20000);
+        bench.desk.emergencyStop();
+        const bool said = QTest::qWaitFor([&] { return !bench.unconfirmed.empty(); }, 20000);
+        done = true;
+        QVERIFY(waits && said);
+        QCOMPARE(bench.unconfirmed.front().stop.silent.size(), std::size_t(2));
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.checks.empty(), 20000);
+        QVERIFY(bench.checks.back().stop.good());
+        QCOMPARE(bench.unconfirmed.size(), std::size_t(1));
+    }
+
+    /// Whose answers are lost is not shown as answering.
+    void whoFallsSilentWithTheStopIsShownAsSilent()
+    {
+        StopBench bench(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(bench.search());
+        QVERIFY(bench.write(bench.at(1), torque, 1));
+        QVERIFY(!bench.entry(bench.at(1)).silent);
+        bench.withWire([](sim::VirtualBus& wire) { wire.config().faults.muteIds = {1}; });
+        bench.desk.emergencyStop();
+        QTRY_VERIFY_WITH_TIMEOUT(bench.entry(bench.at(1)).silent, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.checks.empty(), 20000);
+        QCOMPARE(bench.checks.back().stop.silent.size(), std::size_t(1));
     }
 
     /// Requests get lost on this wire, the stop's own too.
