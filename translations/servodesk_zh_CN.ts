@@ -738,27 +738,27 @@
     </message>
     <message>
         <source>Stop sent, but not confirmed yet: ID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已发送停止，但尚未确认：ID %1</translation>
     </message>
     <message>
         <source>Not closed: the EPROM lock of ID %1 is still open.</source>
-        <translation type="unfinished"></translation>
+        <translation>未关闭：ID %1 的 EPROM 锁仍处于打开状态。</translation>
     </message>
     <message>
         <source>Check the cable and try again. The unfinished write stays in the journal.</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查线缆后重试。未写完的写入仍保留在写入日志中。</translation>
     </message>
     <message>
         <source>. EPROM lock closed: ID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>。已上锁 EPROM：ID %1</translation>
     </message>
     <message>
         <source>. EPROM LOCK STILL OPEN: ID %1</source>
-        <translation type="unfinished"></translation>
+        <translation>。EPROM 锁仍未关闭：ID %1</translation>
     </message>
     <message>
         <source>Connect again to finish or undo the write.</source>
-        <translation type="unfinished"></translation>
+        <translation>请重新连接，以完成或撤销该写入。</translation>
     </message>
 </context>
 <context>
@@ -8415,47 +8415,47 @@ Asked more than once: %9</source>
     </message>
     <message>
         <source>A write is unfinished. Close anyway?</source>
-        <translation type="unfinished"></translation>
+        <translation>有写入尚未写完。仍要关闭吗？</translation>
     </message>
     <message>
         <source>A write is unfinished. Disconnect anyway?</source>
-        <translation type="unfinished"></translation>
+        <translation>有写入尚未写完。仍要断开吗？</translation>
     </message>
     <message>
         <source>ID %1: the journal still holds the unfinished write. The next connection offers to finish or undo it.</source>
-        <translation type="unfinished"></translation>
+        <translation>ID %1：写入日志中仍有未写完的写入。下次连接时可选择完成或撤销。</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭</translation>
     </message>
     <message>
         <source>Disconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>断开</translation>
     </message>
     <message>
         <source>The EPROM lock of ID %1 is open. It is closed first.</source>
-        <translation type="unfinished"></translation>
+        <translation>ID %1 的 EPROM 锁处于打开状态，将先上锁。</translation>
     </message>
     <message>
         <source>The EPROM lock of ID %1 is open and cannot be closed now.</source>
-        <translation type="unfinished"></translation>
+        <translation>ID %1 的 EPROM 锁处于打开状态，现在无法上锁。</translation>
     </message>
     <message>
         <source>Lock and close</source>
-        <translation type="unfinished"></translation>
+        <translation>上锁并关闭</translation>
     </message>
     <message>
         <source>Lock and disconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>上锁并断开</translation>
     </message>
     <message>
         <source>Leave it open</source>
-        <translation type="unfinished"></translation>
+        <translation>保持打开</translation>
     </message>
     <message>
         <source>The EPROM lock stays open: settings written by any program are kept at power-off.</source>
-        <translation type="unfinished"></translation>
+        <translation>EPROM 锁保持打开：任何程序写入的设置都会断电保存。</translation>
     </message>
 </context>
 <context>
