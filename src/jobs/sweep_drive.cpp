@@ -27,18 +27,18 @@ base::Result<void> sendSweepGoals(const device::Context& context,
                                   std::vector<device::Servo>& servos, const record::SweepSpec& spec,
                                   std::vector<double>& targets)
 {
-    // Within a hold nobody asks again who they are: that was asked when the test began.
-    std::vector<int> ids;
-    for (const device::Servo& servo : servos)
-        ids.push_back(servo.id);
-    const device::Owned owned = device::own(context, ids);
     std::vector<device::MovePlan> plans;
+    std::vector<int> ids;
     for (std::size_t i = 0; i < servos.size(); ++i) {
-        auto plan = device::planMove(owned.context, sweepMove(servos[i], spec, targets[i]));
+        auto plan = device::planMove(context, sweepMove(servos[i], spec, targets[i]));
         if (!plan)
             return tl::unexpected(plan.error());
         plans.push_back(std::move(*plan));
+        ids.push_back(servos[i].id);
     }
+    // Within a hold it is not asked again who they are: that was done when the test began. Polling
+    // rests as long as it is held, so not while the moves are planned.
+    const device::Owned owned = device::own(context, ids);
     return device::sendMoves(owned.context, plans, howFor(servos));
 }
 
