@@ -6,7 +6,6 @@
 #include "jobs/sweep_axis.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace jobs {
 using record::SweepEnd;
@@ -43,15 +42,35 @@ base::Result<void> sendSweepGoals(const device::Context& context,
 }
 
 namespace {
-/// `off`: torque goes off; `stops`: the motion ends first. What could not be proved.
-std::optional<TorqueLeft> leave(const device::Context& context, device::Servo& servo, bool stops,
-                                bool off)
+/// What could not be proved. All are told to stop before the first one is watched.
+std::vector<TorqueLeft> leave(const device::Context& context, std::vector<device::Servo>& servos,
+                              const record::SweepRun& run, int atFault)
 {
-    const auto halted = stops ? device::halt(context, servo) : base::Result<void>{};
-    if (!off)
-        return halted ? std::nullopt : std::optional(TorqueLeft{servo.id, true, halted.error()});
-    const auto released = device::setTorque(context, servo, device::Torque::Off);
-    return released ? std::nullopt : std::optional(TorqueLeft{servo.id, false, released.error()});
+    std::vector<TorqueLeft> left;
+    const auto release = [&](device::Servo& servo) {
+        if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
+            left.push_back({servo.id, false, off.error()});
+    };
+    std::vector<device::Servo*> others;
+    for (std::size_t i = 0; i < servos.size(); ++i) {
+        // Neither heat nor a jammed lever gets better by pushing on.
+        if (int(i) == atFault)
+            release(servos[i]);
+        else
+            others.push_back(&servos[i]);
+    }
+    if (run.end != SweepEnd::Finished) {
+        const auto halted = device::haltAll(context, others);
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            if (!halted[i] && !run.spec.releaseAtEnd)
+                left.push_back({others[i]->id, true, halted[i].error()});
+        }
+    }
+    if (run.spec.releaseAtEnd) {
+        for (device::Servo* servo : others)
+            release(*servo);
+    }
+    return left;
 }
 } // namespace
 
@@ -67,14 +86,7 @@ void leaveSafe(const device::Context& context, std::vector<device::Servo>& servo
     std::vector<TorqueLeft> left;
     do {
         waitWhileAway(context.bus);
-        left.clear();
-        for (std::size_t i = 0; i < servos.size(); ++i) {
-            // Neither heat nor a jammed lever gets better by pushing on.
-            const bool fault = int(i) == atFault;
-            const bool stops = run.end != SweepEnd::Finished && !fault;
-            if (const auto one = leave(last, servos[i], stops, fault || run.spec.releaseAtEnd))
-                left.push_back(*one);
-        }
+        left = leave(last, servos, run, atFault);
     } while (context.bus.away()); // pulled in the middle of it
     for (const TorqueLeft& one : left) {
         if (watch.onTorqueLeft)
