@@ -116,9 +116,10 @@ base::Result<void> beginWriting(const Context& context, const Servo& servo,
         return {};
     if (const auto writable = requireWritable(servo, operation); !writable)
         return writable;
-    if (const auto same = requireSame(context, servo, operation); !same)
-        return same;
-    return requireVerified(context, servo, operation);
+    const auto& verified = context.bus.verifiedIds();
+    return verified.contains(servo.protocol, servo.id, context.bus.baud())
+               ? requireSame(context, servo, operation)
+               : requireVerified(context, servo, operation);
 }
 
 base::Result<void> beginWriting(const Owned& owned, const Servo& servo, const QString& operation)
@@ -145,6 +146,8 @@ base::Result<void> requireVerified(const Context& outer, const Servo& servo,
         return tl::unexpected(found.error());
     if (found->sign != TwinSign::None)
         return base::fail(ErrorCode::SeveralServos, operation, wordOf(*found), servo.id);
+    if (const auto same = requireSame(owned.context, servo, operation); !same)
+        return same;
     if (auto bar = lockBar(servo, found->lock, operation))
         return tl::unexpected(std::move(*bar));
     verified.add(servo.protocol, servo.id, baud);

@@ -32,7 +32,8 @@ base::Result<void> beginWriting(const Context& context, const Servo& servo,
 /// asked already.
 base::Result<void> beginWriting(const Owned& owned, const Servo& servo, const QString& operation);
 
-/// For the frames themselves, after beginWriting(): the same without asking who it is.
+/// For the frames themselves, after beginWriting(): the same, without asking a verified servo
+/// again.
 base::Result<void> requireVerified(const Context& context, const Servo& servo,
                                    const QString& operation);
 
