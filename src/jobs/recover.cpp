@@ -157,6 +157,36 @@ base::Intent withoutPlace(base::Intent intent, const device::Servo& servo)
     });
     return intent;
 }
+
+base::Result<void> prepareWriting(const device::Context& context, device::Servo& servo,
+                                  const BeforeWrite& beforeWrite)
+{
+    const auto may = device::beginWriting(context, servo, QStringLiteral("recover"));
+    return may && beforeWrite ? beforeWrite(context, servo) : may;
+}
+
+/// How the journal has the end of a change that has been settled.
+QString endWord(const Recovered& recovered)
+{
+    if (recovered.allLeft)
+        return QStringLiteral("abandoned");
+    const bool finished =
+        recovered.action == RecoverAction::Finish && !onlyBack(recovered.before.intent);
+    return finished ? QStringLiteral("done") : QStringLiteral("undone");
+}
+
+void endSettled(const device::Context& context, const device::Servo& servo, const Settled& settled,
+                Recovered& recovered)
+{
+    const base::Intent& intent = recovered.before.intent;
+    if (recovered.before.lockOpen.value_or(false))
+        context.note(device::NoticeCode::LockClosed, servo.id);
+    recovered.left = settled.left;
+    recovered.allLeft = settled.nothingToSettle && !settled.left.isEmpty();
+    const QString word = endWord(recovered);
+    context.record(intent.uuid, servo.id, {word, {}, itemEnds(intent, servo, settled, word)});
+    recovered.done = true;
+}
 } // namespace
 
 base::Result<Recovered> recoverOne(const device::Context& context, const base::Intent& intent,
@@ -175,16 +205,9 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
         recovered.error = bar;
         return recovered;
     }
-    const auto may = device::beginWriting(context, servo, QStringLiteral("recover"));
-    if (!may) {
-        recovered.error = may.error();
+    if (const auto ready = prepareWriting(context, servo, beforeWrite); !ready) {
+        recovered.error = ready.error();
         return recovered;
-    }
-    if (beforeWrite) {
-        if (const auto ready = beforeWrite(context, servo); !ready) {
-            recovered.error = ready.error();
-            return recovered;
-        }
     }
     base::Intent rest = withoutReplaced(*before);
     const bool moved = intent.kind == IntentKind::Restore && !newValuesKnown(intent) &&
@@ -201,16 +224,7 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
         recovered.error = settled.result.error();
         return recovered;
     }
-    if (before->lockOpen.value_or(false))
-        context.note(device::NoticeCode::LockClosed, servo.id);
-    recovered.left = settled.left;
-    recovered.allLeft = settled.nothingToSettle && !settled.left.isEmpty();
-    const QString word = recovered.allLeft ? QStringLiteral("abandoned")
-                         : action == RecoverAction::Finish && intent.kind != IntentKind::Trial
-                             ? QStringLiteral("done")
-                             : QStringLiteral("undone");
-    context.record(intent.uuid, servo.id, {word, {}, itemEnds(intent, servo, settled, word)});
-    recovered.done = true;
+    endSettled(context, servo, settled, recovered);
     return recovered;
 }
 
