@@ -11280,6 +11280,10 @@ Asked more than once: %9</source>
         <source>targets of the list</source>
         <translation>列表中的目标</translation>
     </message>
+    <message>
+        <source>Those that go back to another mode have their torque off afterwards.</source>
+        <translation>切回其他模式的舵机，测试后扭矩为关闭状态。</translation>
+    </message>
 </context>
 <context>
     <name>ui::SweepResults</name>

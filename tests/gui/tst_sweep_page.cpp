@@ -558,7 +558,16 @@ private Q_SLOTS:
         bench.type("sweepStart", QStringLiteral("1800"));
         bench.type("sweepEnd", QStringLiteral("2200"));
         bench.find<QSpinBox>("sweepCycles")->setValue(1);
-        bench.run();
+        bench.click("sweepRun");
+        auto* yes = bench.find<QPushButton>("questionYes");
+        QVERIFY(yes != nullptr);
+        QString said;
+        for (const QLabel* label : yes->window()->findChildren<QLabel*>())
+            said += label->text();
+        QVERIFY2(said.contains(QLatin1String("have their torque off afterwards")),
+                 qPrintable(said));
+        QTest::mouseClick(yes, Qt::LeftButton);
+        QVERIFY(bench.begun());
         QVERIFY(bench.over());
         QVERIFY(bench.test().run() != nullptr);
         QCOMPARE(bench.test().run()->end, record::SweepEnd::Finished);

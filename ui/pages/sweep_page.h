@@ -43,6 +43,7 @@ private:
     struct Consent {
         std::vector<session::ServoRef> servos;
         bool released = false; ///< torque off afterwards
+        bool switchMode = false;
         bool operator==(const Consent&) const = default;
     };
     void build(session::Settings& settings);
@@ -58,7 +59,7 @@ private:
     QString rangeOf(session::ServoRef ref, const record::SweepSpec& spec) const;
     void noteSettings(const std::vector<session::ServoRef>& servos);
     QStringList heldByStop() const;
-    static QString torqueAfterwards(bool released);
+    static QString torqueAfterwards(const Consent& consent);
     void run();
     void start();
     void ended();

@@ -21,7 +21,7 @@ namespace ui {
 void SweepPage::run()
 {
     const session::SweepTestOrder now = order();
-    const Consent consent{now.servos, now.spec.releaseAtEnd};
+    const Consent consent{now.servos, now.spec.releaseAtEnd, now.switchMode};
     if (m_consent == consent) {
         start();
         return;
@@ -38,7 +38,7 @@ void SweepPage::run()
     question.text = tr("These servos get torque and move by themselves until the test has ended: "
                        "%1")
                         .arg(QLatin1Char('\n') + names.join(QLatin1Char('\n'))) +
-                    QLatin1Char('\n') + torqueAfterwards(now.spec.releaseAtEnd);
+                    QLatin1Char('\n') + torqueAfterwards(consent);
     question.risk = tr("Nothing may be in their way, and nobody's fingers. Esc takes torque off "
                        "all servos at once.");
     question.yes = tr("Start");
@@ -70,12 +70,17 @@ QString SweepPage::rangeOf(session::ServoRef ref, const record::SweepSpec& spec)
 }
 
 /// However it ends, apart from faults and the emergency stop; also of servos without torque before.
-QString SweepPage::torqueAfterwards(bool released)
+QString SweepPage::torqueAfterwards(const Consent& consent)
 {
-    return released ? tr("Afterwards their torque is off. The same applies if you stop the test or "
-                         "close the window during it.")
-                    : tr("Afterwards they hold their position with torque on. The same applies if "
-                         "you stop the test or close the window during it.");
+    if (consent.released)
+        return tr("Afterwards their torque is off. The same applies if you stop the test or close "
+                  "the window during it.");
+    const QString held = tr("Afterwards they hold their position with torque on. The same applies "
+                            "if you stop the test or close the window during it.");
+    return consent.switchMode
+               ? held + QLatin1Char('\n') +
+                     tr("Those that go back to another mode have their torque off afterwards.")
+               : held;
 }
 
 void SweepPage::start()
