@@ -3,6 +3,7 @@
 // says can be worked out again from the readings, with arithmetic of this file's own.
 #include "record/sweep_json.h"
 #include "support/cli_program.h"
+#include "support/cut_cable.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -94,6 +95,7 @@ private Q_SLOTS:
     void mistakesAreNamed();
     void tooShortADelayIsTold();
     void ctrlCEndsItSafely();
+    void silenceInTheLastLegIsALostLink();
 };
 
 void TestCliSweep::tooShortADelayIsTold()
@@ -249,6 +251,25 @@ void TestCliSweep::mistakesAreNamed()
         cli.run(QStringList{text("sweep"), text("1")} + options.split(QLatin1Char(' ')));
     QVERIFY2(ran.exit == exit, qPrintable(QString::number(ran.exit) + ran.err));
     QVERIFY2(ran.err.contains(word), qPrintable(ran.err));
+}
+
+void TestCliSweep::silenceInTheLastLegIsALostLink()
+{
+    support::SimProgram sim({text("--servos"), text("sts3215@1,sts3215@2")});
+    support::CutCable cable(sim.port(), false);
+    CliProgram cli;
+    cli.setPort(cable.port());
+    cli.start(text("sweep 1 2 --from 1500 --to 2500 --dwell 5000 --cycles 1 --json")
+                  .split(QLatin1Char(' ')));
+    QTRY_VERIFY_WITH_TIMEOUT(cable.writes() == 3, 60'000); // to the start, there, and back
+    QTest::qWait(200); // usually the goal has been read back by then; else it is lost a leg earlier
+    cable.loseAll();
+    const Ran ran = cli.finish();
+    QVERIFY2(ran.exit == 3, qPrintable(QString::number(ran.exit) + ran.out + ran.err));
+    QCOMPARE(ran.json()[text("end")].toString(), text("link-lost"));
+    QCOMPARE(ran.json()[text("verdict")].toString(), text("not-measured"));
+    for (const char* servo : {"Servo 1 may still have torque", "Servo 2 may still have torque"})
+        QVERIFY2(ran.err.contains(text(servo)), qPrintable(ran.err));
 }
 
 void TestCliSweep::ctrlCEndsItSafely()

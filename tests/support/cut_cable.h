@@ -53,6 +53,8 @@ public:
     }
     /// Cuts instead of passing on the frame of that number among those writes() counts from now.
     void cutAtWrite(int number) { m_cutAt = m_writes + number; }
+    /// The program is not heard any more; the line stays up.
+    void loseAll() { m_loseAll = true; }
     /// Frames with this instruction are lost from now on; 0: none.
     void lose(int instruction) { m_lost = instruction; }
 
@@ -126,6 +128,8 @@ private:
         }
         if (got <= 0)
             return;
+        if (m_loseAll)
+            return;
         countWrites(reinterpret_cast<const unsigned char*>(chunk), std::size_t(got));
         if (got > 4 && m_lost != 0 && chunk[4] == m_lost)
             return;
@@ -177,6 +181,7 @@ private:
     std::atomic<int> m_writes{0};
     std::atomic<int> m_cutAt{0}; ///< 0: not
     std::atomic<int> m_lost{0};
+    std::atomic<bool> m_loseAll{false};
     std::thread m_thread;
 };
 } // namespace support
