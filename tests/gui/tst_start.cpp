@@ -4,6 +4,7 @@
 // one click.
 #include "gui/window_bench.h"
 #include "session/paths.h"
+#include "sim/sim_link.h"
 #include "ui/app/message_log.h"
 
 #include <QDir>
@@ -63,6 +64,34 @@ private Q_SLOTS:
         const QString log = window.findChild<ui::MessageLog*>()->toPlainText();
         QVERIFY(!settings.brokenCopy().isEmpty());
         QVERIFY2(log.contains(settings.brokenCopy()), qPrintable(log));
+    }
+
+    /// The one servo that is there is not taken for the one that was asked for.
+    void aServoThatIsSelectedAndAbsentIsNamed()
+    {
+        gui::WindowBench bench;
+        bench.window->start(
+            {.port = session::PortRequest{.name = QStringLiteral("sim:sts3215@6")}, .select = 1});
+        QTRY_VERIFY(bench.desk().lastSearch() && !bench.desk().searching());
+        QCOMPARE(bench.desk().servos().size(), std::size_t(1));
+        QCOMPARE(bench.selection().current(), 0);
+        const auto* log = bench.find<ui::MessageLog>("messageLog");
+        QVERIFY2(log->toPlainText().contains(QStringLiteral("No answer: ID 1")),
+                 qPrintable(log->toPlainText()));
+    }
+
+    void anExchangedServoIsNamed()
+    {
+        gui::WindowBench bench;
+        QVERIFY(bench.connectTo(QStringLiteral("sim:sts3215@1,scs15@2")));
+        QVERIFY(bench.choose(1));
+        bench.desk().connection()->simulation()->with([](sim::VirtualBus& bus) {
+            bus.unplug(0);
+            bus.servo(2)->poke(QStringLiteral("id"), 1);
+        });
+        const auto* log = bench.find<ui::MessageLog>("messageLog");
+        const QString words = QStringLiteral("Another servo answers under ID 1: SCS15");
+        QTRY_VERIFY2(log->toPlainText().contains(words), qPrintable(log->toPlainText()));
     }
 
     void theFirstStartOffersTheSimulatedBusInOneClick()
