@@ -99,17 +99,12 @@ base::Result<void> prepare(const Context& context, std::vector<MovePlan>& plans)
     return {};
 }
 
-base::Result<void> send(const Context& context, std::vector<MovePlan>& plans, MoveHow how)
+base::Result<void> sendEach(const Context& context, std::vector<MovePlan>& plans)
 {
     Plans all;
     for (MovePlan& plan : plans)
         all.push_back(&plan);
-    const auto ways = how == MoveHow::Write ? base::Result<Ways>(Ways{}) : sortOut(plans, how);
-    if (!ways)
-        return tl::unexpected(ways.error());
-    if (const auto ready = prepare(context, plans); !ready)
-        return ready;
-    return how == MoveHow::Write ? sendByWrite(context, all) : sendTogether(context, *ways);
+    return sendByWrite(context, all);
 }
 
 /// What there is to say of servos that have begun to move.
@@ -160,22 +155,31 @@ base::Result<void> checkMeaning(const Context& context, MovePlan& plan)
 
 base::Result<void> sendMoves(const Context& outer, std::vector<MovePlan>& plans, MoveHow how)
 {
+    // What cannot be sent like this is refused before anything is said.
+    const bool each = how == MoveHow::Write;
+    const auto ways = each ? base::Result<Ways>(Ways{}) : sortOut(plans, how);
+    if (!ways)
+        return tl::unexpected(ways.error());
     const auto owned = ownAll(outer, plans);
     if (!owned)
         return tl::unexpected(owned.error());
-    if (const auto sent = send(owned->context, plans, how); !sent)
+    const Context& context = owned->context;
+    if (const auto ready = prepare(context, plans); !ready)
+        return ready;
+    const auto sent = each ? sendEach(context, plans) : sendTogether(context, *ways);
+    if (!sent)
         return sent;
-    return lookAfter(owned->context, plans);
+    return lookAfter(context, plans);
 }
 
 base::Result<void> holdMoves(const Context& outer, std::vector<MovePlan>& plans)
 {
-    const auto owned = ownAll(outer, plans);
-    if (!owned)
-        return tl::unexpected(owned.error());
     const auto ways = sortOut(plans, MoveHow::Async);
     if (!ways)
         return tl::unexpected(ways.error());
+    const auto owned = ownAll(outer, plans);
+    if (!owned)
+        return tl::unexpected(owned.error());
     if (const auto ready = prepare(owned->context, plans); !ready)
         return ready;
     return holdGoals(owned->context, *ways);
@@ -183,13 +187,13 @@ base::Result<void> holdMoves(const Context& outer, std::vector<MovePlan>& plans)
 
 base::Result<void> startHeld(const Context& outer, std::vector<MovePlan>& plans)
 {
+    const auto ways = sortOut(plans, MoveHow::Async);
+    if (!ways)
+        return tl::unexpected(ways.error());
     const auto owned = ownAll(outer, plans);
     if (!owned)
         return tl::unexpected(owned.error());
     const Context& context = owned->context;
-    const auto ways = sortOut(plans, MoveHow::Async);
-    if (!ways)
-        return tl::unexpected(ways.error());
     for (MovePlan& plan : plans) {
         if (const auto same = checkMeaning(context, plan); !same)
             return same;
@@ -204,12 +208,12 @@ base::Result<void> startHeld(const Context& outer, std::vector<MovePlan>& plans)
 
 base::Result<void> forgetHeld(const Context& outer, std::vector<MovePlan>& plans)
 {
-    const auto owned = ownAll(outer, plans);
-    if (!owned)
-        return tl::unexpected(owned.error());
     const auto ways = sortOut(plans, MoveHow::Async);
     if (!ways)
         return tl::unexpected(ways.error());
+    const auto owned = ownAll(outer, plans);
+    if (!owned)
+        return tl::unexpected(owned.error());
     return forgetGoals(owned->context, *ways);
 }
 } // namespace device

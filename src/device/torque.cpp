@@ -125,13 +125,13 @@ base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
     const Context& context = owned.context;
     if (wanted == Torque::Off)
         return release(context, servo);
-    if (const auto may = beginWriting(owned, servo, QStringLiteral("torque")); !may)
-        return may;
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
     if (torque == nullptr)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));
     if (wanted == Torque::Damp && !servo.profile->damping)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("damp"));
+    if (const auto may = beginWriting(owned, servo, QStringLiteral("torque")); !may)
+        return may;
     if (const auto fresh = readSettings(context, servo); !fresh)
         return fresh;
     if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
