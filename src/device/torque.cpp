@@ -125,6 +125,8 @@ base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
     const Context& context = owned.context;
     if (wanted == Torque::Off)
         return release(context, servo);
+    if (const auto writable = requireWritable(servo, QStringLiteral("torque")); !writable)
+        return writable;
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
     if (torque == nullptr)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));
