@@ -581,6 +581,8 @@ private Q_SLOTS:
         line.keepsTables = true;
         bool opened = false;
         line.bench.tap().onWrite = [&](const base::Bytes& bytes) {
+            if (bytes.size() < 7) // a ping, or another protocol's
+                return;
             opened = opened || (bytes[4] == support::Write && bytes[5] == 55 && bytes[6] == 0);
             if (opened && bytes[4] == support::Read)
                 line.servoAt(0).poke(q("lock"), 0);
