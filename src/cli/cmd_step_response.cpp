@@ -272,7 +272,7 @@ void StepCommand::show(const QString& kept)
     const bool tried = m_runs.size() > 1;
     if (!m_trial.empty() && !tried)
         text += translate("cli", "The trial was not run.") + QLatin1Char('\n');
-    if (tried)
+    if (tried && m_runs.back().putBack) // else a notice names what is left
         text += translate("cli", "The trial is over: the servo has its own values again, unless a "
                                  "note says otherwise. \"write\" keeps what proved good.") +
                 QLatin1Char('\n');
