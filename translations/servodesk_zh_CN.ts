@@ -10613,10 +10613,6 @@ Asked more than once: %9</source>
         <translation>ID %1 · %2 将打开扭矩并以最快速度自行运动，直到运行结束。</translation>
     </message>
     <message>
-        <source>Nothing may be in its way, and nobody&apos;s fingers. Esc takes torque off all servos at once.</source>
-        <translation>运动范围内不得有物体或手指。按 Esc 立即关闭所有舵机的扭矩。</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>开始</translation>
     </message>
@@ -10691,6 +10687,10 @@ Asked more than once: %9</source>
     <message>
         <source>Trial values still in the servo: %1.</source>
         <translation>试用值仍在舵机中：%1。</translation>
+    </message>
+    <message>
+        <source>Keep hands and objects out of its way. Esc takes torque off all servos at once.</source>
+        <translation>双手和物体请离开舵机的运动范围。按 Esc 立即关闭所有舵机的扭矩。</translation>
     </message>
 </context>
 <context>
@@ -11197,10 +11197,6 @@ Asked more than once: %9</source>
         <translation>以下舵机将上扭矩并自行运动，直到测试结束：%1</translation>
     </message>
     <message>
-        <source>Nothing may be in their way, and nobody&apos;s fingers. Esc takes torque off all servos at once.</source>
-        <translation>行程内不得有任何物体，更不得有手指。按 Esc 立即释放全部舵机的扭矩。</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>开始</translation>
     </message>
@@ -11283,6 +11279,10 @@ Asked more than once: %9</source>
     <message>
         <source>Those that go back to another mode have their torque off afterwards.</source>
         <translation>切回其他模式的舵机，测试后扭矩为关闭状态。</translation>
+    </message>
+    <message>
+        <source>Keep hands and objects out of their way. Esc takes torque off all servos at once.</source>
+        <translation>双手和物体请离开舵机的运动范围。按 Esc 立即关闭所有舵机的扭矩。</translation>
     </message>
 </context>
 <context>

@@ -24,9 +24,8 @@
 //   phase lag:      of a sine, by PhaseMeter, against the path as above
 //   current, load:  magnitudes
 // A leg with a silence of 300 ms or more tells none of this but rest, current and load: the run
-// takes the rest back, since nobody saw it; also where it came to rest, if it was silent at its
-// end. The goals of a sine move on: time to target, settling,
-// rest and overshoot are not measured there.
+// takes back what was not seen, and where it was silent at its end also where it came to rest. The
+// goals of a sine move on: time to target, settling, rest and overshoot are not measured there.
 #pragma once
 
 #include "jobs/leg_parts.h"

@@ -3,6 +3,7 @@
 // found and worked as a user does, by mouse and keyboard. Main thread.
 #pragma once
 
+#include "gui/dialogs.h"
 #include "sim/sim_link.h"
 #include "support/own_data_folder.h"
 #include "ui/app/commands.h"
@@ -10,9 +11,6 @@
 
 #include <QDialog>
 #include <QDir>
-#include <QLabel>
-#include <QPushButton>
-#include <QtTest>
 
 namespace gui {
 class TasksBench {
@@ -94,22 +92,6 @@ public:
     QWidget window;
     ui::ServoTasks* tasks = new ui::ServoTasks(desk, commands, selection, &window);
 };
-
-inline QPushButton* button(QWidget* dialog, const char* name)
-{
-    return dialog->findChild<QPushButton*>(QLatin1String(name));
-}
-
-inline void click(QWidget* dialog, const char* name)
-{
-    QTest::mouseClick(button(dialog, name), Qt::LeftButton);
-}
-
-inline QString textOf(QWidget* dialog, const char* name)
-{
-    const auto* label = dialog->findChild<QLabel*>(QLatin1String(name));
-    return label != nullptr && label->isVisibleTo(dialog) ? label->text() : QString();
-}
 
 /// How the task ended, in its own words; empty while it runs.
 inline QString resultOf(QDialog* dialog)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Interrupted writes in the window: found by reading only, offered, never done unasked; finished,
 // undone, forgotten or left for later, each by itself.
+#include "gui/five_rows.h"
 #include "gui/tasks_bench.h"
 #include "support/cli_program.h"
 #include "ui/app/event_words.h"
@@ -33,15 +34,7 @@ QString cell(QDialog* dialog, int row, ui::IntentColumn column)
 /// The servo falls silent while its lock is open and the second of five registers is written.
 bool interrupt(TasksBench& bench)
 {
-    session::WriteOrder order;
-    for (const auto& [key, raw] : {std::pair{"min_angle_limit", 500},
-                                   {"max_angle_limit", 3500},
-                                   {"max_temperature", 61},
-                                   {"position_p", 20},
-                                   {"overload_torque", 70}})
-        order.items.push_back({text(key), raw});
-    order.dangerous = true;
-    bench.desk.write(bench.selection.current(), order);
+    bench.desk.write(bench.selection.current(), gui::fiveRows());
     const bool begun = QTest::qWaitFor([&] {
         return bench.withWire([](sim::VirtualBus& wire) {
             const bool open = wire.servo(1)->raw(text("lock")) == 0;

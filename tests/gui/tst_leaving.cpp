@@ -3,6 +3,7 @@
 // what came of it; an emergency stop that finds no port is said not to have been sent. What the
 // servo does afterwards another program reads on the same terminal.
 #include "device/move_limits.h"
+#include "gui/dialogs.h"
 #include "gui/window_bench.h"
 #include "sim/sim_link.h"
 #include "support/cli_program.h"
@@ -50,22 +51,6 @@ struct Bench : gui::WindowBench {
     {
         const device::Servo& servo = entry().servo;
         return device::exactText(800, servo.meaning(*device::goalRegister(servo)));
-    }
-    QDialog* question()
-    {
-        QDialog* found = nullptr;
-        const bool open = QTest::qWaitFor(
-            [&] {
-                found = window->findChild<QDialog*>(QStringLiteral("question"));
-                return found != nullptr && found->isVisible();
-            },
-            longTime);
-        return open ? found : nullptr;
-    }
-    void press(QDialog* dialog, const char* button)
-    {
-        QTest::mouseClick(dialog->findChild<QPushButton*>(QString::fromLatin1(button)),
-                          Qt::LeftButton);
     }
     QString title(QDialog* dialog)
     {
@@ -143,7 +128,7 @@ private Q_SLOTS:
                  qPrintable(bench.title(dialog)));
         QCOMPARE(bench.desk().state(), session::LinkState::Open); // nothing has been done yet
         QCOMPARE(bench.raw("goal_speed"), 800);
-        bench.press(dialog, "questionYes");
+        gui::click(dialog, "questionYes");
         QVERIFY(closes ? bench.closed() : bench.is(session::LinkState::Off));
         if (!closes)
             QVERIFY2(bench.line().contains(QLatin1String("Stopped before: ID 1")),
@@ -158,7 +143,7 @@ private Q_SLOTS:
         Bench bench;
         QDialog* dialog = bench.spins() ? askedToLeave(bench, closes) : nullptr;
         QVERIFY(dialog != nullptr);
-        bench.press(dialog, "questionOther");
+        gui::click(dialog, "questionOther");
         QVERIFY(closes ? bench.closed() : bench.is(session::LinkState::Off));
         QCOMPARE(bench.remaining("goal_speed"), 800);
     }
@@ -170,7 +155,7 @@ private Q_SLOTS:
         Bench bench;
         QDialog* dialog = bench.spins() ? askedToLeave(bench, closes) : nullptr;
         QVERIFY(dialog != nullptr);
-        bench.press(dialog, "questionNo");
+        gui::click(dialog, "questionNo");
         QTRY_VERIFY(bench.window->findChild<QDialog*>(QStringLiteral("question")) == nullptr);
         QCOMPARE(bench.desk().state(), session::LinkState::Open);
         QVERIFY(bench.window->isVisible());
@@ -217,7 +202,7 @@ private Q_SLOTS:
         bench.window->close();
         QDialog* dialog = bench.question();
         QVERIFY(dialog != nullptr);
-        bench.press(dialog, "questionYes");
+        gui::click(dialog, "questionYes");
         QTRY_VERIFY_WITH_TIMEOUT(
             bench.bannerText().contains(QLatin1String("ID 1 could not be stopped")), longTime);
         QCOMPARE(bench.desk().state(), session::LinkState::Open);
@@ -225,7 +210,7 @@ private Q_SLOTS:
         bench.window->close();
         dialog = bench.question();
         QVERIFY(dialog != nullptr);
-        bench.press(dialog, "questionOther");
+        gui::click(dialog, "questionOther");
         QVERIFY(bench.closed());
     }
 

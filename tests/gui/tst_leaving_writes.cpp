@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Leaving while a write is unfinished: what the journal still holds is named, and the EPROM lock
 // that the write has left open is closed or left on request, never silently.
+#include "gui/dialogs.h"
+#include "gui/five_rows.h"
 #include "gui/window_bench.h"
 #include "sim/sim_link.h"
 
@@ -39,15 +41,7 @@ struct Bench : gui::WindowBench {
     {
         if (!ready(1, text("sim:sts3215@1")))
             return false;
-        session::WriteOrder order;
-        for (const auto& [key, raw] : {std::pair{"min_angle_limit", 500},
-                                       {"max_angle_limit", 3500},
-                                       {"max_temperature", 61},
-                                       {"position_p", 20},
-                                       {"overload_torque", 70}})
-            order.items.push_back({text(key), raw});
-        order.dangerous = true;
-        desk().write(selection().current(), order);
+        desk().write(selection().current(), gui::fiveRows());
         const bool open = QTest::qWaitFor([this] { return lock() == 0; }, longTime);
         mute(true);
         const bool ended = settled();
@@ -55,29 +49,6 @@ struct Bench : gui::WindowBench {
         return open && ended && lock() == 0 && unfinished() == 1;
     }
     std::size_t unfinished() { return session.journal().open()->size(); }
-    QDialog* question()
-    {
-        QDialog* found = nullptr;
-        const bool open = QTest::qWaitFor(
-            [&] {
-                found = window->findChild<QDialog*>(text("question"));
-                return found != nullptr && found->isVisible();
-            },
-            longTime);
-        return open ? found : nullptr;
-    }
-    void press(QDialog* dialog, const char* button)
-    {
-        QTest::mouseClick(dialog->findChild<QPushButton*>(QString::fromLatin1(button)),
-                          Qt::LeftButton);
-    }
-    QString words(QDialog* dialog)
-    {
-        QString all;
-        for (const QLabel* label : dialog->findChildren<QLabel*>())
-            all += label->text() + QLatin1Char('\n');
-        return all;
-    }
     QString line() { return find<QLabel>("messageText")->toolTip(); }
     bool closed()
     {
@@ -114,15 +85,15 @@ void TestLeavingWrites::disconnectingClosesTheLock()
     bench.action(ui::Command::Disconnect)->trigger();
     QDialog* dialog = bench.question();
     QVERIFY(dialog != nullptr);
-    QVERIFY2(bench.words(dialog).contains(text("A write is unfinished. Disconnect anyway?")),
-             qPrintable(bench.words(dialog)));
-    QVERIFY(bench.words(dialog).contains(text("The EPROM lock of ID 1 is open")));
+    QVERIFY2(gui::labelsOf(dialog).contains(text("A write is unfinished. Disconnect anyway?")),
+             qPrintable(gui::labelsOf(dialog)));
+    QVERIFY(gui::labelsOf(dialog).contains(text("The EPROM lock of ID 1 is open")));
     QCOMPARE(bench.lock(), 0);
     bool locked = false;
     QObject::connect(
         &bench.desk(), &session::Desk::happened, dialog->parent(),
         [&](const session::Event& event) { locked = locked || !event.locked.empty(); });
-    bench.press(dialog, "questionYes");
+    gui::click(dialog, "questionYes");
     QVERIFY(bench.isOff());
     QVERIFY(locked);
     QVERIFY2(bench.line().contains(text("EPROM lock closed: ID 1")), qPrintable(bench.line()));
@@ -143,7 +114,7 @@ void TestLeavingWrites::closingClosesTheLock()
     bench.window->close();
     QDialog* dialog = bench.question();
     QVERIFY(dialog != nullptr);
-    bench.press(dialog, "questionYes");
+    gui::click(dialog, "questionYes");
     QVERIFY(bench.closed());
     QCOMPARE(locked.size(), std::size_t(1));
 }
@@ -161,7 +132,7 @@ void TestLeavingWrites::theLockMayBeLeftOpen()
     bench.window->close();
     QDialog* dialog = bench.question();
     QVERIFY(dialog != nullptr);
-    bench.press(dialog, "questionOther");
+    gui::click(dialog, "questionOther");
     QVERIFY(bench.closed());
     QVERIFY(end && end->locked.empty() && end->unlocked.empty());
 }
@@ -173,7 +144,7 @@ void TestLeavingWrites::cancelChangesNothing()
     bench.window->close();
     QDialog* dialog = bench.question();
     QVERIFY(dialog != nullptr);
-    bench.press(dialog, "questionNo");
+    gui::click(dialog, "questionNo");
     QTRY_VERIFY(bench.window->findChild<QDialog*>(text("question")) == nullptr);
     QVERIFY(bench.window->isVisible());
     QCOMPARE(bench.desk().state(), session::LinkState::Open);
@@ -188,7 +159,7 @@ void TestLeavingWrites::aLockThatStaysOpenKeepsTheWindowOpen()
     bench.window->close();
     QDialog* dialog = bench.question();
     QVERIFY(dialog != nullptr);
-    bench.press(dialog, "questionYes");
+    gui::click(dialog, "questionYes");
     QTRY_VERIFY_WITH_TIMEOUT(bench.line().contains(text("the EPROM lock of ID 1 is still open")),
                              longTime);
     QVERIFY(bench.window->isVisible());
@@ -196,7 +167,7 @@ void TestLeavingWrites::aLockThatStaysOpenKeepsTheWindowOpen()
     bench.window->close();
     dialog = bench.question();
     QVERIFY(dialog != nullptr);
-    bench.press(dialog, "questionOther");
+    gui::click(dialog, "questionOther");
     QVERIFY(bench.closed());
 }
 
@@ -219,8 +190,8 @@ void TestLeavingWrites::whatTheJournalHoldsIsSaidWithoutAPort()
     bench.window->close();
     QDialog* dialog = bench.question();
     QVERIFY(dialog != nullptr);
-    QVERIFY(bench.words(dialog).contains(text("ID 1: the journal still holds")));
-    bench.press(dialog, "questionYes");
+    QVERIFY(gui::labelsOf(dialog).contains(text("ID 1: the journal still holds")));
+    gui::click(dialog, "questionYes");
     QVERIFY(bench.closed());
 }
 

@@ -3,6 +3,7 @@
 // that fit, tells when the delay is too short, asks before the first move, shows what is measured
 // while it runs, ends by Stop and by Esc, and writes its report.
 #include "device/motion.h"
+#include "gui/dialogs.h"
 #include "gui/window_bench.h"
 #include "record/sweep_json.h"
 #include "sim/sim_link.h"
@@ -177,14 +178,12 @@ private Q_SLOTS:
         QVERIFY(bench.ready(1, QStringLiteral("sim:sweep")));
         bench.prepare();
         bench.click("sweepRun");
-        auto* no = bench.find<QPushButton>("questionNo");
-        QVERIFY(no != nullptr);
-        QString said;
-        for (const QLabel* label : no->window()->findChildren<QLabel*>())
-            said += label->text();
+        QDialog* question = bench.question();
+        QVERIFY(question != nullptr);
+        const QString said = gui::labelsOf(question);
         QVERIFY2(said.contains(QStringLiteral("hold their position with torque on")),
                  qPrintable(said));
-        QTest::mouseClick(no, Qt::LeftButton);
+        gui::click(question, "questionNo");
         QVERIFY(!bench.test().running());
         QCOMPARE(bench.now("torque_switch"), 0);
     }
@@ -387,13 +386,11 @@ private Q_SLOTS:
         QCOMPARE(bench.find<QLineEdit>("sweepEnd")->text(), QStringLiteral("2200"));
         QCOMPARE(bench.find<QSpinBox>("sweepPause")->value(), 900);
         bench.click("sweepRun");
-        auto* no = bench.find<QPushButton>("questionNo");
-        QVERIFY(no != nullptr);
-        QString said;
-        for (const QLabel* label : no->window()->findChildren<QLabel*>())
-            said += label->text();
+        QDialog* question = bench.question();
+        QVERIFY(question != nullptr);
+        const QString said = gui::labelsOf(question);
         QVERIFY2(said.contains(QStringLiteral("1800 … 2200")), qPrintable(said));
-        QTest::mouseClick(no, Qt::LeftButton);
+        gui::click(question, "questionNo");
         QVERIFY(bench.choose(2));
         QTRY_COMPARE(start->text(), proposed);
     }
@@ -559,14 +556,12 @@ private Q_SLOTS:
         bench.type("sweepEnd", QStringLiteral("2200"));
         bench.find<QSpinBox>("sweepCycles")->setValue(1);
         bench.click("sweepRun");
-        auto* yes = bench.find<QPushButton>("questionYes");
-        QVERIFY(yes != nullptr);
-        QString said;
-        for (const QLabel* label : yes->window()->findChildren<QLabel*>())
-            said += label->text();
+        QDialog* question = bench.question();
+        QVERIFY(question != nullptr);
+        const QString said = gui::labelsOf(question);
         QVERIFY2(said.contains(QLatin1String("have their torque off afterwards")),
                  qPrintable(said));
-        QTest::mouseClick(yes, Qt::LeftButton);
+        gui::click(question, "questionYes");
         QVERIFY(bench.begun());
         QVERIFY(bench.over());
         QVERIFY(bench.test().run() != nullptr);

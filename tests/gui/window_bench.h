@@ -11,6 +11,7 @@
 #include "ui/app/theme.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -91,6 +92,17 @@ public:
     Widget* find(const char* name)
     {
         return window->findChild<Widget*>(QString::fromLatin1(name));
+    }
+
+    /// The one that is asked, soon; null: none.
+    QDialog* question()
+    {
+        QDialog* found = nullptr;
+        const auto isOpen = [&] {
+            found = find<QDialog>("question");
+            return found != nullptr && found->isVisible();
+        };
+        return QTest::qWaitFor(isOpen, 30'000) ? found : nullptr;
     }
 
 private:

@@ -196,8 +196,8 @@ void StepPage::askFirst(bool trial)
                     QLatin1Char('\n') +
                     tr("Afterwards it holds its position with torque on. The same applies if you "
                        "stop the run or close the window during it.");
-    question.risk = tr("Nothing may be in its way, and nobody's fingers. Esc takes torque off all "
-                       "servos at once.");
+    question.risk = tr("Keep hands and objects out of its way. Esc takes torque off all servos at "
+                       "once.");
     question.yes = tr("Start");
     question.guard = this;
     ask(this, question, [this, trial] {

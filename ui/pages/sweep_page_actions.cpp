@@ -39,8 +39,8 @@ void SweepPage::run()
                        "%1")
                         .arg(QLatin1Char('\n') + names.join(QLatin1Char('\n'))) +
                     QLatin1Char('\n') + torqueAfterwards(consent);
-    question.risk = tr("Nothing may be in their way, and nobody's fingers. Esc takes torque off "
-                       "all servos at once.");
+    question.risk = tr("Keep hands and objects out of their way. Esc takes torque off all servos "
+                       "at once.");
     question.yes = tr("Start");
     question.guard = this;
     ask(this, question, [this, consent] {
