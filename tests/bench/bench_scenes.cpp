@@ -4,8 +4,10 @@
 // themes. Usage: bench_scenes FOLDER [FILTER]; packaging/pictures.sh
 // takes the best for README and help. It measures nothing; it stands here because it drives the
 // window as the benches do.
+#include "gui/five_rows.h"
 #include "gui/window_bench.h"
 #include "session/drive.h"
+#include "sim/sim_link.h"
 #include "ui/charts/trend_chart.h"
 
 #include <QAbstractButton>
@@ -283,6 +285,112 @@ void show(const LineScene& scene, const QString& language, session::Theme look, 
         QTextStream(stderr) << path << ": cannot be written\n";
 }
 
+/// What stands in the window's way or is told when something went wrong: the question itself, or
+/// the window with its banner.
+struct TroubleScene {
+    const char* name;
+    const char* port;
+    void (*happen)(gui::WindowBench& bench);
+    const char* dialog; ///< empty: the window
+};
+
+template <typename Deed>
+void onTheWire(gui::WindowBench& bench, Deed&& deed)
+{
+    bench.desk().connection()->simulation()->with(std::forward<Deed>(deed));
+}
+
+void leaveTurning(gui::WindowBench& bench)
+{
+    session::Drive& drive = bench.bench.drive;
+    const auto settle = [&] {
+        return QTest::qWaitFor([&] { return !drive.busy() && !bench.desk().busy(); }, 5000);
+    };
+    drive.setServos({bench.selection().current()});
+    drive.switchMode(QStringLiteral("speed"));
+    settle();
+    drive.setTorque(device::Torque::On);
+    settle();
+    drive.move({.goal = QStringLiteral("15rpm")});
+    settle();
+    bench.window->close();
+}
+
+/// The servo falls silent in the middle of a write of five rows.
+void breakOffWrite(gui::WindowBench& bench)
+{
+    bench.desk().write(bench.selection().current(), gui::fiveRows());
+    const auto mute = [&](std::vector<int> ids) {
+        onTheWire(bench, [&](sim::VirtualBus& wire) { wire.config().faults.muteIds = ids; });
+    };
+    (void)QTest::qWaitFor(
+        [&] {
+            bool open = false;
+            onTheWire(bench, [&](sim::VirtualBus& wire) {
+                open = wire.servo(1)->raw(QStringLiteral("lock")) == 0;
+            });
+            return open;
+        },
+        10'000);
+    mute({1});
+    bench.settled();
+    mute({});
+    letRun(500);
+}
+
+void leaveUnlocked(gui::WindowBench& bench)
+{
+    breakOffWrite(bench);
+    bench.window->close();
+}
+
+void listInterrupted(gui::WindowBench& bench)
+{
+    breakOffWrite(bench);
+    bench.action(ui::Command::OpenIntents)->trigger();
+}
+
+void exchange(gui::WindowBench& bench)
+{
+    onTheWire(bench, [](sim::VirtualBus& wire) {
+        wire.unplug(0);
+        wire.plug(1);
+    });
+    bench.desk().write(bench.selection().current(), {{{QStringLiteral("max_voltage"), 100}}});
+    bench.settled();
+}
+
+constexpr TroubleScene troubleScenes[] = {
+    {"leave-turning", "sim:sts3215@1", leaveTurning, "question"},
+    {"leave-unlocked", "sim:sts3215@1", leaveUnlocked, "question"},
+    {"interrupted-write", "sim:sts3215@1", breakOffWrite, ""},
+    {"interrupted-list", "sim:sts3215@1", listInterrupted, "intentsDialog"},
+    {"exchanged-servo", "sim:sts3215@1,scs15@1", exchange, ""}};
+
+void show(const TroubleScene& scene, const QString& language, session::Theme look, QSize size,
+          const QString& path)
+{
+    gui::WindowBench bench(language, look);
+    bench.window->resize(size);
+    if (!bench.connectTo(QString::fromLatin1(scene.port)))
+        return;
+    onTheWire(bench, [](sim::VirtualBus& wire) {
+        if (wire.servos().size() > 1)
+            wire.unplug(1); // a spare one
+    });
+    bench.action(ui::Command::Search)->trigger();
+    (void)QTest::qWaitFor([&] { return !bench.desk().searching(); }, 20'000);
+    if (!bench.choose(1))
+        QTextStream(stderr) << scene.name << ": no servo\n";
+    scene.happen(bench);
+    letRun(1000);
+    QWidget* shown = bench.window.get();
+    if (*scene.dialog != '\0')
+        shown = bench.find<QDialog>(scene.dialog);
+    if (shown == nullptr || !shown->grab().save(path, "PNG"))
+        QTextStream(stderr) << path << ": nothing to be shown, or cannot be written\n";
+}
+
 /// Those whose names the filter lets through, in every language, theme and size.
 template <typename List>
 void showAll(const List& list, const QDir& folder, const QRegularExpression& filter)
@@ -327,5 +435,6 @@ int main(int argc, char* argv[])
     showAll(stepScenes, folder, filter);
     showAll(changeScenes, folder, filter);
     showAll(lineScenes, folder, filter);
+    showAll(troubleScenes, folder, filter);
     return 0;
 }
