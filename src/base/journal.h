@@ -73,6 +73,9 @@ struct Intent {
     bool lockOpened = false; ///< the write opens the EPROM lock
     ServoIdentity servo;
     std::vector<JournalItem> items;
+    /// Set by open(): another program that is running has it under way. It is that program's to
+    /// end; free as soon as that program has ended, however that came about.
+    bool underWayElsewhere = false;
 };
 
 /// An item's end: kept, temporary, mismatch, refused, not-sent, no-answer, unknown, or undone (put

@@ -1,242 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/recover_words.h"
 #include "cli/report_words.h"
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "jobs/recover.h"
-#include "jobs/restore.h"
 #include "text/error_words.h"
-#include "text/notice_words.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace cli {
 namespace {
-constexpr int shownUuid = 8; ///< enough to tell a handful of changes apart
-
-QString kindName(const base::Intent& intent)
-{
-    switch (intent.kind) {
-    case base::IntentKind::Write:
-        return QStringLiteral("write");
-    case base::IntentKind::SetId:
-        return QStringLiteral("set-id");
-    case base::IntentKind::SetBaud:
-        return QStringLiteral("set-baud");
-    case base::IntentKind::Mode:
-        return QStringLiteral("mode");
-    case base::IntentKind::Calibrate:
-        return QStringLiteral("center");
-    case base::IntentKind::Restore:
-        return jobs::restoresSnapshot(intent) ? QStringLiteral("snapshot-restore")
-                                              : QStringLiteral("restore-defaults");
-    case base::IntentKind::Identify:
-        return QStringLiteral("identify");
-    case base::IntentKind::Trial:
-        return QStringLiteral("trial");
-    case base::IntentKind::Undo:
-        return QStringLiteral("undo");
-    }
-    return {};
-}
-
-struct FindingWord {
-    const char* name;
-    const char* shown;
-};
-
-FindingWord findingWord(jobs::Finding finding)
-{
-    switch (finding) {
-    case jobs::Finding::AllOld:
-        return {"all-old", QT_TRANSLATE_NOOP("cli", "the old values")};
-    case jobs::Finding::AllNew:
-        return {"all-new", QT_TRANSLATE_NOOP("cli", "the new values")};
-    case jobs::Finding::Mixed:
-        return {"mixed", QT_TRANSLATE_NOOP("cli", "some new, some old values")};
-    case jobs::Finding::OtherServo:
-        return {"other-servo", QT_TRANSLATE_NOOP("cli", "another servo answers: left alone")};
-    case jobs::Finding::NoAnswer:
-        return {"no-answer", QT_TRANSLATE_NOOP("cli", "it does not answer")};
-    case jobs::Finding::Unreadable:
-        return {"unreadable", QT_TRANSLATE_NOOP("cli", "something answers, but nothing readable")};
-    case jobs::Finding::Replaced:
-        return {"replaced", QT_TRANSLATE_NOOP("cli", "other values since, which stay")};
-    }
-    return {"", ""};
-}
-
-Json jsonIntent(const base::Intent& intent)
-{
-    Json::Array items;
-    for (const base::JournalItem& item : intent.items) {
-        items.push_back(Json::object()
-                            .add("key", item.key)
-                            .add("address", item.address)
-                            .add("old", item.oldRaw)
-                            .add("new", item.newRaw));
-    }
-    Json json = Json::object();
-    json.add("uuid", intent.uuid)
-        .add("at", intent.at.toString(Qt::ISODateWithMs))
-        .add("kind", kindName(intent))
-        .add("id", intent.servo.id)
-        .add("port", intent.servo.port)
-        .add("baud", intent.servo.baud)
-        .add("items", std::move(items));
-    return json;
-}
-
-Json jsonRecovered(const jobs::Recovered& one)
-{
-    Json json = jsonIntent(one.before.intent);
-    json.add("finding", QString::fromLatin1(findingWord(one.before.finding).name))
-        .add("found_id", one.before.foundId >= 0 ? Json(one.before.foundId) : Json())
-        .add("found_baud", one.before.foundBaud > 0 ? Json(one.before.foundBaud) : Json())
-        .add("lock_open", one.before.lockOpen)
-        .add("done", one.done);
-    if (!one.left.isEmpty())
-        json.add("left", one.left);
-    if (one.action != jobs::RecoverAction::Look)
-        json.add("action", one.action == jobs::RecoverAction::Undo ? QStringLiteral("undo")
-                                                                   : QStringLiteral("finish"));
-    if (one.report)
-        json.add("result", jsonWrites(*one.report));
-    if (one.error)
-        json.add("error", jsonError(*one.error));
-    return json;
-}
-
-QStringList changesOf(const base::Intent& intent)
-{
-    QStringList changes;
-    for (const base::JournalItem& item : intent.items) {
-        if (item.oldRaw != item.newRaw)
-            changes << QStringLiteral("%1 %2 → %3").arg(item.key).arg(item.oldRaw).arg(item.newRaw);
-    }
-    return changes;
-}
-
-/// In one cell of a table: many rows as their number, those whose new value is not known
-/// beforehand (calibration, restored defaults) by their names.
-QString changesCell(const base::Intent& intent)
-{
-    constexpr int shownInOneLine = 3;
-    const QStringList changes = changesOf(intent);
-    const int count = static_cast<int>(intent.items.size());
-    if (count > shownInOneLine)
-        return translate("cli", "%1 registers").arg(count);
-    if (!changes.isEmpty())
-        return changes.join(QStringLiteral(", "));
-    QStringList keys;
-    for (const base::JournalItem& item : intent.items)
-        keys << item.key;
-    return keys.join(QStringLiteral(", "));
-}
-
-/// What the cell only counts, one a line.
-QString changesBelow(const base::Intent& intent)
-{
-    const QStringList changes = changesOf(intent);
-    if (changesCell(intent) == changes.join(QStringLiteral(", ")) || changes.isEmpty())
-        return {};
-    QString lines =
-        translate("cli", "Change %1:").arg(intent.uuid.left(shownUuid)) + QLatin1Char('\n');
-    for (const QString& change : changes)
-        lines += QStringLiteral("  %1\n").arg(change);
-    return lines;
-}
-
-QString lockShown(const std::optional<bool>& open)
-{
-    return text::lockWord(!open   ? QStringLiteral("unknown")
-                          : *open ? QStringLiteral("open")
-                                  : QStringLiteral("closed"));
-}
-
-/// A restore whose way back had begun is undone even if finishing was asked for.
-QString settledWord(const jobs::Recovered& one, jobs::RecoverAction asked)
-{
-    if (!one.done)
-        return translate("cli", "no");
-    if (one.allLeft)
-        return translate("cli", "left as it is");
-    const bool undone = asked == jobs::RecoverAction::Finish && one.action != asked;
-    return undone ? translate("cli", "undone") : translate("cli", "yes");
-}
-
-/// What was not written although it reads another value than was asked for.
-QString leftLine(const jobs::Recovered& one)
-{
-    if (one.left.isEmpty())
-        return {};
-    return translate("cli", "Change %1, left as they are, because they have another value since or "
-                            "would move the servo: %2")
-               .arg(one.before.intent.uuid.left(shownUuid), one.left.join(QStringLiteral(", "))) +
-           QLatin1Char('\n');
-}
-
-Table recoveredTable(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
-{
-    Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
-                 translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Found"),
-                 translate("cli", "Lock"), translate("cli", "Settled")});
-    table.right({2});
-    for (const jobs::Recovered& one : all) {
-        const base::Intent& intent = one.before.intent;
-        table.add({intent.uuid.left(shownUuid),
-                   intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-                   QString::number(intent.servo.id), kindName(intent), changesCell(intent),
-                   translate("cli", findingWord(one.before.finding).shown),
-                   lockShown(one.before.lockOpen), settledWord(one, action)});
-    }
-    return table;
-}
-
-/// Where changes are open that were begun on other ports, and how to look at them.
-struct Elsewhere {
-    std::vector<base::Intent> intents{};
-    QString port{}; ///< of this run; empty where none was opened
-
-    /// On this port: the adapter may only have another name now.
-    QString command() const
-    {
-        const bool here = !port.isEmpty() && !port.startsWith(QLatin1String("sim:"));
-        const QString on = here ? port : QStringLiteral("PORT");
-        return QStringLiteral("servodesk-cli recover --any-port --port %1").arg(on);
-    }
-    Json json() const
-    {
-        Json::Array all;
-        for (const base::Intent& intent : intents)
-            all.push_back(jsonIntent(intent));
-        return all;
-    }
-    QString text() const;
-};
-
-QString Elsewhere::text() const
-{
-    if (intents.empty())
-        return {};
-    Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
-                 translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Port")});
-    table.right({2});
-    for (const base::Intent& intent : intents) {
-        table.add({intent.uuid.left(shownUuid),
-                   intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-                   QString::number(intent.servo.id), kindName(intent), changesCell(intent),
-                   intent.servo.port});
-    }
-    QString lines = translate("cli", "Changes that were begun on other ports are open:") +
-                    QLatin1Char('\n') + table.text() +
-                    translate("cli", "An adapter that is plugged in again may have another name. "
-                                     "Where the servo is connected now, look at them with: %1")
-                        .arg(command()) +
-                    QLatin1Char('\n');
-    return lines;
-}
-
-QString nothingOpen(const Elsewhere& elsewhere)
+QString nothingOpen(const Unasked& elsewhere)
 {
     return elsewhere.intents.empty()
                ? translate("cli", "No change was left open.") + QLatin1Char('\n')
@@ -245,14 +22,14 @@ QString nothingOpen(const Elsewhere& elsewhere)
 }
 
 void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction action,
-          const Elsewhere& elsewhere)
+          const Unasked& elsewhere)
 {
     Json::Array intents;
     for (const jobs::Recovered& one : all)
         intents.push_back(jsonRecovered(one));
     QString text = all.empty() ? nothingOpen(elsewhere) : recoveredTable(all, action).text();
     for (const jobs::Recovered& one : all)
-        text += changesBelow(one.before.intent) + leftLine(one);
+        text += changesBelow(one.before.intent) + leftLine(one) + userSaidSo(one, elsewhere.port);
     for (const jobs::Recovered& one : all) {
         if (one.error)
             text += text::describe(*one.error).what + QLatin1Char('\n');
@@ -263,27 +40,29 @@ void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction
                                  "will not come back.") +
                 QLatin1Char('\n');
     Json document = Json::object().add("intents", std::move(intents));
-    if (!elsewhere.intents.empty())
-        document.add("elsewhere", elsewhere.json()).add("try", elsewhere.command());
-    run.finish(std::move(document), text + elsewhere.text());
+    elsewhere.addTo(document, "elsewhere");
+    run.finish(std::move(document), text + elsewhere.text(elsewhereTitle()));
 }
 
 /// The port cannot be opened: what is open is named all the same.
 base::Result<Exit> showWithoutPort(Run& run, const std::vector<base::Intent>& open,
                                    const base::Error& why)
 {
-    const Elsewhere elsewhere{jobs::begunElsewhere(open, {}), {}};
-    if (elsewhere.intents.empty())
+    const Unasked elsewhere{jobs::begunElsewhere(open, run.portName()), {}};
+    Unasked own{{}, run.portName()};
+    std::copy_if(open.begin(), open.end(), std::back_inserter(own.intents),
+                 [&](const base::Intent& intent) { return intent.servo.port == own.port; });
+    if (elsewhere.intents.empty() && own.intents.empty())
         return tl::unexpected(why);
     if (!run.console().json()) {
-        run.console().print(elsewhere.text());
+        run.console().print(own.text(translate("cli", "Changes are open on this port:")) +
+                            elsewhere.text(elsewhereTitle()));
         return tl::unexpected(why);
     }
-    run.finish(Json::object()
-                   .add("elsewhere", elsewhere.json())
-                   .add("try", elsewhere.command())
-                   .add("error", jsonError(why)),
-               {});
+    Json document = Json::object();
+    own.addTo(document, "here");
+    elsewhere.addTo(document, "elsewhere");
+    run.finish(std::move(document.add("error", jsonError(why))), {});
     return exitCode(why.code);
 }
 
@@ -300,24 +79,78 @@ Exit exitOf(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
     return exit;
 }
 
-/// Ends intents as abandoned; for servos that are gone for good. Needs no port.
+/// Ends intents as abandoned; for servos that are gone for good. Needs no port. What another
+/// program has under way is not given up.
 base::Result<Exit> forget(Run& run, const std::vector<base::Intent>& open, const QString& which)
 {
     QStringList forgotten;
+    Unasked running;
     for (const base::Intent& intent : open) {
         if (which != QLatin1String("all") && !intent.uuid.startsWith(which))
             continue;
-        const auto ended =
-            run.session().journal().end(intent.uuid, {QStringLiteral("abandoned"), {}});
-        if (!ended)
+        if (intent.underWayElsewhere) {
+            running.intents.push_back(intent);
+            continue;
+        }
+        if (const auto ended = jobs::forget(run.session().journal(), intent); !ended)
             return tl::unexpected(ended.error());
         forgotten << intent.uuid;
     }
-    if (forgotten.isEmpty() && which != QLatin1String("all"))
+    if (forgotten.isEmpty() && running.intents.empty() && which != QLatin1String("all"))
         return badArgument(translate("cli", "there is no open change \"%1\"").arg(which));
-    run.finish(Json::object().add("forgotten", forgotten),
-               translate("cli", "Changes given up: %1").arg(forgotten.size()) + QLatin1Char('\n'));
-    return Exit::Done;
+    Json document = Json::object().add("forgotten", forgotten);
+    running.addTo(document, "under_way");
+    run.finish(std::move(document), translate("cli", "Changes given up: %1").arg(forgotten.size()) +
+                                        QLatin1Char('\n') + running.advice());
+    return running.intents.empty() ? Exit::Done : Exit::NotDone;
+}
+
+/// Those that are meant: all, or the one that was named.
+base::Result<std::vector<base::Intent>> meant(std::vector<base::Intent> open, const Values& values)
+{
+    const auto which = values.option("--change");
+    if (!which)
+        return open;
+    std::erase_if(open, [&](const base::Intent& one) { return !one.uuid.startsWith(*which); });
+    if (open.empty())
+        return badArgument(translate("cli", "there is no open change \"%1\"").arg(*which));
+    if (open.size() > 1)
+        return badArgument(translate("cli", "several changes begin with \"%1\"").arg(*which));
+    return open;
+}
+
+/// A port that is there has its own servo: only one change at a time is taken from it, by its name.
+jobs::RecoverOptions optionsOf(Run& run, const std::vector<base::Intent>& open,
+                               const Values& values)
+{
+    jobs::RecoverOptions options;
+    const bool named = values.option("--change").has_value();
+    if (values.has("--any-port"))
+        options.ports = named ? jobs::IntentPorts::Any : jobs::IntentPorts::Gone;
+    if (named)
+        options.uuid = open.front().uuid;
+    options.beforeWrite = [&run](const device::Context& inner, device::Servo& servo) {
+        return run.saveFirst(inner, servo);
+    };
+    return options;
+}
+
+base::Result<Exit> settle(Run& run, const std::vector<base::Intent>& open,
+                          jobs::RecoverAction action, const Values& values)
+{
+    run.listsOpenChanges();
+    const auto context = run.context();
+    if (!context)
+        return showWithoutPort(run, open, context.error());
+    const jobs::RecoverOptions options = optionsOf(run, open, values);
+    const auto recovered = jobs::recover(*context, action, options);
+    if (!recovered)
+        return tl::unexpected(recovered.error());
+    const QString port = context->bus.portName();
+    const Unasked elsewhere{jobs::begunElsewhere(open, port, options.ports), port};
+    show(run, *recovered, action, elsewhere);
+    const Exit exit = exitOf(*recovered, action);
+    return exit == Exit::Done && !elsewhere.intents.empty() ? Exit::NotDone : exit;
 }
 
 base::Result<Exit> run(Run& run, const Values& values)
@@ -332,29 +165,14 @@ base::Result<Exit> run(Run& run, const Values& values)
         return tl::unexpected(open.error());
     if (const auto which = values.option("--forget"))
         return forget(run, *open, *which);
-    if (open->empty()) {
+    const auto asked = meant(*open, values);
+    if (!asked)
+        return tl::unexpected(asked.error());
+    if (asked->empty()) {
         show(run, {}, action, {});
         return Exit::Done;
     }
-    run.listsOpenChanges();
-    const auto context = run.context();
-    if (!context)
-        return showWithoutPort(run, *open, context.error());
-    const auto recovered = jobs::recover(
-        *context, action,
-        {values.has("--any-port"), {}, [&run](const device::Context& inner, device::Servo& servo) {
-             return run.saveFirst(inner, servo);
-         }});
-    if (!recovered)
-        return tl::unexpected(recovered.error());
-    Elsewhere elsewhere{{}, context->bus.portName()};
-    base::ServoIdentity here;
-    here.port = elsewhere.port;
-    if (!values.has("--any-port") || here.isSimulated())
-        elsewhere.intents = jobs::begunElsewhere(*open, elsewhere.port);
-    show(run, *recovered, action, elsewhere);
-    const Exit exit = exitOf(*recovered, action);
-    return exit == Exit::Done && !elsewhere.intents.empty() ? Exit::NotDone : exit;
+    return settle(run, *asked, action, values);
 }
 } // namespace
 
@@ -369,10 +187,14 @@ Command recoverCommand()
               QT_TRANSLATE_NOOP("cli", "give up a change whose servo will not come back (the first "
                                        "letters of its name will do)"),
               "CHANGE|all"},
+             {"--change",
+              QT_TRANSLATE_NOOP("cli", "only this change (the first letters of its name will do)"),
+              "CHANGE"},
              {"--any-port",
               QT_TRANSLATE_NOOP("cli",
-                                "also changes begun on another port than this one; without it the "
-                                "exit code is 1 while any of those is open")}},
+                                "also changes begun on a port that is gone; with --change also on "
+                                "one that is there. The exit code is 1 while changes begun on "
+                                "other ports are open")}},
             run};
 }
 } // namespace cli

@@ -9,6 +9,7 @@
 #include "session/safety_snapshot.h"
 #include "text/error_words.h"
 #include "text/notice_words.h"
+#include "transport/port_lease.h"
 #include "transport/port_opener.h"
 
 #include <algorithm>
@@ -67,8 +68,9 @@ base::Result<session::Connection*> Run::connect()
     const auto port = choosePort();
     if (!port)
         return tl::unexpected(port.error());
+    m_port = *port;
     session::PortRequest request;
-    request.name = *port;
+    request.name = m_port;
     request.baud = m_globals.baud;
     request.protocol = m_globals.protocol;
     request.silence = m_globals.silence;
@@ -83,6 +85,11 @@ base::Result<session::Connection*> Run::connect()
     if (!m_listsOpenChanges)
         warnOfOpenChanges();
     return m_connection.get();
+}
+
+QString Run::portName() const
+{
+    return m_port.isEmpty() ? QString() : transport::canonicalPath(m_port);
 }
 
 /// On stderr in JSON mode as well: not every document has room for notes.
@@ -104,7 +111,7 @@ void Run::warnOfOpenChanges()
     const QString port = m_connection->bus().portName();
     QStringList ids;
     for (const base::Intent& intent : *open) {
-        if (intent.servo.port != port)
+        if (intent.servo.port != port || intent.underWayElsewhere)
             continue;
         m_openChanges.push_back(intent);
         ids << QString::number(intent.servo.id);

@@ -31,6 +31,8 @@ public:
     base::Result<session::Connection*> connect();
     /// For a command that lists open changes itself; before connect().
     void listsOpenChanges() { m_listsOpenChanges = true; }
+    /// Its canonical name; empty before connect() has chosen one.
+    QString portName() const;
     /// Of this servo, on this port, since before this run.
     bool hasOpenChange(int id) const;
     /// What to type to finish or undo changes that are open on this port.
@@ -86,6 +88,7 @@ private:
     device::Notices m_notices;
     Json::Array m_warnings;                       ///< said on stderr already; for the document
     std::vector<base::Intent> m_openChanges;      ///< on this port
+    QString m_port;                               ///< as chosen
     std::vector<std::pair<int, QString>> m_saved; ///< ID and file
     std::unique_ptr<session::Session> m_session;
     std::unique_ptr<session::Connection> m_connection; ///< goes before the session

@@ -10,7 +10,7 @@ namespace jobs {
 namespace {
 base::Result<void> settleOne(const device::Context& context, const QString& uuid)
 {
-    const auto seen = recover(context, RecoverAction::Look, {false, uuid, {}});
+    const auto seen = recover(context, RecoverAction::Look, {IntentPorts::This, uuid, {}});
     if (!seen)
         return tl::unexpected(seen.error());
     if (seen->empty())
@@ -21,7 +21,7 @@ base::Result<void> settleOne(const device::Context& context, const QString& uuid
         return {};
     const auto done =
         recover(context, finding == Finding::AllOld ? RecoverAction::Undo : RecoverAction::Finish,
-                {false, uuid, {}});
+                {IntentPorts::This, uuid, {}});
     if (!done)
         return tl::unexpected(done.error());
     if (!done->empty() && done->front().error)

@@ -6,6 +6,9 @@
 #include "jobs/recover_look.h"
 #include "jobs/recover_settle.h"
 
+#include <QDir>
+#include <QFileInfo>
+
 #include <algorithm>
 #include <iterator>
 
@@ -118,6 +121,12 @@ std::optional<base::Error> notFound(const OpenIntent& open)
     }
 }
 
+base::Error underWay(const base::Intent& intent)
+{
+    return {ErrorCode::Held, QStringLiteral("recover"), QStringLiteral("other-program"),
+            intent.servo.id};
+}
+
 /// What a later write has replaced is not this change's any more.
 base::Intent withoutReplaced(const OpenIntent& open)
 {
@@ -194,6 +203,13 @@ base::Result<Recovered> recoverOne(const device::Context& context, const base::I
 {
     Recovered recovered;
     recovered.action = action;
+    if (intent.underWayElsewhere) {
+        recovered.before.intent = intent;
+        recovered.before.finding = Finding::UnderWay;
+        if (action != RecoverAction::Look)
+            recovered.error = underWay(intent);
+        return recovered;
+    }
     device::Servo servo;
     const auto before = look(context, intent, servo);
     if (!before)
@@ -234,13 +250,40 @@ bool isSettledBy(const Recovered& recovered, const device::Servo& servo,
     return !recovered.left.contains(reg.key) && isRecoverable(recovered.before.intent, servo, reg);
 }
 
-std::vector<base::Intent> begunElsewhere(const std::vector<base::Intent>& open, const QString& port)
+namespace {
+bool isTaken(const base::Intent& intent, const QString& port, IntentPorts ports)
+{
+    if (intent.servo.port == port)
+        return true;
+    base::ServoIdentity here;
+    here.port = port;
+    if (ports == IntentPorts::This || intent.servo.isSimulated() != here.isSimulated())
+        return false;
+    return ports == IntentPorts::Any || !isPortPresent(intent);
+}
+} // namespace
+
+std::vector<base::Intent> begunElsewhere(const std::vector<base::Intent>& open, const QString& port,
+                                         IntentPorts ports)
 {
     std::vector<base::Intent> elsewhere;
     std::copy_if(open.begin(), open.end(), std::back_inserter(elsewhere), [&](const auto& intent) {
-        return intent.servo.port != port && !intent.servo.isSimulated();
+        return !intent.servo.isSimulated() && !isTaken(intent, port, ports);
     });
     return elsewhere;
+}
+
+bool isPortPresent(const base::Intent& intent)
+{
+    const QString& port = intent.servo.port;
+    return QDir::isAbsolutePath(port) && QFileInfo::exists(port);
+}
+
+base::Result<void> forget(base::Journal& journal, const base::Intent& intent)
+{
+    if (intent.underWayElsewhere)
+        return tl::unexpected(underWay(intent));
+    return journal.end(intent.uuid, {QStringLiteral("abandoned"), {}});
 }
 
 base::Result<std::vector<Recovered>> recover(const device::Context& outer, RecoverAction action,
@@ -251,12 +294,10 @@ base::Result<std::vector<Recovered>> recover(const device::Context& outer, Recov
         return tl::unexpected(open.error());
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
-    base::ServoIdentity here;
-    here.port = context.bus.portName();
+    const QString port = context.bus.portName();
     std::vector<base::Intent> asked;
     std::copy_if(open->begin(), open->end(), std::back_inserter(asked), [&](const auto& intent) {
-        const bool sameSort = intent.servo.isSimulated() == here.isSimulated();
-        return ((options.anyPort && sameSort) || intent.servo.port == here.port) &&
+        return isTaken(intent, port, options.ports) &&
                (options.uuid.isEmpty() || intent.uuid == options.uuid);
     });
     std::vector<Recovered> all;

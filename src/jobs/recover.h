@@ -16,6 +16,7 @@ enum class Finding : std::uint8_t {
     OtherServo, ///< identity or values differ: hands off
     NoAnswer,
     Unreadable, ///< something answers, but nothing readable: it may be the servo
+    UnderWay,   ///< in another program that is running: nobody was asked
     /// Later writes to the servo, which the journal has, explain what stands there, or all of it is
     /// lost at power-off and reads neither old nor new.
     Replaced,
@@ -48,17 +49,32 @@ struct Recovered {
     bool torqueIsOff = false; ///< proven; only asked for where a snapshot was restored
 };
 
+/// Whose intents are taken; never simulated ones on a real port or the other way round.
+enum class IntentPorts : std::uint8_t {
+    This, ///< those begun on this port
+    /// And those of ports that are gone: an adapter may have another name now. On a port that is
+    /// there the servo is looked for on that port; here another one of its kind may answer.
+    Gone,
+    Any, ///< and those of ports that are there: the user says that it is the same servo
+};
+
 struct RecoverOptions {
-    bool anyPort = false; ///< intents of this port only, unless so; never simulated with real ones
-    QString uuid{};       ///< only this one
+    IntentPorts ports = IntentPorts::This;
+    QString uuid{}; ///< only this one
     /// Before a servo is written to; its error leaves that intent open.
     BeforeWrite beforeWrite{};
 };
 
-/// Intents of real servos that were begun on other ports than this one: an adapter that is plugged
-/// in again may have been given another name.
-std::vector<base::Intent> begunElsewhere(const std::vector<base::Intent>& open,
-                                         const QString& port);
+/// Intents of real servos that were begun on other ports than `port`, and are not taken there.
+std::vector<base::Intent> begunElsewhere(const std::vector<base::Intent>& open, const QString& port,
+                                         IntentPorts ports = IntentPorts::This);
+
+/// The device that the intent was begun on is there; of a port in a network nobody can say.
+bool isPortPresent(const base::Intent& intent);
+
+/// Gives an intent up: recorded as abandoned, the servo is left as it is. Held ("other-program"):
+/// another program has it under way.
+base::Result<void> forget(base::Journal& journal, const base::Intent& intent);
 
 /// The register that recovery has brought, or would bring, to one side or the other.
 bool isSettledBy(const Recovered& recovered, const device::Servo& servo,

@@ -42,6 +42,8 @@ public:
     bool isOpen() const { return m_descriptor >= 0; }
     /// Waits some seconds for other programs; closing the file gives the lock back.
     bool lock(Lock lock);
+    enum class Try : std::uint8_t { Locked, HeldElsewhere, Failed };
+    Try tryLock(Lock lock); ///< without waiting
     std::optional<Info> info() const;
     /// Of what has this name now; none: nothing has.
     static std::optional<Info> infoOf(const QString& path);

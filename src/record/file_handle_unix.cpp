@@ -60,6 +60,16 @@ bool FileHandle::lock(Lock lock)
     return true;
 }
 
+FileHandle::Try FileHandle::tryLock(Lock lock)
+{
+    const int kind = lock == Lock::Shared ? LOCK_SH : LOCK_EX;
+    while (::flock(m_descriptor, kind | LOCK_NB) != 0) {
+        if (errno != EINTR)
+            return errno == EWOULDBLOCK ? Try::HeldElsewhere : Try::Failed;
+    }
+    return Try::Locked;
+}
+
 std::optional<FileHandle::Info> FileHandle::info() const
 {
     struct stat status = {};

@@ -43,6 +43,13 @@ bool FileHandle::lock(Lock)
     return false;
 }
 
+FileHandle::Try FileHandle::tryLock(Lock)
+{
+    if (m_lock->tryLock(0))
+        return Try::Locked;
+    return m_lock->error() == QLockFile::LockFailedError ? Try::HeldElsewhere : Try::Failed;
+}
+
 std::optional<FileHandle::Info> FileHandle::info() const
 {
     struct _stat64 status = {};

@@ -160,6 +160,7 @@ HistoryJournal::HistoryJournal(QString historyPath, QString program,
                                std::chrono::milliseconds patience)
     : m_path(std::move(historyPath))
     , m_worker(std::make_unique<Worker>(m_path, std::move(program), patience))
+    , m_locks(QFileInfo(m_path).absolutePath() + QStringLiteral("/running"))
 {}
 
 HistoryJournal::~HistoryJournal() = default;
@@ -169,7 +170,8 @@ base::Result<QString> HistoryJournal::begin(const base::Intent& intent)
     base::Intent kept = intent;
     kept.uuid = QUuid::createUuid().toString(QUuid::WithoutBraces);
     kept.at = QDateTime::currentDateTimeUtc();
-    return m_worker->ask<QString>([&](const HistoryFile& file) -> base::Result<QString> {
+    m_locks.take(kept.uuid); // before any other program can see it
+    auto begun = m_worker->ask<QString>([&](const HistoryFile& file) -> base::Result<QString> {
         const auto done =
             file.together([&] { return insertIntent(file, kept, m_worker->program()); });
         if (!done)
@@ -177,12 +179,20 @@ base::Result<QString> HistoryJournal::begin(const base::Intent& intent)
         ++m_begun;
         return kept.uuid;
     });
+    if (!begun)
+        m_locks.free(kept.uuid);
+    return begun;
+}
+
+void HistoryJournal::release()
+{
+    m_locks.freeAll();
 }
 
 base::Result<void> HistoryJournal::end(const QString& uuid, const base::IntentEnd& end)
 {
     const QDateTime now = QDateTime::currentDateTimeUtc();
-    return m_worker->ask<void>([&](const HistoryFile& file) {
+    auto recorded = m_worker->ask<void>([&](const HistoryFile& file) {
         const auto usual = m_worker->patience();
         const Patience patience(file, std::max(endPatience, usual), usual);
         return file.together([&]() -> base::Result<void> {
@@ -194,6 +204,9 @@ base::Result<void> HistoryJournal::end(const QString& uuid, const base::IntentEn
             return {};
         });
     });
+    if (recorded)
+        m_locks.free(uuid);
+    return recorded;
 }
 
 base::Result<std::vector<base::JournalEntry>> HistoryJournal::entries() const
@@ -218,8 +231,10 @@ base::Result<std::vector<base::Intent>> HistoryJournal::open() const
     if (!entries)
         return tl::unexpected(entries.error());
     std::vector<base::Intent> intents;
-    for (const base::JournalEntry& entry : *entries)
+    for (const base::JournalEntry& entry : *entries) {
         intents.push_back(entry.intent);
+        intents.back().underWayElsewhere = m_locks.isHeldElsewhere(entry.intent.uuid);
+    }
     return intents;
 }
 

@@ -6,6 +6,9 @@
 // replaced. Several programs may use one file. Errors as record/history_file.h: a database that is
 // damaged, newer, locked for long or may not be written refuses begin(), so no write begins.
 //
+// From begin() until end() or release() an intent is this program's: other programs see it as under
+// way. See record/intent_locks.h.
+//
 // The file journal of earlier versions (journal.jsonl beside the database) is taken over whenever
 // the history is opened and finds it, with all its lines in one transaction, and renamed, never
 // deleted; whatever an older program appends later is taken over as well. See
@@ -14,6 +17,7 @@
 
 #include "base/journal.h"
 #include "record/history_patience.h"
+#include "record/intent_locks.h"
 
 #include <atomic>
 #include <chrono>
@@ -38,6 +42,9 @@ public:
     base::Result<std::optional<std::vector<std::int64_t>>> kept(const base::ServoIdentity& servo,
                                                                 const QString& name) const override;
 
+    /// The job is over: what it has left open, any program may settle from now on.
+    void release();
+
     const QString& path() const { return m_path; }
     /// Intents recorded by this object so far. Any thread.
     std::uint64_t begun() const { return m_begun; }
@@ -47,5 +54,6 @@ private:
     const QString m_path;
     std::atomic<std::uint64_t> m_begun{0};
     std::unique_ptr<Worker> m_worker;
+    IntentLocks m_locks;
 };
 } // namespace record

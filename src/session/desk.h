@@ -151,7 +151,7 @@ public:
 
     // --- interrupted writes of earlier sessions ---
     /// Looks (reads only) and answers with openIntents; asked by itself after the first search.
-    /// `anyPort`: also for servos whose change was begun on another port.
+    /// `anyPort`: also for servos whose change was begun on a port that is gone.
     void lookForIntents(bool anyPort = false);
     void settleIntent(const QString& uuid, jobs::RecoverAction action);
     void forgetIntent(const QString& uuid);

@@ -21,21 +21,17 @@ base::Result<Look> lookOrSettle(const device::Context& context, jobs::RecoverAct
     if (!open)
         return tl::unexpected(open.error());
     Look look;
-    base::ServoIdentity here;
-    here.port = context.bus.portName();
-    auto elsewhere = jobs::begunElsewhere(*open, here.port);
-    const bool any = std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
-        return intent.servo.port == here.port;
+    const QString here = context.bus.portName();
+    look.elsewhere = jobs::begunElsewhere(*open, here, options.ports);
+    const bool own = std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
+        return intent.servo.port == here;
     });
-    const bool everywhere = options.anyPort && !here.isSimulated();
-    if (any || (everywhere && !elsewhere.empty())) {
+    if (own || jobs::begunElsewhere(*open, here).size() > look.elsewhere.size()) {
         auto recovered = jobs::recover(context, action, options);
         if (!recovered)
             return tl::unexpected(recovered.error());
         look.found = std::move(*recovered);
     }
-    if (!everywhere)
-        look.elsewhere = std::move(elsewhere);
     return look;
 }
 
@@ -91,8 +87,9 @@ void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid, bool 
     const auto work = std::make_shared<Work>();
     work->task.name = QStringLiteral("recover");
     work->task.quiet = action == jobs::RecoverAction::Look;
-    work->task.work = [action, uuid, anyPort, look, saved](TaskContext& task) {
-        return lookOrSettle(task.device, action, {anyPort, uuid, saveInto(*saved)})
+    const auto ports = anyPort ? jobs::IntentPorts::Gone : jobs::IntentPorts::This;
+    work->task.work = [action, uuid, ports, look, saved](TaskContext& task) {
+        return lookOrSettle(task.device, action, {ports, uuid, saveInto(*saved)})
             .map([&look](Look&& made) { *look = std::move(made); });
     };
     work->merged = [this, look, saved, action](Work& ended) {
@@ -180,16 +177,27 @@ void Desk::coverRecovered(const jobs::Recovered& one)
     Q_EMIT undoChanged();
 }
 
+/// Behind whatever is running, which may be what began it.
 void Desk::forgetIntent(const QString& uuid)
 {
-    m_openThread->start([this, uuid] {
-        const auto ended = m_session.journal().end(uuid, {QStringLiteral("abandoned"), {}});
-        m_inbox.post([this, ended] {
-            if (!ended)
-                tell({.kind = Event::Kind::Failed, .error = ended.error()});
-            else
-                lookForIntents();
+    const auto work = std::make_shared<Work>();
+    work->task.name = QStringLiteral("recover");
+    work->task.quiet = true;
+    work->task.work = [uuid](TaskContext& task) -> base::Result<void> {
+        const auto open = task.device.journal.open();
+        if (!open)
+            return tl::unexpected(open.error());
+        const auto own = std::find_if(open->begin(), open->end(), [&](const base::Intent& intent) {
+            return intent.uuid == uuid;
         });
-    });
+        return own != open->end() ? jobs::forget(task.device.journal, *own) : base::Result<void>();
+    };
+    work->merged = [this](Work& ended) {
+        if (ended.error)
+            tell({.kind = Event::Kind::Failed, .error = ended.error});
+        else
+            lookForIntents();
+    };
+    enqueue(work);
 }
 } // namespace session

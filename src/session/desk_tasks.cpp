@@ -199,6 +199,7 @@ void Desk::runWork(Work& work)
 {
     const std::uint64_t begun = m_session.journal().begun();
     tryWork(work);
+    m_session.journal().release(); // one piece of work at a time writes
     if (!work.error || m_session.journal().begun() != begun)
         return;
     dropUnused(work.own.savedPath);

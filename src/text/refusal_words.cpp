@@ -143,6 +143,11 @@ constexpr std::array held{
                  QT_TRANSLATE_NOOP("text", "Anything else on the wire would spoil what is being "
                                            "measured."),
                  QT_TRANSLATE_NOOP("text", "Wait until the test has ended, or stop it.")},
+    RefusalWords{"other-program",
+                 QT_TRANSLATE_NOOP("text", "this change is still under way in another program"),
+                 QT_TRANSLATE_NOOP("text", "The program that began it is still running."),
+                 QT_TRANSLATE_NOOP("text", "Wait until that program has finished. If it is stopped "
+                                           "before, the change can be finished or undone here.")},
 };
 
 constexpr std::array preempted{

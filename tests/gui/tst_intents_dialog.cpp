@@ -3,6 +3,7 @@
 // undone, forgotten or left for later, each by itself.
 #include "gui/five_rows.h"
 #include "gui/tasks_bench.h"
+#include "session/paths.h"
 #include "support/cli_program.h"
 #include "ui/app/event_words.h"
 #include "ui/dialogs/intents_dialog.h"
@@ -83,6 +84,8 @@ private Q_SLOTS:
     void nothingOpenSaysSo();
     void anotherPortIsNamedAtTheFirstConnection();
     void anAdapterUnderAnotherNameIsLookedAt();
+    void aPortThatIsThereIsNotLookedForHere();
+    void whatIsUnderWayElsewhereIsLeftToIt();
     void whatCouldNotBeRecordedIsSaid();
     void theMarkOfARestartIsPutBack();
     void whatHasAnotherValueStaysAndIsSaid();
@@ -344,6 +347,52 @@ void TestIntentsDialog::anAdapterUnderAnotherNameIsLookedAt()
     gui::click(dialog, "intentFinish");
     QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
     QTRY_VERIFY(bench.session.journal().open()->empty());
+}
+
+/// Its own servo may still be connected there; what answers here may be its twin.
+void TestIntentsDialog::aPortThatIsThereIsNotLookedForHere()
+{
+    TasksBench bench;
+    support::SimProgram other({text("--servos"), text("sts3215@1")});
+    support::SimProgram sim({text("--servos"), text("sts3215@1")});
+    QVERIFY(bench.connectTo(sim.port()) && bench.search(1, 1) && bench.choose(1));
+    QVERIFY(!leaveOpen(bench, other.port()).isEmpty());
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    const QString named = gui::textOf(dialog, "intentsElsewhere");
+    QVERIFY2(named.contains(text("Connect to that port")) && named.contains(other.port()),
+             qPrintable(named));
+    QVERIFY(!gui::button(dialog, "intentsLookHere")->isVisible());
+    QSignalSpy found(&bench.desk, &session::Desk::openIntents);
+    bench.desk.lookForIntents(true);
+    QTRY_COMPARE(found.size(), 1);
+    QCOMPARE(table(dialog)->model()->rowCount(), 0);
+    QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
+}
+
+void TestIntentsDialog::whatIsUnderWayElsewhereIsLeftToIt()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    auto other = std::make_unique<record::HistoryJournal>(session::historyFile(), text("other"));
+    base::Intent intent;
+    intent.servo = bench.entry().servo.identity();
+    const auto before = bench.entry().servo.raw(text("max_temperature")).value_or(0);
+    intent.items = {{text("max_temperature"), 13, before, 61}};
+    const auto uuid = other->begin(intent);
+    QVERIFY(uuid);
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("still under way in another program"));
+    for (const char* name : {"intentFinish", "intentUndo", "intentForget"})
+        QVERIFY2(!gui::button(dialog, name)->isEnabled(), name);
+    bench.desk.forgetIntent(*uuid);
+    QVERIFY(bench.settled());
+    QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
+    other.reset(); // as if it had been killed
+    bench.desk.lookForIntents();
+    QTRY_COMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
+    QVERIFY(gui::button(dialog, "intentUndo")->isEnabled());
 }
 
 void TestIntentsDialog::whatCouldNotBeRecordedIsSaid()

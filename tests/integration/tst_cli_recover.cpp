@@ -62,6 +62,9 @@ private Q_SLOTS:
     void anAdapterUnderAnotherNameHidesNothing();
     void withoutAPortOpenChangesAreNamed();
     void aSimulatedBusSaysNothingOfARealOne();
+    void aChangeUnderWayIsNotGivenUp();
+    void aTwinOnAnotherPortIsLeftAlone();
+    void aNamedChangeIsTakenFromAPortThatIsThere();
     void aFullDiskAtTheEndHidesNoWrite();
     void aCutCableLeavesTheRestNotSent();
     void aLockedHistorySaysSo();
@@ -162,6 +165,98 @@ void TestCliRecover::aSimulatedBusSaysNothingOfARealOne()
     const Ran ran = cli.json("recover --any-port");
     QCOMPARE(ran.exit, 0);
     QVERIFY(list(ran, "intents").isEmpty() && list(ran, "elsewhere").isEmpty());
+}
+
+/// The test of another program: it ends its own change, and what is left of it when it is killed is
+/// found.
+void TestCliRecover::aChangeUnderWayIsNotGivenUp()
+{
+    CliProgram running;
+    SimProgram sim(words("--servos sts3215@1"));
+    running.setPort(sim.port());
+    running.start(words("step-response 1 --size 400 --repeats 20 --try position_p=40"));
+    QTRY_VERIFY_WITH_TIMEOUT(hasOpenIntent(running), 60'000);
+    CliProgram cli;
+    cli.setEnvironment(QStringLiteral("SERVODESK_DATA_DIR"), running.dataFolder());
+    cli.setPort(sim.port());
+    const Ran given = cli.json("recover --forget all");
+    QVERIFY2(given.exit == 1, qPrintable(given.out));
+    QVERIFY(list(given, "forgotten").isEmpty());
+    QCOMPARE(list(given, "under_way").size(), 1);
+    const Ran text = cli.run("recover");
+    QCOMPARE(text.exit, 3);
+    QVERIFY2(!text.out.contains(QStringLiteral("other ports")), qPrintable(text.out));
+    QVERIFY2(text.out.contains(QStringLiteral("under way in another program")),
+             qPrintable(text.out));
+    QVERIFY2(!text.out.contains(QStringLiteral("--any-port")), qPrintable(text.out));
+    const Ran look = cli.json("recover");
+    QCOMPARE(list(look, "here").size(), 1);
+    QCOMPARE(list(look, "here")[0][QLatin1String("under_way")].toBool(), true);
+    QVERIFY(list(look, "elsewhere").isEmpty());
+    QVERIFY(hasOpenIntent(running));
+
+    running.signal(SIGKILL);
+    QCOMPARE(running.finish().exit, -1);
+    const Ran undone = cli.json("recover --undo");
+    QVERIFY2(undone.exit == 0, qPrintable(undone.out));
+    QCOMPARE(list(undone, "intents").size(), 1);
+    QCOMPARE(list(undone, "intents")[0][QLatin1String("under_way")].toBool(), false);
+    const Ran read = cli.json("read 1 position_p");
+    QCOMPARE(list(read, "registers")[0][QLatin1String("raw")].toInt(), 32);
+}
+
+void TestCliRecover::aTwinOnAnotherPortIsLeftAlone()
+{
+    CliProgram cli;
+    SimProgram own(words("--servos sts3215@1 --latency-ms 60"));
+    SimProgram other(words("--servos sts3215@1"));
+    cli.setPort(own.port());
+    killDuringWrite(cli);
+    if (QTest::currentTestFailed())
+        return;
+    cli.setPort(other.port());
+    const Ran look = cli.json("recover");
+    QCOMPARE(look.exit, 1);
+    QCOMPARE(list(look, "elsewhere")[0][QLatin1String("port_present")].toBool(), true);
+    QCOMPARE(look.json()[QLatin1String("try")].toString(),
+             QStringLiteral("servodesk-cli recover --port ") + own.port());
+    for (const char* how : {"recover --any-port", "recover --any-port --undo"}) {
+        const Ran ran = cli.json(how);
+        QVERIFY2(ran.exit == 1, qPrintable(ran.out));
+        QVERIFY(list(ran, "intents").isEmpty());
+        QCOMPARE(list(ran, "elsewhere").size(), 1);
+    }
+    cli.setPort({});
+    const QStringList command = advised(look);
+    const Ran undone =
+        cli.run(QStringList(command) << QStringLiteral("--undo") << QStringLiteral("--json"));
+    QVERIFY2(undone.exit == 0, qPrintable(undone.out + undone.err));
+    QCOMPARE(list(undone, "intents")[0][QLatin1String("done")].toBool(), true);
+}
+
+void TestCliRecover::aNamedChangeIsTakenFromAPortThatIsThere()
+{
+    CliProgram cli;
+    SimProgram own(words("--servos sts3215@1 --latency-ms 60"));
+    SimProgram other(words("--servos sts3215@1"));
+    cli.setPort(own.port());
+    killDuringWrite(cli);
+    if (QTest::currentTestFailed())
+        return;
+    cli.setPort(other.port());
+    const QString uuid =
+        list(cli.json("recover"), "elsewhere")[0][QLatin1String("uuid")].toString();
+    const QStringList named{QStringLiteral("recover"), QStringLiteral("--any-port"),
+                            QStringLiteral("--change"), uuid.left(8)};
+    const Ran text = cli.run(named);
+    QCOMPARE(text.exit, 0);
+    QVERIFY2(text.out.contains(own.port()) && text.out.contains(QStringLiteral("known from you")),
+             qPrintable(text.out));
+    const Ran undone =
+        cli.run(QStringList(named) << QStringLiteral("--undo") << QStringLiteral("--json"));
+    QVERIFY2(undone.exit == 0, qPrintable(undone.out));
+    QCOMPARE(list(undone, "intents")[0][QLatin1String("done")].toBool(), true);
+    QCOMPARE(cli.json("recover --change nothing").exit, 2);
 }
 
 void TestCliRecover::aFullDiskAtTheEndHidesNoWrite()

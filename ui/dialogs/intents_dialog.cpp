@@ -80,7 +80,7 @@ TaskWords settledWords(const Recovered& one, const catalog::Catalog& catalog)
 bool settleable(const Recovered& one)
 {
     return one.before.finding != Finding::NoAnswer && one.before.finding != Finding::OtherServo &&
-           one.before.finding != Finding::Unreadable;
+           one.before.finding != Finding::Unreadable && one.before.finding != Finding::UnderWay;
 }
 } // namespace
 
@@ -229,7 +229,7 @@ void IntentsDialog::updateButtons()
     const bool open = m_desk.state() == session::LinkState::Open;
     m_finish->setEnabled(free && open && settleable(*one));
     m_undo->setEnabled(free && open && settleable(*one));
-    m_forget->setEnabled(free && open);
+    m_forget->setEnabled(free && open && one->before.finding != Finding::UnderWay);
 }
 
 void IntentsDialog::settle(RecoverAction action)
@@ -286,6 +286,13 @@ void IntentsDialog::settled(const std::vector<Recovered>& one)
     if (!one.empty() && one.front().before.intent.uuid == uuid)
         m_result->tell(
             [this, first = one.front()] { return settledWords(first, m_desk.catalog()); });
+    else if (one.empty())
+        m_result->tell([] {
+            return TaskWords{Tone::Warn,
+                             translate("ServoTasks",
+                                       "Nothing was written: the change is no longer open, or the "
+                                       "port on which it was begun is there again.")};
+        });
     if (!one.empty() && one.front().done)
         m_model->remove(uuid);
     retranslate();
@@ -294,21 +301,31 @@ void IntentsDialog::settled(const std::vector<Recovered>& one)
     updateButtons();
 }
 
-/// Which servo, what and where.
+/// Which servo, what and where. Only what was begun on a port that is gone is looked for here: on a
+/// port that is there the servo itself may still be connected, and here its twin.
 void IntentsDialog::nameElsewhere()
 {
-    QStringList lines{translate("ServoTasks", "Changes that were begun on other ports are open. If "
-                                              "the adapter has another name now, look for them "
-                                              "here:")};
-    for (const base::Intent& intent : m_elsewhere)
-        lines << m_model->line(intent);
-    const bool any = !m_elsewhere.empty();
-    m_elsewhereText->setText(lines.join(QLatin1Char('\n')));
-    m_elsewhereText->setVisible(any);
+    QStringList gone;
+    QStringList present;
+    bool mayBeHere = false;
+    for (const base::Intent& intent : m_elsewhere) {
+        const bool there = jobs::isPortPresent(intent);
+        (there ? present : gone) << m_model->line(intent);
+        mayBeHere = mayBeHere || !(there || intent.underWayElsewhere);
+    }
+    if (!gone.isEmpty())
+        gone.prepend(translate("ServoTasks", "Changes that were begun on other ports are open. If "
+                                             "the adapter has another name now, look for them "
+                                             "here:"));
+    if (!present.isEmpty())
+        present.prepend(translate("ServoTasks", "Changes that were begun on other ports are open. "
+                                                "Connect to that port to finish or undo them:"));
+    m_elsewhereText->setText((present + gone).join(QLatin1Char('\n')));
+    m_elsewhereText->setVisible(!m_elsewhere.empty());
     // A simulated servo is never the one that was left.
     const session::Connection* connection = m_desk.connection();
-    m_lookHere->setVisible(any && connection != nullptr && !connection->simulated());
-    m_lookHere->setEnabled(any && m_desk.state() == session::LinkState::Open);
+    m_lookHere->setVisible(mayBeHere && connection != nullptr && !connection->simulated());
+    m_lookHere->setEnabled(mayBeHere && m_desk.state() == session::LinkState::Open);
 }
 
 void IntentsDialog::happened(const Event& event)

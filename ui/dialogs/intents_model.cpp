@@ -81,9 +81,12 @@ QString IntentsModel::line(const base::Intent& intent) const
     QString changes = changesWord(intent, *profile);
     if (changes.size() > enough)
         changes = changes.left(enough) + QStringLiteral("…");
-    return translate("ServoTasks", "%1, %2: %3, on %4, %5")
-        .arg(servoWord(intent, *profile), intentWord(intent), changes, intent.servo.port,
-             whenWord(intent));
+    const QString line = translate("ServoTasks", "%1, %2: %3, on %4, %5")
+                             .arg(servoWord(intent, *profile), intentWord(intent), changes,
+                                  intent.servo.port, whenWord(intent));
+    return intent.underWayElsewhere
+               ? QStringLiteral("%1 – %2").arg(line, findingWord(Finding::UnderWay))
+               : line;
 }
 
 QString IntentsModel::everything(const jobs::Recovered& one) const
@@ -149,6 +152,8 @@ QString findingWord(Finding finding)
         return translate("ServoTasks", "it does not answer");
     case Finding::Unreadable:
         return translate("ServoTasks", "something answers, but nothing readable");
+    case Finding::UnderWay:
+        return translate("ServoTasks", "still under way in another program");
     case Finding::Replaced:
         return translate("ServoTasks", "other values since, which stay");
     }

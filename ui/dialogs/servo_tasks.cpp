@@ -61,18 +61,22 @@ void ServoTasks::intentsFound(const std::vector<jobs::Recovered>& found,
     const bool asked = std::exchange(m_asked, false);
     if (m_intents)
         return; // it follows by itself
-    const bool news = std::any_of(found.begin(), found.end(), [this](const auto& one) {
-        return !m_shown.contains(one.before.intent.uuid);
-    });
-    const bool newsElsewhere =
-        std::any_of(elsewhere.begin(), elsewhere.end(),
-                    [this](const base::Intent& intent) { return !m_shown.contains(intent.uuid); });
+    const auto isNews = [this](const base::Intent& intent) {
+        return !intent.underWayElsewhere && !m_shown.contains(intent.uuid);
+    };
+    const bool news = std::any_of(found.begin(), found.end(),
+                                  [&](const auto& one) { return isNews(one.before.intent); });
+    const bool newsElsewhere = std::any_of(elsewhere.begin(), elsewhere.end(), isNews);
     if (!asked && !news && !newsElsewhere)
         return;
+    const auto note = [this](const base::Intent& intent) {
+        if (!intent.underWayElsewhere) // if that program fails, it is news
+            m_shown.insert(intent.uuid);
+    };
     for (const base::Intent& intent : elsewhere)
-        m_shown.insert(intent.uuid);
+        note(intent);
     for (const jobs::Recovered& one : found)
-        m_shown.insert(one.before.intent.uuid);
+        note(one.before.intent);
     m_intents = new IntentsDialog(m_desk, found, elsewhere, m_window);
     m_intents->open();
 }

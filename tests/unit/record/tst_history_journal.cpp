@@ -51,6 +51,19 @@ int appendIntents(const QString& path, int count)
     return 0;
 }
 
+/// Until it is killed.
+int holdAnIntent(const QString& path)
+{
+    HistoryJournal journal(path, program, 5s);
+    const auto uuid = journal.begin(someIntent());
+    if (!uuid)
+        return 1;
+    std::puts(qPrintable(*uuid));
+    std::fflush(stdout);
+    std::this_thread::sleep_for(10min);
+    return 0;
+}
+
 /// Without root's rights. Prints the error.
 int beRefused(const QString& path)
 {
@@ -95,6 +108,44 @@ private Q_SLOTS:
         QVERIFY(journal.entriesOf(someServo(), 10).value().empty());
         QVERIFY(!journal.kept(someServo(), QStringLiteral("limits")).value());
         QVERIFY(!QFile::exists(m_path));
+    }
+
+    /// Until it ends it, or its job is over, or it is gone itself.
+    void whatAProgramHasUnderWayIsItsOwn()
+    {
+        const HistoryJournal onlooker(m_path, program);
+        const auto isUnderWay = [&] { return onlooker.open()->front().underWayElsewhere; };
+        auto owner = std::make_unique<HistoryJournal>(m_path, program);
+        const QString first = owner->begin(someIntent()).value();
+        QVERIFY(isUnderWay());
+        QVERIFY(isUnderWay()); // looking changes nothing
+        QVERIFY(!owner->open()->front().underWayElsewhere);
+        owner->release();
+        QVERIFY(!isUnderWay());
+        QVERIFY(owner->end(first, {QStringLiteral("done"), {}}));
+        const QString second = owner->begin(someIntent()).value();
+        QVERIFY(isUnderWay());
+        QVERIFY(owner->end(second, {QStringLiteral("done"), {}}));
+        QVERIFY(owner->begin(someIntent()));
+        owner.reset();
+        QVERIFY(!isUnderWay());
+        const QDir locks(m_folder->filePath(QStringLiteral("running")));
+        QVERIFY(locks.exists() && locks.isEmpty());
+    }
+
+    /// Not even a program that is killed keeps it.
+    void aKilledProgramHasNothingUnderWay()
+    {
+        QProcess other;
+        other.start(QCoreApplication::applicationFilePath(), {QStringLiteral("hold"), m_path});
+        QVERIFY(other.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(other.canReadLine(), 30'000);
+        const HistoryJournal onlooker(m_path, program);
+        QVERIFY(onlooker.open()->front().underWayElsewhere);
+        other.kill();
+        QVERIFY(other.waitForFinished());
+        QVERIFY(!onlooker.open()->front().underWayElsewhere);
+        QVERIFY(QDir(m_folder->filePath(QStringLiteral("running"))).isEmpty());
     }
 
     void everyLanguageSurvivesReopening()
@@ -516,6 +567,8 @@ int main(int argc, char* argv[])
     const QStringList arguments = QCoreApplication::arguments();
     if (arguments.size() == 4 && arguments[1] == QLatin1String("append"))
         return appendIntents(arguments[2], arguments[3].toInt());
+    if (arguments.size() == 3 && arguments[1] == QLatin1String("hold"))
+        return holdAnIntent(arguments[2]);
     if (arguments.size() == 3 && arguments[1] == QLatin1String("refuse"))
         return beRefused(arguments[2]);
     TestHistoryJournal test;

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/recover_words.h"
+
+#include "cli/report_words.h"
+#include "cli/translate.h"
+#include "jobs/restore.h"
+#include "text/notice_words.h"
+
+#include <map>
+
+namespace cli {
+namespace {
+constexpr int shownUuid = 8; ///< enough to tell a handful of changes apart
+
+QString kindName(const base::Intent& intent)
+{
+    switch (intent.kind) {
+    case base::IntentKind::Write:
+        return QStringLiteral("write");
+    case base::IntentKind::SetId:
+        return QStringLiteral("set-id");
+    case base::IntentKind::SetBaud:
+        return QStringLiteral("set-baud");
+    case base::IntentKind::Mode:
+        return QStringLiteral("mode");
+    case base::IntentKind::Calibrate:
+        return QStringLiteral("center");
+    case base::IntentKind::Restore:
+        return jobs::restoresSnapshot(intent) ? QStringLiteral("snapshot-restore")
+                                              : QStringLiteral("restore-defaults");
+    case base::IntentKind::Identify:
+        return QStringLiteral("identify");
+    case base::IntentKind::Trial:
+        return QStringLiteral("trial");
+    case base::IntentKind::Undo:
+        return QStringLiteral("undo");
+    }
+    return {};
+}
+
+struct FindingWord {
+    const char* name;
+    const char* shown;
+};
+
+FindingWord findingWord(jobs::Finding finding)
+{
+    switch (finding) {
+    case jobs::Finding::AllOld:
+        return {"all-old", QT_TRANSLATE_NOOP("cli", "the old values")};
+    case jobs::Finding::AllNew:
+        return {"all-new", QT_TRANSLATE_NOOP("cli", "the new values")};
+    case jobs::Finding::Mixed:
+        return {"mixed", QT_TRANSLATE_NOOP("cli", "some new, some old values")};
+    case jobs::Finding::OtherServo:
+        return {"other-servo", QT_TRANSLATE_NOOP("cli", "another servo answers: left alone")};
+    case jobs::Finding::NoAnswer:
+        return {"no-answer", QT_TRANSLATE_NOOP("cli", "it does not answer")};
+    case jobs::Finding::Unreadable:
+        return {"unreadable", QT_TRANSLATE_NOOP("cli", "something answers, but nothing readable")};
+    case jobs::Finding::UnderWay:
+        return {"under-way", QT_TRANSLATE_NOOP("cli", "still under way in another program")};
+    case jobs::Finding::Replaced:
+        return {"replaced", QT_TRANSLATE_NOOP("cli", "other values since, which stay")};
+    }
+    return {"", ""};
+}
+
+Json jsonIntent(const base::Intent& intent)
+{
+    Json::Array items;
+    for (const base::JournalItem& item : intent.items) {
+        items.push_back(Json::object()
+                            .add("key", item.key)
+                            .add("address", item.address)
+                            .add("old", item.oldRaw)
+                            .add("new", item.newRaw));
+    }
+    Json json = Json::object();
+    json.add("uuid", intent.uuid)
+        .add("at", intent.at.toString(Qt::ISODateWithMs))
+        .add("kind", kindName(intent))
+        .add("id", intent.servo.id)
+        .add("port", intent.servo.port)
+        .add("baud", intent.servo.baud)
+        .add("under_way", intent.underWayElsewhere)
+        .add("items", std::move(items));
+    return json;
+}
+
+} // namespace
+
+Json jsonRecovered(const jobs::Recovered& one)
+{
+    Json json = jsonIntent(one.before.intent);
+    json.add("finding", QString::fromLatin1(findingWord(one.before.finding).name))
+        .add("found_id", one.before.foundId >= 0 ? Json(one.before.foundId) : Json())
+        .add("found_baud", one.before.foundBaud > 0 ? Json(one.before.foundBaud) : Json())
+        .add("lock_open", one.before.lockOpen)
+        .add("done", one.done);
+    if (!one.left.isEmpty())
+        json.add("left", one.left);
+    if (one.action != jobs::RecoverAction::Look)
+        json.add("action", one.action == jobs::RecoverAction::Undo ? QStringLiteral("undo")
+                                                                   : QStringLiteral("finish"));
+    if (one.report)
+        json.add("result", jsonWrites(*one.report));
+    if (one.error)
+        json.add("error", jsonError(*one.error));
+    return json;
+}
+
+namespace {
+QStringList changesOf(const base::Intent& intent)
+{
+    QStringList changes;
+    for (const base::JournalItem& item : intent.items) {
+        if (item.oldRaw != item.newRaw)
+            changes << QStringLiteral("%1 %2 → %3").arg(item.key).arg(item.oldRaw).arg(item.newRaw);
+    }
+    return changes;
+}
+
+/// In one cell of a table: many rows as their number, those whose new value is not known
+/// beforehand (calibration, restored defaults) by their names.
+QString changesCell(const base::Intent& intent)
+{
+    constexpr int shownInOneLine = 3;
+    const QStringList changes = changesOf(intent);
+    const int count = static_cast<int>(intent.items.size());
+    if (count > shownInOneLine)
+        return translate("cli", "%1 registers").arg(count);
+    if (!changes.isEmpty())
+        return changes.join(QStringLiteral(", "));
+    QStringList keys;
+    for (const base::JournalItem& item : intent.items)
+        keys << item.key;
+    return keys.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+/// What the cell only counts, one a line.
+QString changesBelow(const base::Intent& intent)
+{
+    const QStringList changes = changesOf(intent);
+    if (changesCell(intent) == changes.join(QStringLiteral(", ")) || changes.isEmpty())
+        return {};
+    QString lines =
+        translate("cli", "Change %1:").arg(intent.uuid.left(shownUuid)) + QLatin1Char('\n');
+    for (const QString& change : changes)
+        lines += QStringLiteral("  %1\n").arg(change);
+    return lines;
+}
+
+namespace {
+QString lockShown(const std::optional<bool>& open)
+{
+    return text::lockWord(!open   ? QStringLiteral("unknown")
+                          : *open ? QStringLiteral("open")
+                                  : QStringLiteral("closed"));
+}
+
+/// A restore whose way back had begun is undone even if finishing was asked for.
+QString settledWord(const jobs::Recovered& one, jobs::RecoverAction asked)
+{
+    if (!one.done)
+        return translate("cli", "no");
+    if (one.allLeft)
+        return translate("cli", "left as it is");
+    const bool undone = asked == jobs::RecoverAction::Finish && one.action != asked;
+    return undone ? translate("cli", "undone") : translate("cli", "yes");
+}
+
+} // namespace
+
+/// What was not written although it reads another value than was asked for.
+QString leftLine(const jobs::Recovered& one)
+{
+    if (one.left.isEmpty())
+        return {};
+    return translate("cli", "Change %1, left as they are, because they have another value since or "
+                            "would move the servo: %2")
+               .arg(one.before.intent.uuid.left(shownUuid), one.left.join(QStringLiteral(", "))) +
+           QLatin1Char('\n');
+}
+
+Table recoveredTable(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
+{
+    Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
+                 translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Found"),
+                 translate("cli", "Lock"), translate("cli", "Settled")});
+    table.right({2});
+    for (const jobs::Recovered& one : all) {
+        const base::Intent& intent = one.before.intent;
+        table.add({intent.uuid.left(shownUuid),
+                   intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
+                   QString::number(intent.servo.id), kindName(intent), changesCell(intent),
+                   translate("cli", findingWord(one.before.finding).shown),
+                   lockShown(one.before.lockOpen), settledWord(one, action)});
+    }
+    return table;
+}
+
+namespace {
+QString namesOf(const std::vector<base::Intent>& intents)
+{
+    QStringList names;
+    for (const base::Intent& intent : intents)
+        names << intent.uuid.left(shownUuid);
+    return names.join(QStringLiteral(", "));
+}
+
+QString commandOn(const QString& port)
+{
+    return QStringLiteral("servodesk-cli recover --port %1").arg(port);
+}
+
+} // namespace
+
+/// Of one that may be here first.
+QString Unasked::command() const
+{
+    QString there;
+    for (const base::Intent& intent : intents) {
+        if (intent.underWayElsewhere)
+            continue;
+        if (!jobs::isPortPresent(intent))
+            return commandHere();
+        if (there.isEmpty())
+            there = commandOn(intent.servo.port);
+    }
+    return there;
+}
+
+Json Unasked::json() const
+{
+    Json::Array all;
+    for (const base::Intent& intent : intents)
+        all.push_back(jsonIntent(intent).add("port_present", jobs::isPortPresent(intent)));
+    return all;
+}
+
+void Unasked::addTo(Json& document, const char* name) const
+{
+    if (intents.empty())
+        return;
+    document.add(name, json());
+    if (!command().isEmpty())
+        document.add("try", command());
+}
+
+QString Unasked::advice() const
+{
+    std::vector<base::Intent> running;
+    std::map<QString, std::vector<base::Intent>> present;
+    bool gone = false;
+    for (const base::Intent& intent : intents) {
+        if (intent.underWayElsewhere)
+            running.push_back(intent);
+        else if (jobs::isPortPresent(intent))
+            present[intent.servo.port].push_back(intent);
+        else
+            gone = true;
+    }
+    QStringList lines;
+    if (!running.empty())
+        lines << translate("cli", "Still under way in another program, which ends them itself: %1")
+                     .arg(namesOf(running));
+    for (const auto& [there, its] : present) {
+        if (there == port)
+            continue;
+        lines << translate("cli", "%1 is there. Look at its changes (%2) on it: %3")
+                     .arg(there, namesOf(its), commandOn(there));
+        if (hasRealPort())
+            lines << translate("cli",
+                               "Only if you know that the same servo is connected to %1 now: "
+                               "%2. Another servo of this model and ID cannot be told "
+                               "apart from it.")
+                         .arg(port, commandHere() + QStringLiteral(" --change ") +
+                                        its.front().uuid.left(shownUuid));
+    }
+    if (gone)
+        lines << translate("cli", "An adapter that is plugged in again may have another name. "
+                                  "Where the servo is connected now, look at them with: %1")
+                     .arg(commandHere());
+    return lines.isEmpty() ? QString() : lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+QString Unasked::text(const QString& title) const
+{
+    if (intents.empty())
+        return {};
+    Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
+                 translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Port")});
+    table.right({2});
+    for (const base::Intent& intent : intents) {
+        table.add({intent.uuid.left(shownUuid),
+                   intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
+                   QString::number(intent.servo.id), kindName(intent), changesCell(intent),
+                   intent.servo.port});
+    }
+    return title + QLatin1Char('\n') + table.text() + advice();
+}
+
+QString elsewhereTitle()
+{
+    return translate("cli", "Changes that were begun on other ports are open:");
+}
+
+/// One that was named although its own port is there: nothing proves that it is the same servo.
+QString userSaidSo(const jobs::Recovered& one, const QString& port)
+{
+    const base::Intent& intent = one.before.intent;
+    if (intent.servo.port == port || !jobs::isPortPresent(intent))
+        return {};
+    return translate("cli",
+                     "Change %1 was begun on %2, which is there. That the servo on %3 is the "
+                     "same one is only known from you.")
+               .arg(intent.uuid.left(shownUuid), intent.servo.port, port) +
+           QLatin1Char('\n');
+}
+
+} // namespace cli

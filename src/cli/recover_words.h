@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Interrupted changes as the command line shows them: those that were compared with a servo, and
+// those nobody was asked about, with what to type. Pure, but for a look whether a port is there;
+// any thread.
+#pragma once
+
+#include "cli/json.h"
+#include "cli/table.h"
+#include "jobs/recover.h"
+
+namespace cli {
+Json jsonRecovered(const jobs::Recovered& one);
+Table recoveredTable(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action);
+/// What the table only counts, one a line.
+QString changesBelow(const base::Intent& intent);
+/// What was not written although it reads another value than was asked for.
+QString leftLine(const jobs::Recovered& one);
+/// One that was named although its own port is there: nothing proves that it is the same servo.
+QString userSaidSo(const jobs::Recovered& one, const QString& port);
+
+/// Changes nobody was asked about, and how to get at each.
+struct Unasked {
+    std::vector<base::Intent> intents{};
+    QString port{}; ///< of this run; empty where none was opened
+
+    bool hasRealPort() const { return !port.isEmpty() && !port.startsWith(QLatin1String("sim:")); }
+    /// On this port: the adapter may only have another name now.
+    QString commandHere() const
+    {
+        return QStringLiteral("servodesk-cli recover --any-port --port %1")
+            .arg(hasRealPort() ? port : QStringLiteral("PORT"));
+    }
+    QString command() const;
+    Json json() const;
+    void addTo(Json& document, const char* name) const;
+    QString advice() const;
+    QString text(const QString& title) const;
+};
+
+QString elsewhereTitle();
+} // namespace cli
