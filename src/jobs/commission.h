@@ -82,6 +82,8 @@ enum class CommissionAnswer : std::uint8_t {
 struct CommissionHooks {
     std::function<void(const CommissionView&)> onChange{};
     std::function<void(const record::CommissionRow&)> onRow{}; ///< on the disk already
+    std::function<void()>
+        onBatch{}; ///< the batch has changed, also what is unfinished; on the disk
     /// Asked some twenty times a second while the step is Confirm. Empty: never answered.
     std::function<CommissionAnswer()> answer{};
     /// Once before the first write to a servo: saves its table, answers the file.

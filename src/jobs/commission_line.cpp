@@ -72,7 +72,10 @@ base::Result<void> CommissionLine::pause(base::Duration span)
 
 base::Result<void> CommissionLine::keep()
 {
-    return record::saveCommissionBatch(m_batch, m_csvPath);
+    auto saved = record::saveCommissionBatch(m_batch, m_csvPath);
+    if (saved && m_hooks.onBatch)
+        m_hooks.onBatch();
+    return saved;
 }
 
 CommissionView CommissionLine::waitingView() const

@@ -116,7 +116,7 @@ bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPa
         live->show(*batch);
         jobs::CommissionHooks hooks;
         hooks.onChange = [live](const jobs::CommissionView& view) { live->show(view); };
-        hooks.onRow = [&](const record::CommissionRow&) { live->show(*batch); };
+        hooks.onBatch = [&] { live->show(*batch); };
         hooks.answer = [live] { return live->answer.exchange(jobs::CommissionAnswer::None); };
         hooks.save = [](const device::Context& with, device::Servo& servo) {
             return saveSafetySnapshot(with, servo, record::SnapshotReason::Commission);

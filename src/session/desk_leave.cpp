@@ -165,7 +165,9 @@ void Desk::takeUnfinished(const std::vector<base::Intent>& open, UnfinishedWrite
 {
     for (const base::Intent& intent : open) {
         const base::ServoIdentity& who = intent.servo;
-        if (who.port != m_portName || isWorkedOn(who.id))
+    const bool lasting = m_running && m_running->task.lasting;
+        const bool ended = lasting ? intent.temporary : isWorkedOn(who.id);
+        if (who.port != m_portName || intent.underWayElsewhere || ended)
             continue;
         if (std::find(found.ids.begin(), found.ids.end(), who.id) == found.ids.end())
             found.ids.push_back(who.id);

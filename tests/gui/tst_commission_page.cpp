@@ -125,6 +125,37 @@ private Q_SLOTS:
         QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
     }
 
+    /// It falls silent in the middle of its change of ID: counted at once, and named on leaving.
+    void aServoThatWentAwayIsCountedAndNamed()
+    {
+        LineBench bench;
+        QVERIFY(bench.open());
+        bench.fill(7);
+        bench.click("commissionStart");
+        bench.click("commissionPlug");
+        bench.click("commissionContinue");
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                return bench.desk().connection()->simulation()->with([](sim::VirtualBus& wire) {
+                    const auto* servo = wire.servos().empty() ? nullptr : wire.servos().front();
+                    const bool open = servo != nullptr && servo->raw(QStringLiteral("lock")) == 0;
+                    if (open)
+                        wire.config().faults.muteIds = {1, 7};
+                    return open;
+                });
+            },
+            longTime));
+        QTRY_VERIFY_WITH_TIMEOUT(bench.headline().contains(QStringLiteral("same servo")), longTime);
+        QTRY_VERIFY(
+            bench.own<QLabel>("commissionSum")->text().contains(QStringLiteral("1 unfinished")));
+        QSignalSpy found(&bench.desk(), &session::Desk::unfinishedFound);
+        bench.desk().findUnfinished();
+        QTRY_COMPARE_WITH_TIMEOUT(found.size(), 1, longTime);
+        QVERIFY(!found.front().front().value<session::UnfinishedWrites>().ids.empty());
+        bench.click("commissionStop");
+        QVERIFY(bench.ends());
+    }
+
     void oneClickSetsAServoUp()
     {
         LineBench bench;
