@@ -46,6 +46,7 @@ private Q_SLOTS:
     void aTakenIdIsNotOffered();
     void aTakenIdNobodyKnewOfIsRefused();
     void baudIsFollowed();
+    void aCutRateChangeNamesBothRates();
     void aFixedRateSaysSo();
     void centringShowsBeforeAndAfter();
     void centringIsNotForEverybody();
@@ -161,6 +162,31 @@ void TestServoTasks::baudIsFollowed()
     QVERIFY(bench.settled());
     QVERIFY(!bench.entry().readError);
     QCOMPARE(bench.raw(2, "lock"), 1);
+}
+
+/// It never answered again, so it is not said where it answers.
+void TestServoTasks::aCutRateChangeNamesBothRates()
+{
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    QDialog* dialog = bench.open(Command::SetBaud, "setBaudDialog");
+    QVERIFY(dialog);
+    QTest::keyClick(dialog->findChild<QComboBox*>(text("newBaud")), Qt::Key_Down); // 500 000
+    gui::click(dialog, "taskDeed");
+    QVERIFY(QTest::qWaitFor([&] {
+        return bench.withWire([](sim::VirtualBus& wire) {
+            const bool open = wire.servo(1)->raw(text("lock")) == 0;
+            if (open)
+                wire.config().faults.muteIds = {1}; // obeys, but is not heard any more
+            return open;
+        });
+    }));
+    QVERIFY(gui::ended(dialog));
+    const QString said = gui::resultOf(dialog);
+    QVERIFY2(said.startsWith(QStringLiteral("✗")), qPrintable(said));
+    QVERIFY2(!said.contains(text("The servo answers as")), qPrintable(said));
+    QVERIFY2(said.contains(text("1 000 000")) || said.contains(text("1000000")), qPrintable(said));
+    QVERIFY2(said.contains(text("either baud rate")), qPrintable(said));
 }
 
 void TestServoTasks::aFixedRateSaysSo()

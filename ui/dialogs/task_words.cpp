@@ -7,6 +7,8 @@
 #include "text/translate.h"
 #include "ui/models/rate_words.h"
 
+#include <algorithm>
+
 namespace ui {
 using text::translate;
 
@@ -85,6 +87,49 @@ TaskWords refusedWords(const base::Error& error, const QString& what)
     return told;
 }
 
+namespace {
+/// It was heard at the end, by what was read last: the lock, or the register where there is none.
+bool answeredAtTheEnd(const device::WriteReport& report)
+{
+    if (report.lock != device::LockState::None)
+        return report.lock != device::LockState::Unknown;
+    return std::all_of(report.writes.begin(), report.writes.end(), [](const auto& write) {
+        return write.readBack || write.outcome == device::WriteOutcome::Refused;
+    });
+}
+
+QString answersAt(const device::Servo& servo)
+{
+    return servo.baud > 0 ? translate("ServoTasks", "The servo answers as ID %1 at %2 baud.")
+                                .arg(servo.id)
+                                .arg(rateText(servo.baud))
+                          : translate("ServoTasks", "The servo answers as ID %1.").arg(servo.id);
+}
+
+/// Of a change of its ID or rate that was sent, or may have been: where the servo can be.
+QString mayAnswerAt(const session::ServoEntry& entry, const device::WriteResult& write)
+{
+    const bool sent = !device::isUntouched(write.outcome);
+    const catalog::Register* reg =
+        entry.servo.profile ? entry.servo.profile->find(write.key) : nullptr;
+    if (!sent || reg == nullptr)
+        return {};
+    const QString before = valueWord(entry.servo, write.key, write.oldRaw);
+    const QString after = valueWord(entry.servo, write.key, write.newRaw);
+    if (reg->role == catalog::Role::BaudRate)
+        return translate("ServoTasks", "It did not answer at the end and may be at either baud "
+                                       "rate: %1 or %2. Port → Interrupted writes looks for it at "
+                                       "both; so does a search at these rates.")
+            .arg(before, after);
+    if (reg->role == catalog::Role::Id)
+        return translate("ServoTasks", "It did not answer at the end and may have either ID: %1 or "
+                                       "%2. Port → Interrupted writes looks for it at both; so "
+                                       "does a search.")
+            .arg(before, after);
+    return {};
+}
+} // namespace
+
 TaskWords writeWords(const session::ServoEntry& entry, const device::WriteReport& report,
                      const QString& done)
 {
@@ -109,11 +154,13 @@ TaskWords writeWords(const session::ServoEntry& entry, const device::WriteReport
     }
     if (const QString lock = lockLine(report.lock); !lock.isEmpty())
         told.more << lock;
-    told.more << (entry.servo.baud > 0
-                      ? translate("ServoTasks", "The servo answers as ID %1 at %2 baud.")
-                            .arg(entry.servo.id)
-                            .arg(rateText(entry.servo.baud))
-                      : translate("ServoTasks", "The servo answers as ID %1.").arg(entry.servo.id));
+    if (answeredAtTheEnd(report))
+        told.more << answersAt(entry.servo);
+    for (const device::WriteResult& write : report.writes) {
+        if (const QString line = mayAnswerAt(entry, write);
+            !answeredAtTheEnd(report) && !line.isEmpty())
+            told.more << line;
+    }
     return told;
 }
 } // namespace ui
