@@ -161,6 +161,8 @@ void Desk::findUnfinished()
     });
 }
 
+/// A write that is going on is ended before the port closes, and what a test has set goes back;
+/// what a commissioning line has left in a servo that went away stays open.
 void Desk::takeUnfinished(const std::vector<base::Intent>& open, UnfinishedWrites& found)
 {
     for (const base::Intent& intent : open) {
