@@ -2142,6 +2142,26 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <source>other values since, which stay</source>
         <translation>之后已是其他数值，保持不变</translation>
     </message>
+    <message>
+        <source>Nothing was written: the change is no longer open, or the port on which it was begun exists again.</source>
+        <translation>未写入任何内容：该更改已不再处于未完成状态，或开始该更改的端口已重新出现。</translation>
+    </message>
+    <message>
+        <source>Changes that were begun on other ports are open. Connect to that port to finish or undo them:</source>
+        <translation>有在其他端口上开始的更改尚未完成。请连接到相应端口以完成或撤销：</translation>
+    </message>
+    <message>
+        <source>still under way in another program</source>
+        <translation>另一个程序仍在进行</translation>
+    </message>
+    <message>
+        <source>It did not answer at the end and may be at either baud rate: %1 or %2. Port → Interrupted writes looks for it at both; so does a search at these rates.</source>
+        <translation>舵机最后没有应答，可能处于两个波特率中的任意一个：%1 或 %2。“端口 → 中断的写入”会在这两个波特率下查找，以这些波特率搜索也可以。</translation>
+    </message>
+    <message>
+        <source>It did not answer at the end and may have either ID: %1 or %2. Port → Interrupted writes looks for it at both; so does a search.</source>
+        <translation>舵机最后没有应答，ID 可能是 %1 或 %2。“端口 → 中断的写入”会在这两个 ID 下查找，搜索也可以。</translation>
+    </message>
 </context>
 <context>
     <name>Trend</name>
@@ -4343,10 +4363,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>类型</translation>
     </message>
     <message>
-        <source>also changes begun on another port than this one; without it the exit code is 1 while any of those is open</source>
-        <translation>也包括在其他端口上开始的修改；不加此项时，只要其中还有未了结的，退出码即为 1</translation>
-    </message>
-    <message>
         <source>The EPROM lock is open because a change of this servo was interrupted; to finish or undo it: %1</source>
         <translation>EPROM 锁未关闭，因为对该舵机的更改被中断；完成或撤销该更改：%1</translation>
     </message>
@@ -4433,6 +4449,46 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Servo %1 may still have torque and go on to its last goal: stopping it after the test failed (%2). Use &quot;torque %1 off&quot;, or cut its supply.</source>
         <translation>舵机 %1 可能仍有扭矩并继续走向最后的目标：测试结束后未能使其停止（%2）。请使用“torque %1 off”，或切断其供电。</translation>
+    </message>
+    <message>
+        <source>Changes are open on this port:</source>
+        <translation>此端口上有未完成的更改：</translation>
+    </message>
+    <message>
+        <source>several changes begin with &quot;%1&quot;</source>
+        <translation>有多个更改以“%1”开头</translation>
+    </message>
+    <message>
+        <source>only this change (the first letters of its name will do)</source>
+        <translation>仅处理此更改（名称的前几个字母即可）</translation>
+    </message>
+    <message>
+        <source>also changes begun on a port that no longer exists, and with --change on one that does; the exit code is 1 while changes begun on other ports are open</source>
+        <translation>同时处理在已不存在的端口上开始的更改，加 --change 时也包括仍然存在的端口；只要其他端口上开始的更改尚未完成，退出码就为 1</translation>
+    </message>
+    <message>
+        <source>Without readings: %1. Legs with such a gap have no times and speeds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still under way in another program</source>
+        <translation>另一个程序仍在进行</translation>
+    </message>
+    <message>
+        <source>Still under way in another program and left to it: %1</source>
+        <translation>另一个程序仍在进行，由该程序完成：%1</translation>
+    </message>
+    <message>
+        <source>Port %1 still exists. To see its changes (%2): %3</source>
+        <translation>端口 %1 仍然存在。查看其更改（%2）：%3</translation>
+    </message>
+    <message>
+        <source>Only if you know that the same servo is connected to %1 now: %2. Another servo of this model and ID cannot be told apart from it.</source>
+        <translation>仅当您确定同一个舵机现在连接在 %1 上时：%2。无法将它与型号和 ID 相同的另一个舵机区分开。</translation>
+    </message>
+    <message>
+        <source>Change %1 was begun on %2, which still exists. ServoDesk relies on your word that the servo on %3 is the same one.</source>
+        <translation>更改 %1 是在 %2 上开始的，该端口仍然存在。%3 上的舵机是否为同一个，ServoDesk 以您的确认为准。</translation>
     </message>
 </context>
 <context>
@@ -6576,6 +6632,18 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>The EPROM lock could not be proven closed; it is noted in the journal. Use recover when the servo answers again.</source>
         <translation>不能确认 EPROM 已上锁；已记入写入日志。舵机恢复应答后请用 recover。</translation>
     </message>
+    <message>
+        <source>this change is still under way in another program</source>
+        <translation>另一个程序仍在进行此更改</translation>
+    </message>
+    <message>
+        <source>The program that began it is still running.</source>
+        <translation>开始此更改的程序仍在运行。</translation>
+    </message>
+    <message>
+        <source>Wait until that program has finished. If it is stopped before, the change can be finished or undone here.</source>
+        <translation>请等待该程序完成。如果它提前停止，可在此处完成或撤销此更改。</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -8290,6 +8358,10 @@ Asked more than once: %9</source>
     <message>
         <source>Writes to this servo, newest first, also under its earlier IDs</source>
         <translation>对这个舵机的写入，最新的在前，包括它以前的 ID</translation>
+    </message>
+    <message>
+        <source>Choose a servo at the left to see what was written to it.</source>
+        <translation>请在左侧选择舵机，以查看对它的写入。</translation>
     </message>
 </context>
 <context>
@@ -10047,8 +10119,8 @@ Asked more than once: %9</source>
         <translation>无论打开了什么，立即让整条总线卸力</translation>
     </message>
     <message>
-        <source>Takes torque off the whole bus at once, also from a field of the motion panel, which then shows the present value again; only in a table cell that is being edited, a menu or a dialog does the first Esc cancel that instead; while servos are driven it stops them from a menu or a dialog as well</source>
-        <translation>立即让整条总线卸力，在运动面板的输入框中也是如此，输入框随后重新显示当前值；只有在正在编辑的表格单元格、菜单或对话框中，第一次 Esc 只取消它们；驱动舵机期间，在菜单或对话框中也会立即停止</translation>
+        <source>Takes torque off the whole bus at once, also from a field of the motion panel, which then shows the present value again; only in a table cell that is being edited, a menu or a dialog does the first Esc cancel that instead; while servos that were driven from here move or are jammed, it stops them from a menu or a dialog as well</source>
+        <translation>立即让整条总线卸力，在运动面板的输入框中也是如此，输入框随后重新显示当前值；只有在正在编辑的表格单元格、菜单或对话框中，第一次 Esc 改为取消它们；由本程序驱动的舵机正在运动或被卡住时，在菜单或对话框中也会停止</translation>
     </message>
 </context>
 <context>
@@ -10104,6 +10176,14 @@ Asked more than once: %9</source>
     <message>
         <source>≠ %1 not restored</source>
         <translation>≠ %1 项不恢复</translation>
+    </message>
+    <message>
+        <source>= no setting differed then</source>
+        <translation>= 当时没有不同的设置</translation>
+    </message>
+    <message>
+        <source>Nothing to set differed when the servo was last read.</source>
+        <translation>上次读取舵机时没有不同的设置。</translation>
     </message>
 </context>
 <context>
@@ -10458,6 +10538,18 @@ Asked more than once: %9</source>
     <message>
         <source>Not written, or not proven: %1.</source>
         <translation>未写入或未能证实：%1。</translation>
+    </message>
+    <message>
+        <source>ID %1 · not read yet</source>
+        <translation>ID %1 · 尚未读取</translation>
+    </message>
+    <message>
+        <source>ID %1 · no answer · read %2</source>
+        <translation>ID %1 · 无应答 · 读取于%2</translation>
+    </message>
+    <message>
+        <source>ID %1 · read %2</source>
+        <translation>ID %1 · 读取于%2</translation>
     </message>
 </context>
 <context>

@@ -191,10 +191,10 @@ Command recoverCommand()
               QT_TRANSLATE_NOOP("cli", "only this change (the first letters of its name will do)"),
               "CHANGE"},
              {"--any-port",
-              QT_TRANSLATE_NOOP("cli",
-                                "also changes begun on a port that is gone; with --change also on "
-                                "one that is there. The exit code is 1 while changes begun on "
-                                "other ports are open")}},
+              QT_TRANSLATE_NOOP(
+                  "cli", "also changes begun on a port that no longer exists, and with --change on "
+                         "one that does; the exit code is 1 while changes begun on other "
+                         "ports are open")}},
             run};
 }
 } // namespace cli

@@ -265,12 +265,12 @@ QString Unasked::advice() const
     }
     QStringList lines;
     if (!running.empty())
-        lines << translate("cli", "Still under way in another program, which ends them itself: %1")
+        lines << translate("cli", "Still under way in another program and left to it: %1")
                      .arg(namesOf(running));
     for (const auto& [there, its] : present) {
         if (there == port)
             continue;
-        lines << translate("cli", "%1 is there. Look at its changes (%2) on it: %3")
+        lines << translate("cli", "Port %1 still exists. To see its changes (%2): %3")
                      .arg(there, namesOf(its), commandOn(there));
         if (hasRealPort())
             lines << translate("cli",
@@ -314,9 +314,8 @@ QString userSaidSo(const jobs::Recovered& one, const QString& port)
     const base::Intent& intent = one.before.intent;
     if (intent.servo.port == port || !jobs::isPortPresent(intent))
         return {};
-    return translate("cli",
-                     "Change %1 was begun on %2, which is there. That the servo on %3 is the "
-                     "same one is only known from you.")
+    return translate("cli", "Change %1 was begun on %2, which still exists. "
+                            "ServoDesk relies on your word that the servo on %3 is the same one.")
                .arg(intent.uuid.left(shownUuid), intent.servo.port, port) +
            QLatin1Char('\n');
 }

@@ -250,7 +250,7 @@ void TestCliRecover::aNamedChangeIsTakenFromAPortThatIsThere()
                             QStringLiteral("--change"), uuid.left(8)};
     const Ran text = cli.run(named);
     QCOMPARE(text.exit, 0);
-    QVERIFY2(text.out.contains(own.port()) && text.out.contains(QStringLiteral("known from you")),
+    QVERIFY2(text.out.contains(own.port()) && text.out.contains(QStringLiteral("your word")),
              qPrintable(text.out));
     const Ran undone =
         cli.run(QStringList(named) << QStringLiteral("--undo") << QStringLiteral("--json"));

@@ -291,7 +291,7 @@ void IntentsDialog::settled(const std::vector<Recovered>& one)
             return TaskWords{Tone::Warn,
                              translate("ServoTasks",
                                        "Nothing was written: the change is no longer open, or the "
-                                       "port on which it was begun is there again.")};
+                                       "port on which it was begun exists again.")};
         });
     if (!one.empty() && one.front().done)
         m_model->remove(uuid);
