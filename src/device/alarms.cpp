@@ -47,6 +47,16 @@ bool reportsFaults(const Servo& servo)
 }
 } // namespace
 
+bool reports(const Servo& servo, const QStringList& faults)
+{
+    const catalog::Register* status = servo.profile ? servo.profile->byRole(Role::Status) : nullptr;
+    return status != nullptr && std::any_of(status->values.begin(), status->values.end(),
+                                            [&](const catalog::NamedValue& bit) {
+                                                return bit.value < 8 && faults.contains(bit.key) &&
+                                                       (servo.status >> bit.value & 1) != 0;
+                                            });
+}
+
 void takeStatus(Servo& servo, int offset, int count)
 {
     const catalog::Register* status = servo.profile && !servo.repliesCarryStatus()

@@ -11,6 +11,9 @@ namespace device {
 /// no error byte. Bits that are no fault (torque is on) are left out.
 void takeStatus(Servo& servo, int offset, int count);
 
+/// Whether a fault bit with one of these keys is set in its status.
+bool reports(const Servo& servo, const QStringList& faults);
+
 /// Temperature and voltage against the servo's own limits, from what has been read; for servos
 /// that report no faults themselves. DerivedTemperature and DerivedVoltage.
 std::vector<Notice> derivedAlarms(const Servo& servo);

@@ -74,27 +74,34 @@ base::Result<void> stopped(const Context& context, const std::vector<Waiting>& w
 
 base::Result<void> checkArrived(const MovePlan& plan)
 {
-    const Servo& servo = *plan.servo;
+    const auto missed = missesGoal(*plan.servo, plan.goalRaw, plan.relative);
+    if (!missed)
+        return {};
+    return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("arrive"),
+                                      QString::number(*missed), plan.servo->id});
+}
+} // namespace
+
+std::optional<std::int64_t> missesGoal(const Servo& servo, std::int64_t goalRaw, bool relative)
+{
     const auto present = servo.raw(Role::PresentPosition);
     const catalog::Mode* mode = servo.mode();
     if (!present || mode == nullptr)
-        return {};
+        return std::nullopt;
     const std::int64_t factor =
         std::max<std::int64_t>(1, servo.raw(Role::AngleResolution).value_or(1));
-    std::int64_t rest = *present; // step mode shows what remains
-    if (!plan.relative) {
-        rest = *present - plan.goalRaw * factor;
+    std::int64_t rest = *present;
+    if (!relative) {
+        rest = *present - goalRaw * factor;
         // Several turns away the feedback may show one turn only.
         if (mode->limitsZero)
             rest = std::llround(
                 std::remainder(static_cast<double>(rest), servo.profile->stepsPerTurn));
     }
     if (std::abs(rest) <= servo.profile->stepsPerTurn / restShare * factor)
-        return {};
-    return tl::unexpected(
-        base::Error{ErrorCode::Refused, QStringLiteral("arrive"), QString::number(rest), servo.id});
+        return std::nullopt;
+    return rest;
 }
-} // namespace
 
 base::Result<void> waitForArrival(const Context& context, std::vector<MovePlan>& plans,
                                   base::Duration limit,

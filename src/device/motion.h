@@ -114,6 +114,11 @@ base::Result<void> startHeld(const Context& context, std::vector<MovePlan>& plan
 /// afterwards.
 base::Result<void> forgetHeld(const Context& context, std::vector<MovePlan>& plans);
 
+/// The steps from the goal to the present position, where there are more of them than friction and
+/// a heavy arm explain. Nullopt also where too little has been read. `relative`: step mode, in
+/// which the position shows what remains.
+std::optional<std::int64_t> missesGoal(const Servo& servo, std::int64_t goalRaw, bool relative);
+
 /// Waits until every servo's moving flag is down (without a flag: until it stands still and its own
 /// travel time is over), or `limit` has passed (NoAnswer/Refused then), or stop. `onSample` sees
 /// each reading.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/motion_check.h"
 
+#include "device/alarms.h"
+#include "device/motion.h"
 #include "device/reader.h"
+#include "device/write_check.h"
 
 #include <cstdlib>
 
@@ -51,6 +54,19 @@ Motion lastKnownMotion(const device::Servo& servo)
         return servo.raw(mode->command).value_or(0) != 0 || turns(servo) ? Motion::Endless
                                                                          : Motion::Rest;
     return servo.raw(Role::Moving).value_or(0) != 0 ? Motion::ToGoal : Motion::Rest;
+}
+
+bool isJammed(const device::Servo& servo)
+{
+    if (!servo.profile || servo.raw(Role::TorqueSwitch) != torqueIsOn)
+        return false;
+    if (device::reports(servo, {QStringLiteral("overload"), QStringLiteral("current")}))
+        return true;
+    const catalog::Mode* mode = servo.mode();
+    const auto goal = servo.raw(Role::GoalPosition);
+    if (mode == nullptr || mode->command != Role::GoalPosition || !goal)
+        return false;
+    return device::missesGoal(servo, *goal, device::isRelative(*mode)).has_value();
 }
 
 base::Result<Motion> readMotion(const device::Context& context, device::Servo& servo)

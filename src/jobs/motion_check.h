@@ -18,4 +18,8 @@ base::Result<Motion> readMotion(const device::Context& context, device::Servo& s
 /// As of the latest readings; Rest where too little has been read. A move to a goal counts only
 /// where the servo has a moving flag.
 Motion lastKnownMotion(const device::Servo& servo);
+
+/// Torque is on and something is in the way: the servo stands away from its position goal, or
+/// reports an overload or overcurrent. As of the latest readings.
+bool isJammed(const device::Servo& servo);
 } // namespace jobs

@@ -68,7 +68,7 @@ bool mayMove(const ServoEntry& known, base::Duration now)
     if (servo.raw(catalog::Role::TorqueSwitch) == 0 &&
         readSince(catalog::Role::TorqueSwitch, known.drivenAt))
         return false;
-    if (jobs::lastKnownMotion(servo) != Motion::Rest)
+    if (jobs::lastKnownMotion(servo) != Motion::Rest || jobs::isJammed(servo))
         return true;
     if (servo.profile->byRole(catalog::Role::Moving) == nullptr)
         return now - known.drivenAt < longestMove;
@@ -165,9 +165,9 @@ void Desk::findUnfinished()
 /// what a commissioning line has left in a servo that went away stays open.
 void Desk::takeUnfinished(const std::vector<base::Intent>& open, UnfinishedWrites& found)
 {
+    const bool lasting = m_running && m_running->task.lasting;
     for (const base::Intent& intent : open) {
         const base::ServoIdentity& who = intent.servo;
-    const bool lasting = m_running && m_running->task.lasting;
         const bool ended = lasting ? intent.temporary : isWorkedOn(who.id);
         if (who.port != m_portName || intent.underWayElsewhere || ended)
             continue;

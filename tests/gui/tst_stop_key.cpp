@@ -180,6 +180,56 @@ private Q_SLOTS:
         QTRY_VERIFY(!moves || !bench.desk().driving());
     }
 
+    /// It stands, but pushes against what is in its way.
+    void escStopsAJammedServoFromAMenuOrAQuestion_data()
+    {
+        QTest::addColumn<bool>("menu");
+        QTest::addColumn<bool>("overloaded"); ///< its protection has tripped
+        QTest::newRow("menu") << true << false;
+        QTest::newRow("question") << false << false;
+        QTest::newRow("question, overload") << false << true;
+    }
+    void escStopsAJammedServoFromAMenuOrAQuestion()
+    {
+        QFETCH(bool, menu);
+        QFETCH(bool, overloaded);
+        gui::WindowBench bench;
+        bench.page = QStringLiteral("operate");
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1+stop=200")));
+        Stops stops(bench.desk());
+        session::Drive& drive = bench.bench.drive;
+        drive.setServos({bench.selection().current()});
+        drive.setTorque(device::Torque::On);
+        QTRY_VERIFY(bench.settled() && !drive.busy());
+        QTRY_VERIFY(!bench.desk().driving()); // it holds
+        const device::Servo& servo = bench.entry().servo;
+        drive.move({.goal = device::exactText(3000, servo.meaning(*device::goalRegister(servo)))});
+        QTRY_VERIFY(bench.settled() && !drive.busy());
+        const auto stands = [&] {
+            const auto place = bench.raw("present_position");
+            return place && *place > 2150 && *place < 2900 && bench.raw("moving") == 0 &&
+                   (!overloaded || bench.entry().servo.status != 0);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(stands(), 30000);
+        QVERIFY(bench.desk().driving());
+        QPointer<QWidget> open;
+        if (menu) {
+            QMenu* first = bench.window->menuBar()->actions().front()->menu();
+            first->popup(bench.window->mapToGlobal(QPoint(10, 40)));
+            open = first;
+        } else {
+            ui::ask(bench.window.get(),
+                    {.title = QStringLiteral("?"), .yes = QStringLiteral("yes")}, [] {});
+            QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
+            open = QApplication::activeModalWidget();
+        }
+        QTRY_VERIFY(open->isVisible());
+        QTest::keyClick(open, Qt::Key_Escape);
+        QCOMPARE(stops.count, 1);
+        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(0));
+        QTRY_VERIFY(!bench.desk().driving());
+    }
+
     void theFirstEscInAListOfChoicesClosesIt()
     {
         gui::WindowBench bench;

@@ -19,7 +19,7 @@ class StopKey final : public QObject {
 
 public:
     /// Listens to the whole application as long as it lives. `driving`: servos may move on the
-    /// program's command.
+    /// program's command, or are jammed.
     explicit StopKey(std::function<bool()> driving, QObject* parent = nullptr);
 
 Q_SIGNALS:
