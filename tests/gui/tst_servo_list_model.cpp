@@ -68,6 +68,7 @@ private Q_SLOTS:
     void itFollowsAChangedId();
     void servosThatLeaveGo();
     void lastSeenGoesOn();
+    void anOldAnswerIsNotGreen();
     void languageIsFollowed();
     void rowsAreDrawn();
 };
@@ -228,6 +229,29 @@ void TestServoListModel::lastSeenGoesOn()
         return bench.cell(1, ServoListModel::LastSeen);
     };
     QTRY_VERIFY_WITH_TIMEOUT(ticked().endsWith(QStringLiteral("s ago")), 5000);
+}
+
+/// Nothing asks it any more, so it is not known to be fine; a fault that was seen stays red.
+void TestServoListModel::anOldAnswerIsNotGreen()
+{
+    using namespace std::chrono_literals;
+    session::ServoEntry entry =
+        entryWith(catalog::Catalog::load().catalog.resolve({3, 10, 0, 9, 3}));
+    QCOMPARE(ui::servoRow(entry, std::nullopt, 4s).alarmTone, ui::Tone::Good);
+    const ServoRow old = ui::servoRow(entry, std::nullopt, 36s);
+    QCOMPARE(old.alarmTone, ui::Tone::Quiet);
+    QCOMPARE(old.lastSeen, QStringLiteral("36 s ago"));
+    entry.servo.status = 32;
+    QCOMPARE(ui::servoRow(entry, std::nullopt, 36s).alarmTone, ui::Tone::Bad);
+    Bench bench;
+    QVERIFY(bench.open(QStringLiteral("sim:sts3215@1")));
+    QVERIFY(bench.search({.firstId = 0, .lastId = 2, .bauds = {}}));
+    QCOMPARE(bench.row(1).alarm, QStringLiteral("fine"));
+    const auto ticked = [&] {
+        bench.model.tick();
+        return bench.row(1).alarmTone;
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(ticked(), ui::Tone::Quiet, 20000);
 }
 
 void TestServoListModel::languageIsFollowed()

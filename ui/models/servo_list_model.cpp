@@ -181,7 +181,7 @@ void ServoListModel::tick()
         const QString ago = entry != nullptr ? agoWords(m_desk.now() - entry->lastSeen) : QString();
         if (ago.isEmpty() || ago == m_rows[std::size_t(row)].lastSeen)
             continue;
-        m_rows[std::size_t(row)].lastSeen = ago;
+        m_rows[std::size_t(row)] = make(entry->ref); // its colour may have aged as well
         // The first column as well: the delegate draws the whole row there.
         Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     }

@@ -27,7 +27,8 @@ public:
     session::ServoRef refAt(int row) const;
     int rowOf(session::ServoRef ref) const; ///< -1: not in the list
 
-    /// The times of "last seen" have gone on.
+    /// The times of "last seen" have gone on. An answer that is too old is no longer shown in the
+    /// colour of a good one.
     void tick();
     void retranslate();
 

@@ -38,6 +38,9 @@ QString shortLine(catalog::Line line)
     return {};
 }
 
+/// An answer older than this does not say how the servo is now.
+constexpr base::Duration saysNow = std::chrono::seconds(5);
+
 struct State {
     QString alarm;
     Tone tone = Tone::Quiet;
@@ -139,7 +142,8 @@ ServoRow servoRow(const session::ServoEntry& entry,
     }
     const State state = stateOf(entry);
     row.alarm = state.alarm;
-    row.alarmTone = state.tone;
+    const bool old = now - entry.lastSeen > saysNow;
+    row.alarmTone = state.tone == Tone::Good && old ? Tone::Quiet : state.tone;
     row.lastSeen = agoWords(now - entry.lastSeen);
     row.remarks = remarksOf(entry, newer);
     row.silent = entry.silent;
