@@ -34,6 +34,7 @@ HistoryPanel::HistoryPanel(QWidget* parent)
 
 void HistoryPanel::setEntry(const session::ServoEntry* entry)
 {
+    m_chosen = entry != nullptr;
     m_model.setEntry(entry);
     showWhich();
 }
@@ -41,6 +42,9 @@ void HistoryPanel::setEntry(const session::ServoEntry* entry)
 void HistoryPanel::showWhich()
 {
     const bool empty = m_model.rowCount() == 0;
+    m_nothing->setText(m_chosen ? tr("No write to this servo is known. Servos are told by model, "
+                                     "firmware and ID.")
+                                : tr("Choose a servo at the left to see what was written to it."));
     m_nothing->setVisible(empty);
     m_list->setVisible(!empty);
 }
@@ -48,8 +52,6 @@ void HistoryPanel::showWhich()
 void HistoryPanel::retranslate()
 {
     m_title->setText(tr("History of this servo"));
-    m_nothing->setText(
-        tr("No write to this servo is known. Servos are told by model, firmware and ID."));
     m_list->setAccessibleName(m_title->text());
     m_list->setToolTip(tr("Writes to this servo, newest first, also under its earlier IDs"));
     m_model.retranslate();

@@ -24,6 +24,7 @@ private:
     void retranslate();
     void showWhich();
 
+    bool m_chosen = false; ///< there is a servo
     HistoryModel m_model;
     QLabel* m_title;
     QLabel* m_nothing;
