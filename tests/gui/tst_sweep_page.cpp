@@ -372,6 +372,44 @@ private Q_SLOTS:
         QCOMPARE(bench.find<QLineEdit>("sweepStart")->text(), QStringLiteral("1800"));
     }
 
+    /// However often its servos are read meanwhile, and also if nothing reads them.
+    void aLineThatIsWholeAgainIsNoticed_data()
+    {
+        QTest::addColumn<bool>("polled");
+        QTest::newRow("read all the time") << true;
+        QTest::newRow("read by nothing else") << false;
+    }
+    void aLineThatIsWholeAgainIsNoticed()
+    {
+        QFETCH(const bool, polled);
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2")));
+        bench.prepare();
+        auto* table = bench.find<QTableWidget>("sweepServos");
+        table->item(1, 0)->setCheckState(Qt::Checked);
+        QTRY_VERIFY(bench.find<QPushButton>("sweepRun")->isEnabled());
+        if (polled) {
+            bench.desk().wish(
+                QStringLiteral("test"),
+                {{{bench.selection().current(), {QStringLiteral("present_position")}}}, {}});
+        }
+        const auto lose = [&bench](double share) {
+            bench.desk().connection()->simulation()->with(
+                [share](sim::VirtualBus& bus) { bus.config().faults.dropRequest = share; });
+        };
+        lose(1);
+        if (polled)
+            QTRY_VERIFY_WITH_TIMEOUT(bench.entry().silent, testTime);
+        else
+            bench.find<QSpinBox>("sweepCycles")->setValue(3); // the test is looked at anew
+        QTRY_VERIFY_WITH_TIMEOUT(bench.text("sweepOutlook").contains(QLatin1String("no answer")),
+                                 testTime);
+        QVERIFY(!bench.find<QPushButton>("sweepRun")->isEnabled());
+        lose(0);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find<QPushButton>("sweepRun")->isEnabled(), testTime);
+        QVERIFY(!bench.text("sweepOutlook").contains(QLatin1String("no answer")));
+    }
+
     void whatWasTypedForAServoComesBackWithIt()
     {
         SweepBench bench;

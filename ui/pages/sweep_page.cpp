@@ -30,6 +30,7 @@ using namespace std::chrono_literals;
 namespace {
 constexpr auto lookDelay = 250ms; ///< after the last letter
 constexpr auto retryAfter = 1s;   ///< of a servo that is heard again
+constexpr auto retryPeriod = 3s;  ///< of one that nothing else reads
 constexpr int leastSetup = 300;
 constexpr int mostSetup = 360;
 constexpr int setupPercent = 28;
@@ -156,6 +157,9 @@ void SweepPage::connectAll()
     m_lookTimer.setSingleShot(true);
     m_lookTimer.setInterval(lookDelay);
     connect(&m_lookTimer, &QTimer::timeout, this, &SweepPage::look);
+    m_retry.setSingleShot(true);
+    m_retry.setInterval(retryPeriod);
+    connect(&m_retry, &QTimer::timeout, this, &SweepPage::lookSoon);
     connect(m_form, &SweepForm::changed, this, &SweepPage::lookSoon);
     connect(m_servos, &SweepServos::changed, this, &SweepPage::servoChosen);
     connect(m_servos, &SweepServos::limitsWished, this, &SweepPage::editLimits);
@@ -245,6 +249,9 @@ void SweepPage::settingsRead(session::ServoRef ref)
     const auto seen = m_settingsSeen.find(ref);
     if (seen == m_settingsSeen.end())
         return;
+    // Readings come faster than the timer runs, so they must not start it anew.
+    if (m_lookTimer.isActive())
+        return;
     if (seen->second != settingsOf(m_desk.servo(ref)))
         lookSoon();
     else
@@ -259,7 +266,7 @@ void SweepPage::lookAgain()
         return gotNoAnswer(one) && entry != nullptr && !entry->silent &&
                entry->lastSeen - m_lookedAt > retryAfter;
     };
-    if (!m_lookTimer.isActive() && std::any_of(m_looks.begin(), m_looks.end(), heardSince))
+    if (std::any_of(m_looks.begin(), m_looks.end(), heardSince))
         lookSoon();
 }
 
@@ -310,6 +317,10 @@ void SweepPage::takeLooks(const std::vector<session::SweepLook>& looks)
     for (const session::SweepLook& one : looks)
         looked.push_back(one.servo);
     noteSettings(looked);
+    if (std::any_of(looks.begin(), looks.end(), gotNoAnswer))
+        m_retry.start();
+    else
+        m_retry.stop();
     if (!looks.empty()) {
         const record::SweepSpec before = m_form->spec();
         const session::SweepLook& first = looks.front();

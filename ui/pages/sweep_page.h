@@ -92,6 +92,7 @@ private:
     QLabel* m_progressWords = nullptr;
     SweepResults* m_results = nullptr;
     QTimer m_lookTimer;
+    QTimer m_retry; ///< after a reading that got no answer: nothing else may read those servos
     std::vector<session::SweepLook> m_looks;
     base::Duration m_lookedAt{};                           ///< desk clock
     session::ServoRef m_shown = 0;                         ///< the fields are about it
