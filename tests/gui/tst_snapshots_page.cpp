@@ -140,6 +140,56 @@ private Q_SLOTS:
         QVERIFY(intents && intents->empty());
     }
 
+    /// Another program writes, or the servo is exchanged for one of its kind.
+    void theServosColumnFollowsTheServo()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.taken());
+        auto* different = bench.find<ui::Pill>("compareDifferent");
+        auto* age = bench.find<ui::Pill>("compareAge");
+        QTRY_COMPARE(different->words(), QStringLiteral("= no setting differs"));
+        QTRY_VERIFY(!age->isVisible());
+        bench.desk().connection()->simulation()->with([](sim::VirtualBus& bus) {
+            bus.servo(1)->poke(QStringLiteral("max_temperature"), 60);
+        });
+        QTRY_COMPARE_WITH_TIMEOUT(different->words(), QStringLiteral("≠ 1 differ"), 20000);
+        QVERIFY(bench.rowOf("max_temperature") >= 0);
+    }
+
+    /// What cannot be read is not said to be so now.
+    void aSilentServosColumnSaysHowOldItIs()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.taken());
+        auto* different = bench.find<ui::Pill>("compareDifferent");
+        auto* age = bench.find<ui::Pill>("compareAge");
+        QTRY_VERIFY(different->isVisible() && !age->isVisible());
+        const auto title = [&] {
+            return bench.table()
+                ->model()
+                ->headerData(ui::CompareModel::FirstTable, Qt::Horizontal)
+                .toString();
+        };
+        QTRY_COMPARE(title(), QStringLiteral("ID 1 now"));
+        const auto lose = [&bench](double share) {
+            bench.desk().connection()->simulation()->with(
+                [share](sim::VirtualBus& bus) { bus.config().faults.dropRequest = share; });
+        };
+        lose(1);
+        QTRY_VERIFY_WITH_TIMEOUT(age->isVisible(), 30000);
+        QTRY_VERIFY2_WITH_TIMEOUT(
+            age->words().startsWith(QStringLiteral("ID 1 · no answer · read ")),
+            qPrintable(age->words()), 30000);
+        QCOMPARE(different->words(), QStringLiteral("= no setting differed then"));
+        QTRY_VERIFY_WITH_TIMEOUT(title().startsWith(QStringLiteral("ID 1 · ")), 30000);
+        lose(0);
+        QTRY_VERIFY_WITH_TIMEOUT(!age->isVisible(), 30000);
+        QTRY_COMPARE(title(), QStringLiteral("ID 1 now"));
+        QCOMPARE(different->words(), QStringLiteral("= no setting differs"));
+    }
+
     /// A snapshot of a servo for 8 V is no reason to put one at 12 V into an alarm.
     void limitsOfAnotherModelNeedAConsciousClick()
     {

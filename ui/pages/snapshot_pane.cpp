@@ -55,6 +55,7 @@ void SnapshotPane::build()
         row->addWidget(made);
         return made;
     };
+    m_age = pill("compareAge");
     m_different = pill("compareDifferent");
     m_never = pill("compareNever");
     m_same = pill("compareSame");
@@ -93,8 +94,10 @@ void SnapshotPane::build()
 }
 
 void SnapshotPane::show(const QString& title, std::vector<ComparedTable> tables,
-                        std::optional<jobs::RestorePlan> plan, const QString& nothing)
+                        std::optional<jobs::RestorePlan> plan, const QString& nothing,
+                        const QStringList& ages)
 {
+    m_ages = ages;
     m_title->setText(title);
     m_nothing->setText(nothing);
     m_model.show(std::move(tables), std::move(plan));
@@ -111,13 +114,19 @@ void SnapshotPane::showCounts()
     m_filter.setAll(m_all->isChecked() || !several);
     const QStringList never = m_model.neverRestored();
     const int different = found.different - int(never.size());
-    m_different->setState(different > 0 ? Tone::Accent : Tone::Good,
+    const bool current = m_ages.isEmpty();
+    const Tone good = current ? Tone::Good : Tone::Quiet;
+    m_age->setVisible(some && !current);
+    m_age->setState(Tone::Warn, current ? QString() : m_ages.front(), {},
+                    m_ages.mid(1).join(QLatin1Char('\n')));
+    m_different->setState(different > 0 ? Tone::Accent : good,
                           different > 0 ? tr("≠ %1 differ").arg(different)
-                                        : tr("= no setting differs"));
+                          : current     ? tr("= no setting differs")
+                                        : tr("= no setting differed then"));
     m_never->setVisible(some && several && !never.isEmpty());
     m_never->setState(Tone::Quiet, tr("≠ %1 not restored").arg(never.size()), {},
                       never.join(QLatin1Char('\n')));
-    m_same->setState(Tone::Good, tr("= %1 the same").arg(found.identical));
+    m_same->setState(good, tr("= %1 the same").arg(found.identical));
     m_rest->setState(Tone::Quiet,
                      tr("%1 read-only, %2 missing, %3 not known")
                          .arg(found.readOnly)
@@ -126,7 +135,8 @@ void SnapshotPane::showCounts()
                      tr("%1 others").arg(found.readOnly + found.missing + found.unknown));
     const bool empty = m_filter.rowCount() == 0;
     if (some && empty)
-        m_nothing->setText(tr("Nothing to set differs."));
+        m_nothing->setText(current ? tr("Nothing to set differs.")
+                                   : tr("Nothing to set differed when the servo was last read."));
     m_nothing->setVisible(empty);
     m_table->setVisible(!empty);
 }

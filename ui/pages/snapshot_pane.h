@@ -23,9 +23,11 @@ public:
 
     CompareModel& model() { return m_model; }
     QToolButton* columns() const { return m_columns; } ///< its menu is the page's
-    /// `nothing` stands where there is no table to show.
+    /// `nothing` stands where there is no table to show. `ages`: a line for each servo whose table
+    /// is not of now.
     void show(const QString& title, std::vector<ComparedTable> tables,
-              std::optional<jobs::RestorePlan> plan, const QString& nothing);
+              std::optional<jobs::RestorePlan> plan, const QString& nothing,
+              const QStringList& ages);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -40,6 +42,8 @@ private:
     CompareModel m_model;
     CompareFilter m_filter;
     QLabel* m_title = nullptr;
+    QStringList m_ages;
+    Pill* m_age = nullptr;
     Pill* m_different = nullptr;
     Pill* m_never = nullptr; ///< differ too, but a restore leaves them alone
     Pill* m_same = nullptr;

@@ -5,6 +5,7 @@
 
 #include "record/factory_snapshot.h"
 #include "ui/dialogs/task_words.h"
+#include "ui/models/servo_row.h"
 #include "ui/pages/snapshot_pane.h"
 #include "ui/pages/snapshot_shelf.h"
 #include "ui/widgets/banner.h"
@@ -19,6 +20,50 @@
 #include <QToolButton>
 
 namespace ui {
+namespace {
+using namespace std::chrono_literals;
+
+constexpr base::Duration readEvery = 500ms;
+/// What is older than this does not say how the servo is set now.
+constexpr base::Duration saysNow = 5s;
+
+/// The settings that it answers to; the whole table has shown which.
+QStringList settingsOf(const session::ServoEntry& entry)
+{
+    QStringList keys;
+    for (const catalog::Register& reg : entry.servo.profile->registers) {
+        if (reg.writable() && entry.servo.raw(reg))
+            keys << reg.key;
+    }
+    return keys;
+}
+
+/// Of its settings the oldest.
+base::Duration tableAge(const session::ServoEntry& entry, base::Duration now)
+{
+    base::Duration oldest = now;
+    for (const catalog::Register& reg : entry.servo.profile->registers) {
+        if (reg.writable() && entry.servo.raw(reg))
+            oldest = std::min(oldest, entry.servo.image.readAt(reg.offset).value_or(now));
+    }
+    return now - oldest;
+}
+
+bool isCurrent(const session::ServoEntry& entry, base::Duration now)
+{
+    return entry.tableRead && !entry.silent && tableAge(entry, now) <= saysNow;
+}
+
+bool sameParts(const std::vector<session::FeedPart>& one,
+               const std::vector<session::FeedPart>& other)
+{
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [](const session::FeedPart& a, const session::FeedPart& b) {
+                          return a.servo == b.servo && a.slowKeys == b.slowKeys;
+                      });
+}
+} // namespace
+
 SnapshotsPage::SnapshotsPage(Bench& bench, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
     , m_desk(bench.desk)
@@ -63,8 +108,49 @@ ComparedTable SnapshotsPage::servoTable(session::ServoRef ref) const
     const session::ServoEntry* servo = m_desk.servo(ref);
     if (servo == nullptr || !servo->servo.profile)
         return {};
-    return {tr("ID %1 now").arg(servo->servo.id), servoTitle(*servo), m_snapshots.now(ref),
-            servo->servo.profile};
+    const base::Duration now = m_desk.now();
+    const QString title =
+        isCurrent(*servo, now) ? tr("ID %1 now").arg(servo->servo.id)
+        : servo->tableRead
+            ? QStringLiteral("ID %1 · %2").arg(servo->servo.id).arg(agoWords(tableAge(*servo, now)))
+            : QStringLiteral("ID %1").arg(servo->servo.id);
+    return {title, servoTitle(*servo), m_snapshots.now(ref), servo->servo.profile};
+}
+
+/// One line for each servo whose column does not say how it is set now.
+QStringList SnapshotsPage::ages() const
+{
+    std::set<session::ServoRef> shown = m_others;
+    shown.insert(m_selection.current());
+    QStringList lines;
+    for (const session::ServoRef ref : shown) {
+        const session::ServoEntry* servo = m_desk.servo(ref);
+        const base::Duration now = m_desk.now();
+        if (servo == nullptr || !servo->servo.profile || isCurrent(*servo, now))
+            continue;
+        const QString ago = agoWords(tableAge(*servo, now));
+        lines << (!servo->tableRead ? tr("ID %1 · not read yet").arg(servo->servo.id)
+                  : servo->silent ? tr("ID %1 · no answer · read %2").arg(servo->servo.id).arg(ago)
+                                  : tr("ID %1 · read %2").arg(servo->servo.id).arg(ago));
+    }
+    return lines;
+}
+
+/// Other programs may write too, and a servo may be exchanged for one of the same model.
+void SnapshotsPage::updateLive()
+{
+    std::vector<session::FeedPart> parts;
+    std::set<session::ServoRef> shown = m_others;
+    shown.insert(m_selection.current());
+    for (const session::ServoRef ref : shown) {
+        const session::ServoEntry* servo = isVisible() ? m_desk.servo(ref) : nullptr;
+        if (servo != nullptr && servo->servo.profile && servo->tableRead)
+            parts.push_back({ref, {}, settingsOf(*servo)});
+    }
+    if (sameParts(parts, m_live))
+        return;
+    m_live = parts;
+    m_desk.wish(QStringLiteral("snapshots"), {std::move(parts), readEvery});
 }
 
 std::vector<ComparedTable> SnapshotsPage::tables(const std::vector<ShelfChoice>& chosen) const
@@ -166,9 +252,10 @@ void SnapshotsPage::refresh()
     m_showing = true;
     const std::vector<ShelfChoice> chosen = m_shelf->chosen();
     auto wanted = plan(chosen);
-    m_pane->show(titleWords(chosen), tables(chosen), std::move(wanted), nothingWords());
+    m_pane->show(titleWords(chosen), tables(chosen), std::move(wanted), nothingWords(), ages());
     m_showing = false;
     showState();
+    updateLive();
 }
 
 void SnapshotsPage::showState()
@@ -273,6 +360,15 @@ void SnapshotsPage::dropEvent(QDropEvent* event)
 void SnapshotsPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
+    m_age.start();
     servoChosen();
+}
+
+void SnapshotsPage::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    m_age.stop();
+    if (m_deskLives)
+        updateLive();
 }
 } // namespace ui

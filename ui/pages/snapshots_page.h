@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Snapshots: taken, opened, held against the selected servo, its factory default and others, and
-// restored row by row. Showing and comparing writes nothing; what would be written is visible
-// before. Works without a port for files and the history. Owned by the window; main thread, never
-// waits.
+// restored row by row. The servos' columns are read regularly while the page is shown, and say how
+// old they are where that fails. Showing and comparing writes nothing; what would be written is
+// visible before. Works without a port for files and the history. Owned by the window; main thread,
+// never waits.
 #pragma once
 
 #include "jobs/restore_plan.h"
@@ -52,6 +53,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     // snapshots_page_build.cpp
@@ -66,6 +68,8 @@ private:
     void servoChosen();
     void refreshSoon();
     void refresh();
+    void updateLive();
+    QStringList ages() const;
     std::vector<ComparedTable> tables(const std::vector<ShelfChoice>& chosen) const;
     ComparedTable servoTable(session::ServoRef ref) const;
     std::optional<jobs::RestorePlan> plan(const std::vector<ShelfChoice>& chosen);
@@ -134,6 +138,8 @@ private:
     bool m_dryRunComing = false;
     std::vector<record::RestoreResult> m_results; ///< of the latest restore
     QTimer m_refresh;
+    QTimer m_age;                          ///< what is not read any more grows older
+    std::vector<session::FeedPart> m_live; ///< what is read regularly for this page
     bool m_showing = false;
 };
 } // namespace ui

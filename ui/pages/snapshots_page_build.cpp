@@ -22,6 +22,7 @@ namespace {
 constexpr int leastShelf = 230;
 constexpr int shelfWidth = 280;
 constexpr auto refreshAfter = std::chrono::milliseconds(150);
+constexpr auto ageStep = std::chrono::seconds(1);
 } // namespace
 
 void SnapshotsPage::build()
@@ -53,6 +54,7 @@ void SnapshotsPage::build()
     m_saveResult = new QAction(this);
     m_refresh.setSingleShot(true);
     m_refresh.setInterval(refreshAfter);
+    m_age.setInterval(ageStep);
 }
 
 QWidget* SnapshotsPage::buildShelf()
@@ -132,6 +134,7 @@ QWidget* SnapshotsPage::buildDeeds()
 void SnapshotsPage::connectAll()
 {
     connect(&m_refresh, &QTimer::timeout, this, &SnapshotsPage::refresh);
+    connect(&m_age, &QTimer::timeout, this, &SnapshotsPage::refreshSoon);
     connect(m_shelf, &SnapshotShelf::chosenChanged, this, &SnapshotsPage::refresh);
     connect(m_shelf, &SnapshotShelf::failed, this, &SnapshotsPage::fail);
     connect(&m_pane->model(), &CompareModel::ticksChanged, this, [this] {
