@@ -102,6 +102,8 @@ public:
     base::Duration searchEstimate(const jobs::ScanSpec& spec) const;
     const std::optional<jobs::ScanReport>& lastSearch() const { return m_lastSearch; }
     const jobs::ScanSpec& lastSearchSpec() const { return m_lastSpec; }
+    /// Those that were seen to have the port open at its end: "minicom (1234)".
+    const QString& otherPrograms() const { return m_otherPrograms; }
 
     // --- servos ---
     const std::vector<ServoRef>& servos() const { return m_order; }
@@ -122,7 +124,7 @@ public:
     bool testing() const;                  ///< a lasting task runs; see Task::lasting
     void stopTask();                       ///< the running task; those that wait are dropped
     void stopTest(); ///< the running one, if it is a lasting one; nothing else
-    /// A test runs, or a servo may move on the program's command.
+    /// A test runs, or a servo may move on the program's command or is kept from doing so.
     bool driving() const;
 
     /// Regular reading of what `user` ("memory", "operate", "record") wants to see, of servos that
@@ -243,7 +245,7 @@ private:
     void remove(ServoRef ref);
     void found(const jobs::Found& one);
     void met(ServoEntry& known, const jobs::Found& one);
-    void searchEnded(const base::Result<jobs::ScanReport>& result);
+    void searchEnded(const base::Result<jobs::ScanReport>& result, const QString& otherPrograms);
     void removeSilent(const jobs::ScanReport& report);
     std::vector<jobs::ExpectedServo> expectedServos() const;
     std::vector<int> missingOf(const jobs::ScanReport& report) const;
@@ -333,6 +335,7 @@ private:
     std::optional<jobs::ScanSpec> m_nextSearch; ///< begins when the present one has stopped
     std::optional<jobs::ScanReport> m_lastSearch;
     jobs::ScanSpec m_lastSpec;
+    QString m_otherPrograms;
     std::optional<int> m_expectedId;
     std::set<ServoRef> m_identifying; ///< on the search thread
     bool m_checkAfterSearch = false;  ///< of an emergency stop

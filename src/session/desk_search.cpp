@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/scan_plan.h"
 #include "session/desk_work.h"
+#include "transport/port_lease.h"
 
 #include <algorithm>
 #include <tuple>
@@ -39,6 +40,7 @@ void Desk::search(const jobs::ScanSpec& spec)
     }
     m_search = std::make_unique<Search>();
     m_search->spec = spec;
+    m_search->port = m_request.name;
     m_search->spec.expected = expectedServos();
     if (m_search->spec.protocols.empty() && m_request.protocol)
         m_search->spec.protocols = {*m_request.protocol};
@@ -93,7 +95,10 @@ void Desk::runSearch(Search& search)
             m_inbox.post([this, progress] { Q_EMIT searchProgress(progress); });
         },
         [this](const jobs::Found& one) { m_inbox.post([this, one] { found(one); }); });
-    m_inbox.post([this, result = std::move(result)] { searchEnded(result); });
+    const QString others = m_connection->simulated()
+                               ? QString()
+                               : transport::portHolders(transport::canonicalPath(search.port));
+    m_inbox.post([this, others, result = std::move(result)] { searchEnded(result, others); });
 }
 
 void Desk::found(const jobs::Found& one)
@@ -183,8 +188,9 @@ void Desk::remove(ServoRef ref)
     Q_EMIT undoChanged();
 }
 
-void Desk::searchEnded(const base::Result<jobs::ScanReport>& result)
+void Desk::searchEnded(const base::Result<jobs::ScanReport>& result, const QString& otherPrograms)
 {
+    m_otherPrograms = otherPrograms;
     const device::Notices notices = m_search->notices;
     if (m_connection)
         noteHeard(); // what the search has asked in vain does not count

@@ -48,6 +48,7 @@ struct Desk::Work {
 
 struct Desk::Search {
     jobs::ScanSpec spec;
+    QString port{};
     bool started = false;
     base::Duration startedAt{};
     std::set<ServoRef> met{}; ///< known before and found again

@@ -31,15 +31,32 @@ QString processName(const QString& pid)
     return QString::fromLocal8Bit(file.readAll()).trimmed();
 }
 
+/// A simulated bus holds both ends of its pseudo-terminal.
+bool isMasterOf(const QString& pid, const QString& descriptor, const QString& path)
+{
+    QFile info(QStringLiteral("/proc/%1/fdinfo/%2").arg(pid, descriptor));
+    if (!path.startsWith(QLatin1String("/dev/pts/")) || !info.open(QIODevice::ReadOnly))
+        return false;
+    const QByteArray index = path.section(QLatin1Char('/'), -1).toLatin1();
+    for (const QByteArray& line : info.readAll().split('\n')) {
+        if (line.startsWith("tty-index:"))
+            return line.mid(line.indexOf(':') + 1).trimmed() == index;
+    }
+    return false;
+}
+
 bool hasOpen(const QString& pid, const QString& path)
 {
     const QDir descriptors(QStringLiteral("/proc/%1/fd").arg(pid));
     const auto links = descriptors.entryInfoList(QDir::Files | QDir::System | QDir::NoDotAndDotDot);
+    bool found = false;
     for (const QFileInfo& link : links) {
-        if (link.symLinkTarget() == path)
-            return true;
+        const QString target = link.symLinkTarget();
+        if (target.endsWith(QLatin1String("/ptmx")) && isMasterOf(pid, link.fileName(), path))
+            return false;
+        found = found || target == path;
     }
-    return false;
+    return found;
 }
 } // namespace
 

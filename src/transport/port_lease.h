@@ -32,7 +32,8 @@ private:
     QString m_path;
 };
 
-/// "minicom (1234)" for the other processes that have the device open; empty if none can be seen.
+/// "minicom (1234)" for the other processes that have the device open; empty if none can be seen:
+/// those of other users are not. A program that is itself the far end of a pseudo-terminal is none.
 QString portHolders(const QString& canonical);
 
 /// Name of the group that owns the device file; empty where there is no such thing.

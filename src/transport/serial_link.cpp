@@ -61,6 +61,17 @@ std::optional<int> realRate(const QSerialPort&)
 }
 #endif
 
+/// A reading that finds nothing, because another program has taken the bytes. The device is still
+/// there: Linux hangs up one that is not.
+bool mayBeTakenAway([[maybe_unused]] QSerialPort::SerialPortError error)
+{
+#ifdef Q_OS_LINUX
+    return error == QSerialPort::ReadError || error == QSerialPort::ResourceError;
+#else
+    return false;
+#endif
+}
+
 QSerialPort::Parity qtParity(Parity parity)
 {
     switch (parity) {
@@ -111,7 +122,8 @@ private:
     {
         const auto error = m_port->error();
         m_port->clearError();
-        return (error != QSerialPort::NoError && error != QSerialPort::TimeoutError) ||
+        return (error != QSerialPort::NoError && error != QSerialPort::TimeoutError &&
+                !mayBeTakenAway(error)) ||
                hungUp(m_port->handle());
     }
 

@@ -83,6 +83,7 @@ private Q_SLOTS:
     void everyRowInBothLanguages();
     void whatFitsComesFirst();
     void anOpenPortRulesOutTheDriver();
+    void otherProgramsAreNamed();
     void searchedIdsAreRuledOut();
     void searchedRatesAreRuledOut();
     void triedProtocolsAreRuledOut();
@@ -148,6 +149,25 @@ void TestSearchAdvice::anOpenPortRulesOutTheDriver()
     QVERIFY(!item(facts, 1, "driver").finding.en.isEmpty());
     QVERIFY(!item(facts, 1, "port").ruledOut); // it may be another adapter
     QVERIFY(!item(facts, 1, "supply").ruledOut);
+}
+
+/// One that opened the port before, without locking it, is not kept out and does not keep out.
+void TestSearchAdvice::otherProgramsAreNamed()
+{
+    SearchFacts facts = nobodyAnswered();
+    for (const int row : {1, 2, 3, 4}) {
+        QVERIFY(!item(facts, row, "holder").cause.en.isEmpty());
+        QVERIFY(!item(facts, row, "holder").ruledOut); // those of other users cannot be seen
+        QVERIFY(item(facts, row, "holder").finding.en.isEmpty());
+    }
+    QVERIFY(!item(facts, 1, "driver").finding.en.contains(QLatin1String("program")));
+    facts.otherPrograms = QStringLiteral("python3 (123)");
+    QVERIFY(item(facts, 1, "holder").finding.en.contains(QLatin1String("python3 (123)")));
+    QVERIFY(item(facts, 1, "holder").finding.zh.contains(QLatin1String("python3 (123)")));
+    QVERIFY(!item(facts, 1, "holder").ruledOut);
+    facts.port.name = QStringLiteral("sim:demo");
+    facts.otherPrograms.clear();
+    QVERIFY(item(facts, 1, "holder").ruledOut);
 }
 
 void TestSearchAdvice::searchedIdsAreRuledOut()

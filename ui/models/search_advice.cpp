@@ -166,6 +166,10 @@ Verdict verdictOn(const SearchFacts& facts, const QString& key, int row)
         return {true, QString()};
     if (byHand.contains(key))
         return ruledOutIf(isSimulated(facts));
+    if (key == QLatin1String("holder"))
+        return ruledOutIf(isSimulated(facts), {},
+                          facts.otherPrograms.isEmpty() ? std::nullopt
+                                                        : std::optional(facts.otherPrograms));
     if (key == QLatin1String("locked"))
         return ruledOutIf(facts.history.idOrRateChanged);
     return ofTheSearch(facts, key, row);
@@ -206,6 +210,7 @@ SearchFacts searchFacts(const session::Desk& desk, const SearchHistory& history)
     facts.port = desk.lastRequest();
     facts.hasBaud = desk.hasBaud() || desk.state() != session::LinkState::Open;
     facts.history = history;
+    facts.otherPrograms = desk.otherPrograms();
     for (const base::Protocol protocol : base::allProtocols) {
         const auto canBeMet = [&](int rate) {
             const auto met = desk.catalog().protocolsAt(rate);

@@ -23,6 +23,7 @@ struct SearchFacts {
     /// Those that were tried when nobody named any: what can be met at the rates searched.
     std::vector<base::Protocol> possible{};
     SearchHistory history{};
+    QString otherPrograms{}; ///< that have the port open too, as far as that can be seen
 };
 
 struct AdviceItem {

@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QEvent>
+#include <QFileInfo>
 #include <QIcon>
 
 namespace ui {
@@ -88,8 +89,9 @@ void LinkTrouble::lost()
             const text::Description words =
                 text::describe({base::ErrorCode::LinkLost, QStringLiteral("read"), port});
             const bool bridge = port.startsWith(QLatin1String("tcp:"));
-            const QString what = bridge ? tr("The connection to %1 broke off.").arg(port)
-                                        : tr("%1 was unplugged.").arg(port);
+            const bool there = QFileInfo::exists(port); // it hung up, or is back already
+            const QString what = bridge || there ? tr("The connection to %1 broke off.").arg(port)
+                                                 : tr("%1 was unplugged.").arg(port);
             const QString remedy = tr("Plug it in again: then you can go on here. What was being "
                                       "written is in the journal, and is looked at first.");
             return BannerWords{Tone::Bad, what, words.cause, bridge ? words.remedy : remedy};

@@ -15,8 +15,10 @@
 #include "pty_pair.h"
 #include <asm/ioctls.h>
 #include <asm/termbits.h>
+#include <atomic>
 #include <sys/file.h>
 #include <sys/ioctl.h>
+#include <thread>
 
 using namespace std::chrono_literals;
 using base::ErrorCode;
@@ -56,6 +58,37 @@ private Q_SLOTS:
         QCOMPARE(pty.hear(256), text);
         pty.say(text);
         QCOMPARE(readAll(**link, 256), all);
+    }
+
+    /// It opened the port before, without locking it: answers are missing, but the adapter is
+    /// there.
+    void aSecondReaderIsNoLoss()
+    {
+        PtyPair pty;
+        auto link = open(pty.path);
+        QVERIFY(link);
+        const int other = ::open(qPrintable(pty.path), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+        QVERIFY(other >= 0);
+        std::atomic<bool> ended = false;
+        std::thread thief([&] {
+            char chunk[64];
+            while (!ended)
+                (void)!::read(other, chunk, sizeof chunk);
+        });
+        base::Bytes all;
+        bool lost = false;
+        for (int i = 0; i < 5000 && !lost; ++i) {
+            pty.say("\x02");
+            lost = !(*link)->waitReadable(0us) || !(*link)->read(all);
+        }
+        ended = true;
+        thief.join();
+        ::close(other);
+        QVERIFY(!lost);
+        pty.say("\x03");
+        QVERIFY((*link)->waitReadable(5s).value());
+        pty.hangUp();
+        QTRY_VERIFY(!(*link)->read(all));
     }
 
     void readAppends()
