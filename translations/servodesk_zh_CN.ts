@@ -10119,8 +10119,8 @@ Asked more than once: %9</source>
         <translation>无论打开了什么，立即让整条总线卸力</translation>
     </message>
     <message>
-        <source>Takes torque off the whole bus at once, also from a field of the motion panel, which then shows the present value again; only in a table cell that is being edited, a menu or a dialog does the first Esc cancel that instead; while servos that were driven from here move or are jammed, it stops them from a menu or a dialog as well</source>
-        <translation>立即让整条总线卸力，在运动面板的输入框中也是如此，输入框随后重新显示当前值；只有在正在编辑的表格单元格、菜单或对话框中，第一次 Esc 改为取消它们；由本程序驱动的舵机正在运动或被卡住时，在菜单或对话框中也会停止</translation>
+        <source>Takes torque off the whole bus at once, also from a field of the motion panel, which then shows the present value again; only in a table cell that is being edited, a menu or a dialog does the first Esc cancel that instead; while servos move or are jammed, it stops them from a menu or a dialog as well</source>
+        <translation>立即让整条总线卸力，在运动面板的输入框中也是如此，输入框随后重新显示当前值；只有在正在编辑的表格单元格、菜单或对话框中，第一次 Esc 改为取消它们；有舵机正在运动或被卡住时，在菜单或对话框中也会停止</translation>
     </message>
 </context>
 <context>

@@ -124,7 +124,7 @@ public:
     bool testing() const;                  ///< a lasting task runs; see Task::lasting
     void stopTask();                       ///< the running task; those that wait are dropped
     void stopTest(); ///< the running one, if it is a lasting one; nothing else
-    /// A test runs, or a servo may move on the program's command or is kept from doing so.
+    /// A test runs, or a servo is seen to move or to be jammed, or may move as it was commanded.
     bool driving() const;
 
     /// Regular reading of what `user` ("memory", "operate", "record") wants to see, of servos that

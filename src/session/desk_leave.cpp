@@ -74,6 +74,22 @@ bool mayMove(const ServoEntry& known, base::Duration now)
         return now - known.drivenAt < longestMove;
     return !readSince(catalog::Role::Moving, known.drivenAt + flagRises);
 }
+
+/// By another program, or by this one before it was started anew. What ends by itself counts only
+/// while it is seen.
+bool seenMoving(const ServoEntry& known, base::Duration now)
+{
+    constexpr base::Duration saysNow = std::chrono::seconds(5);
+    const device::Servo& servo = known.servo;
+    if (!servo.profile || known.stopped)
+        return false;
+    const Motion motion = jobs::lastKnownMotion(servo);
+    if (motion == Motion::Endless)
+        return true;
+    const catalog::Register* place = servo.profile->byRole(catalog::Role::PresentPosition);
+    const auto at = place != nullptr ? servo.image.readAt(place->offset) : std::nullopt;
+    return at && now - *at <= saysNow && (motion != Motion::Rest || jobs::isJammed(servo));
+}
 } // namespace
 
 /// Servos that this program has moved or energised; a lasting test ends its own ones.
@@ -96,9 +112,10 @@ bool Desk::driving() const
     };
     if (testing() || moves(m_running) || std::any_of(m_queue.begin(), m_queue.end(), moves))
         return true;
-    const std::vector<ServoRef> all = driven();
-    return std::any_of(all.begin(), all.end(),
-                       [this](ServoRef ref) { return mayMove(m_servos.at(ref), now()); });
+    return std::any_of(m_servos.begin(), m_servos.end(), [this](const auto& item) {
+        const ServoEntry& known = item.second;
+        return known.driven ? mayMove(known, now()) : seenMoving(known, now());
+    });
 }
 
 void Desk::noteDriven(const Work& ended)

@@ -230,6 +230,30 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.desk().driving());
     }
 
+    /// Another program has set it turning.
+    void escStopsAServoThatIsSeenTurning()
+    {
+        gui::WindowBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        Stops stops(bench.desk());
+        bench.desk().connection()->simulation()->with([](sim::VirtualBus& bus) {
+            bus.servo(1)->poke(QStringLiteral("operating_mode"), 1);
+            bus.servo(1)->poke(QStringLiteral("torque_switch"), 1);
+            bus.servo(1)->poke(QStringLiteral("goal_speed"), 800);
+        });
+        bench.desk().readTable(bench.selection().current());
+        QVERIFY(bench.settled());
+        QTRY_COMPARE(bench.raw("goal_speed"), std::int64_t(800));
+        QVERIFY(bench.desk().driving());
+        QMenu* menu = bench.window->menuBar()->actions().front()->menu();
+        menu->popup(bench.window->mapToGlobal(QPoint(10, 40)));
+        QTRY_VERIFY(menu->isVisible());
+        QTest::keyClick(menu, Qt::Key_Escape);
+        QCOMPARE(stops.count, 1);
+        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(0));
+        QTRY_VERIFY(!bench.desk().driving());
+    }
+
     void theFirstEscInAListOfChoicesClosesIt()
     {
         gui::WindowBench bench;

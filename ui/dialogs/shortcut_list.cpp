@@ -32,8 +32,8 @@ ShortcutList::ShortcutList(const Commands& commands, QWidget* parent)
         *list, QStringLiteral("Esc"), tr("Torque off — all"),
         tr("Takes torque off the whole bus at once, also from a field of the motion panel, which "
            "then shows the present value again; only in a table cell that is being edited, a "
-           "menu or a dialog does the first Esc cancel that instead; while servos that were "
-           "driven from here move or are jammed, it stops them from a menu or a dialog as well"));
+           "menu or a dialog does the first Esc cancel that instead; while servos move or "
+           "are jammed, it stops them from a menu or a dialog as well"));
     addRow(*list, QStringLiteral("Shift+Esc"), tr("Torque off — all"),
            tr("Takes torque off the whole bus at once, whatever is open"));
     for (int i = 0; i < static_cast<int>(Command::Count); ++i) {
