@@ -237,6 +237,15 @@ public:
             const Ran done = m_cli.run({QStringLiteral("recover"), QStringLiteral("--any-port"),
                                         how, QStringLiteral("--json")});
             m_claims = done.json()[QLatin1String("intents")].toArray();
+            // The terminal of the cable may be another program's by now; it is the same servo.
+            for (const QJsonValue& left : look.json()[QLatin1String("elsewhere")].toArray()) {
+                const Ran named =
+                    m_cli.run({QStringLiteral("recover"), QStringLiteral("--any-port"),
+                               QStringLiteral("--change"), left[QLatin1String("uuid")].toString(),
+                               how, QStringLiteral("--json")});
+                for (const QJsonValue& one : named.json()[QLatin1String("intents")].toArray())
+                    m_claims.append(one);
+            }
         }
         return false;
     }
