@@ -864,8 +864,8 @@
         <translation>试用</translation>
     </message>
     <message>
-        <source>interrupted</source>
-        <translation>已中断</translation>
+        <source>not ended</source>
+        <translation>未结束</translation>
     </message>
     <message>
         <source>done</source>

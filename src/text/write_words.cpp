@@ -35,7 +35,7 @@ QString intentWord(base::IntentKind kind, bool temporary, bool ownDefaults)
 QString writeOutcomeWord(const QString& outcome)
 {
     if (outcome.isEmpty())
-        return translate("History", "interrupted");
+        return translate("History", "not ended"); // under way still, or interrupted
     if (outcome == QLatin1StringView("done"))
         return translate("History", "done");
     if (outcome == QLatin1StringView("undone"))
