@@ -19,7 +19,7 @@ sigset_t endingSignals()
 {
     sigset_t set;
     sigemptyset(&set);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    for (const int signal : {SIGINT, SIGQUIT, SIGTERM, SIGHUP})
         sigaddset(&set, signal);
     return set;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ctrl-C and SIGTERM at the built program: it ends soon, says what became of things, and leaves no
-// lock open.
+// Ctrl-C, SIGQUIT and SIGTERM at the built program: it ends soon, says what became of things, and
+// leaves no lock open.
 #include "record/history_journal.h"
 #include "support/cli_program.h"
 
@@ -76,6 +76,7 @@ void TestCliInterrupt::watchEndsWithItsSummary_data()
 {
     QTest::addColumn<int>("signal");
     QTest::newRow("Ctrl-C") << SIGINT;
+    QTest::newRow("quit") << SIGQUIT;
     QTest::newRow("terminate") << SIGTERM;
     QTest::newRow("hang up") << SIGHUP;
 }
