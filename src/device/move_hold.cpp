@@ -217,14 +217,23 @@ base::Result<void> startGoals(const Context& context, const Ways& ways)
 
 base::Result<void> giveUpHeld(const Context& context, const Plans& plans, base::Error error)
 {
+    QStringList holding;
+    int first = -1;
     for (MovePlan* plan : plans) {
+        const bool sent = plan->held.value_or(false);
         const auto waiting = dropHeld(context, *plan->servo);
-        // One that does not answer may hold its goal still, unless it is the one that failed.
-        const bool unknown = !waiting && answerLost(waiting.error()) && plan->servo->id != error.id;
-        if (unknown || (waiting && *waiting))
-            error = {ErrorCode::Refused, QStringLiteral("move"), QStringLiteral("forget-held"),
-                     plan->servo->id};
+        // An emergency stop takes out itself what waits.
+        const bool unknown = !waiting && sent && waiting.error().code != ErrorCode::Preempted;
+        if (!unknown && !waiting.value_or(false))
+            continue;
+        holding << QString::number(plan->servo->id);
+        first = first < 0 ? plan->servo->id : first;
     }
+    if (holding.size() == 1)
+        error = {ErrorCode::Refused, QStringLiteral("move"), QStringLiteral("forget-held"), first};
+    else if (!holding.isEmpty())
+        error = {ErrorCode::Refused, QStringLiteral("move"),
+                 QStringLiteral("forget-held ") + holding.join(QStringLiteral(", "))};
     return tl::unexpected(std::move(error));
 }
 

@@ -176,7 +176,7 @@ QString specialCase(const base::Error& error)
                    : translate("text", "%1 (%2)", "sentence, technical detail").arg(what, saying);
     }
     if (const RefusalWords* words = refusalWords(error)) {
-        const QString held = heldByStop(error);
+        const QString held = heldByStop(error) + heldGoals(error);
         const QString what = translate("text", words->what);
         return held.isEmpty() ? what
                               : translate("text", "%1 (servos %2)", "what, IDs").arg(what, held);

@@ -256,6 +256,13 @@ QString heldByStop(const base::Error& error)
                                                     : QString();
 }
 
+QString heldGoals(const base::Error& error)
+{
+    const bool several = error.code == base::ErrorCode::Refused &&
+                         error.detail.startsWith(QLatin1String("forget-held "));
+    return several ? error.detail.section(QLatin1Char(' '), 1) : QString();
+}
+
 const RefusalWords* refusalWords(const base::Error& error)
 {
     if (const RefusalWords* words = serverWords(error))
@@ -267,7 +274,9 @@ const RefusalWords* refusalWords(const base::Error& error)
     if (error.code == base::ErrorCode::NeedsConsent)
         return findIn(consent, error.detail);
     if (error.code == base::ErrorCode::Refused)
-        return findIn(refused, error.detail);
+        return findIn(refused, heldGoals(error).isEmpty()
+                                   ? error.detail
+                                   : error.detail.section(QLatin1Char(' '), 0, 0));
     if (error.code == base::ErrorCode::Uncertain)
         return findIn(uncertain, error.detail);
     if (error.code == base::ErrorCode::Preempted)

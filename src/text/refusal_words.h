@@ -17,4 +17,6 @@ struct RefusalWords {
 const RefusalWords* refusalWords(const base::Error& error);
 /// "2, 3": the servos that an emergency stop holds, where a task concerned more than one of them.
 QString heldByStop(const base::Error& error);
+/// "1, 2": the servos in which a goal may still wait, where it is more than one.
+QString heldGoals(const base::Error& error);
 } // namespace text
