@@ -4,10 +4,15 @@
 #include "cli/report_words.h"
 #include "cli/run.h"
 #include "cli/translate.h"
+#include "device/answering.h"
 #include "device/motion.h"
 #include "device/release.h"
+#include "device/stop_frames.h"
+#include "transport/port_opener.h"
 
+#include <algorithm>
 #include <functional>
+#include <map>
 #include <memory>
 
 namespace cli {
@@ -42,56 +47,137 @@ struct Task {
     Json result;
     QString shown;
     std::function<base::Result<Confirm>(const device::Context&, device::Servo)> act;
-    bool releases = false; ///< torque off goes out even if the servo cannot be identified
+    /// Torque off goes out even if the servo cannot be identified.
+    bool releases = false;
+    bool sent = false;    ///< torque off went to all of them before
+    QString confirming{}; ///< said when all have been commanded; %1: their IDs
 };
 
-base::Result<Confirm> doOne(Run& run, int id, const Task& task)
+QString shownIds(const std::vector<int>& ids)
 {
-    auto servo = run.servo(id);
-    if (servo)
-        return task.act(*run.context(), std::move(*servo));
-    const auto connection = run.connect();
-    if (!task.releases || !connection)
-        return tl::unexpected(servo.error());
-    return tl::unexpected(device::releaseUnidentified(
-        *run.context(), id, (*connection)->protocols(), std::move(servo.error())));
+    QStringList words;
+    for (const int id : ids)
+        words << QString::number(id);
+    return words.join(QStringLiteral(", "));
 }
 
-/// All servos get their turn, whatever becomes of the others: off must reach as many as it can.
+/// All servos get their turn, whatever becomes of the others.
+class Round {
+public:
+    Round(Run& run, const Task& task)
+        : m_run(run)
+        , m_task(task)
+    {}
+
+    /// All of them are commanded before the first one is waited for.
+    base::Result<void> serve(const std::vector<int>& ids)
+    {
+        Begun begun;
+        for (const int id : ids) {
+            if (m_run.stop().requested())
+                return stopped(id);
+            begun.emplace_back(id, begin(id));
+        }
+        sayCommanded(begun);
+        for (auto& [id, rest] : begun) {
+            if (!rest)
+                m_done[id] = tl::unexpected(rest.error());
+            else
+                m_done[id] = *rest ? (*rest)() : base::Result<void>{};
+        }
+        return {};
+    }
+
+    base::Result<Exit> show(const std::vector<int>& ids) const
+    {
+        Json::Array servos;
+        QString text;
+        Exit exit = Exit::Done;
+        for (const int id : ids) {
+            const base::Result<void>& done = m_done.at(id);
+            if (!done && ids.size() == 1)
+                return tl::unexpected(done.error());
+            Json json = Json::object();
+            json.add("id", id);
+            if (done) {
+                json.add(m_task.name, m_task.result);
+                text +=
+                    translate("cli", "Servo %1: %2").arg(id).arg(m_task.shown) + QLatin1Char('\n');
+            } else {
+                json.add("error", jsonError(done.error()));
+                m_run.console().remark(errorText(done.error()));
+                exit = exit == Exit::Done ? exitCode(done.error().code) : exit;
+            }
+            servos.push_back(std::move(json));
+        }
+        m_run.finish(Json::object().add("servos", std::move(servos)), text);
+        return exit;
+    }
+
+private:
+    using Begun = std::vector<std::pair<int, base::Result<Confirm>>>;
+
+    void sayCommanded(const Begun& begun) const
+    {
+        std::vector<int> ids;
+        for (const auto& [id, rest] : begun) {
+            if (rest)
+                ids.push_back(id);
+        }
+        if (!ids.empty() && !m_task.confirming.isEmpty())
+            m_run.console().remark(m_task.confirming.arg(shownIds(ids)));
+    }
+    base::Result<Confirm> begin(int id)
+    {
+        auto servo = m_run.servo(id);
+        if (servo)
+            return m_task.act(*m_run.context(), std::move(*servo));
+        const auto connection = m_run.connect();
+        if (!m_task.releases || !connection)
+            return tl::unexpected(servo.error());
+        return tl::unexpected(device::releaseUnidentified(
+            *m_run.context(), id, (*connection)->protocols(), std::move(servo.error())));
+    }
+    base::Result<void> stopped(int id) const
+    {
+        const base::Error error{base::ErrorCode::Stopped, QLatin1String(m_task.name), {}, id};
+        return tl::unexpected(m_task.sent ? device::sentUnproven(error) : error);
+    }
+
+    Run& m_run;
+    const Task& m_task;
+    std::map<int, base::Result<void>> m_done{};
+};
+
 base::Result<Exit> doAll(Run& run, const std::vector<int>& ids, const Task& task)
 {
-    std::vector<base::Result<Confirm>> begun;
-    for (const int id : ids) {
-        if (run.stop().requested())
-            return base::fail(base::ErrorCode::Stopped, QLatin1String(task.name), {}, id);
-        begun.push_back(doOne(run, id, task));
-    }
-    Json::Array servos;
-    QString text;
-    Exit exit = Exit::Done;
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        const int id = ids[i];
-        base::Result<void> done;
-        if (!begun[i])
-            done = tl::unexpected(begun[i].error());
-        else if (*begun[i])
-            done = (*begun[i])();
-        Json json = Json::object();
-        json.add("id", id);
-        if (done) {
-            json.add(task.name, task.result);
-            text += translate("cli", "Servo %1: %2").arg(id).arg(task.shown) + QLatin1Char('\n');
-        } else if (ids.size() == 1) {
-            return tl::unexpected(done.error());
-        } else {
-            json.add("error", jsonError(done.error()));
-            run.console().remark(errorText(done.error()));
-            exit = exit == Exit::Done ? exitCode(done.error().code) : exit;
+    Round round(run, task);
+    if (const auto served = round.serve(ids); !served)
+        return tl::unexpected(served.error());
+    return round.show(ids);
+}
+
+/// Before anything is read. Where the rate is still to be found, at each that it can be.
+base::Result<void> releaseAtOnce(Run& run, const std::vector<int>& ids)
+{
+    const auto connection = run.connect();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    bus::Bus& bus = (*connection)->bus();
+    const int rate = bus.baud();
+    if (run.globals().searchBaud && bus.hasBaud()) {
+        for (const int other : transport::knownRates()) {
+            if (other != rate && bus.setBaud(other))
+                device::releaseAtOnce(bus, ids, (*connection)->protocols());
         }
-        servos.push_back(std::move(json));
+        if (const auto back = bus.setBaud(rate); !back)
+            return back;
     }
-    run.finish(Json::object().add("servos", std::move(servos)), text);
-    return exit;
+    device::releaseAtOnce(bus, ids, (*connection)->protocols());
+    if (!bus.lost())
+        run.console().remark(
+            translate("cli", "Torque off was sent (ID %1). Confirming …").arg(shownIds(ids)));
+    return {};
 }
 
 base::Result<Exit> runTorque(Run& run, const Values& values)
@@ -105,12 +191,20 @@ base::Result<Exit> runTorque(Run& run, const Values& values)
         return tl::unexpected(ids.error());
     if (const auto connection = run.connect(); !connection)
         return tl::unexpected(connection.error());
+    const bool off = state->torque == device::Torque::Off;
+    if (off) {
+        if (const auto sent = releaseAtOnce(run, *ids); !sent)
+            return tl::unexpected(sent.error());
+    }
     const Task task{
-        "torque", QString::fromLatin1(state->word), translate("cli", state->shown),
+        "torque",
+        QString::fromLatin1(state->word),
+        translate("cli", state->shown),
         [torque = state->torque](const device::Context& context, device::Servo servo) {
             return device::setTorque(context, servo, torque).map([] { return Confirm(); });
         },
-        state->torque == device::Torque::Off};
+        off,
+        off};
     return doAll(run, *ids, task);
 }
 
@@ -122,6 +216,29 @@ base::Result<Confirm> beginHalt(const device::Context& context, device::Servo se
     });
 }
 
+/// Those that answer, then the silent ones: theirs are the tries that take long. One alone delays
+/// nobody, and before the rate is found nobody can be heard.
+base::Result<std::vector<std::vector<int>>> bySilence(Run& run, const std::vector<int>& ids)
+{
+    const auto connection = run.connect();
+    const auto context = run.context();
+    if (!connection || !context)
+        return tl::unexpected(!connection ? connection.error() : context.error());
+    const bool rateUnknown = run.globals().searchBaud && context->bus.hasBaud();
+    if (ids.size() == 1 || rateUnknown)
+        return std::vector<std::vector<int>>{ids};
+    const auto answering = device::answeringAmong(*context, ids, (*connection)->protocols());
+    std::vector<int> silent;
+    std::copy_if(ids.begin(), ids.end(), std::back_inserter(silent), [&](int id) {
+        return std::find(answering.begin(), answering.end(), id) == answering.end();
+    });
+    if (!silent.empty())
+        run.console().remark(
+            translate("cli", "No answer yet (ID %1): tried again after the others.")
+                .arg(shownIds(silent)));
+    return std::vector<std::vector<int>>{answering, silent};
+}
+
 base::Result<Exit> runStop(Run& run, const Values& values)
 {
     const auto ids = parseIds(values.words("ID"));
@@ -129,8 +246,22 @@ base::Result<Exit> runStop(Run& run, const Values& values)
         return tl::unexpected(ids.error());
     if (const auto connection = run.connect(); !connection)
         return tl::unexpected(connection.error());
-    const Task task{"stopped", true, translate("cli", "stopped"), beginHalt, true};
-    return doAll(run, *ids, task);
+    const Task task{"stopped",
+                    true,
+                    translate("cli", "stopped"),
+                    beginHalt,
+                    true,
+                    false,
+                    translate("cli", "Confirming the stop (ID %1) …")};
+    Round round(run, task);
+    const auto groups = bySilence(run, *ids);
+    if (!groups)
+        return tl::unexpected(groups.error());
+    for (const std::vector<int>& group : *groups) {
+        if (const auto served = round.serve(group); !served)
+            return tl::unexpected(served.error());
+    }
+    return round.show(*ids);
 }
 
 base::Result<Exit> runMode(Run& run, const Values& values)

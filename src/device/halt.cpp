@@ -184,30 +184,51 @@ base::Result<HaltCommand> sayHalt(const Context& context, Servo& servo)
     return HaltCommand{HaltCommand::Kind::StopCommand};
 }
 
-base::Result<HaltCommand> command(const Context& context, Servo& servo)
+/// A standstill in speed or PWM mode and the stop command of LX are the same order to every servo
+/// that hears them, so they go out before it is proven that one servo answers alone: that takes a
+/// dozen reads, and confirm() makes up for it. A place to hold at is one servo's own.
+base::Result<HaltCommand> commandTurning(const Context& context, Servo& servo)
 {
-    if (const auto may = beginWriting(context, servo, QStringLiteral("torque")); !may)
-        return tl::unexpected(may.error());
-    const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
-    if (torque == nullptr)
-        return base::fail(ErrorCode::NotSupported, QStringLiteral("torque"),
-                          QStringLiteral("torque"), servo.id);
-    if (const auto fresh = readSettings(context, servo); !fresh)
-        return tl::unexpected(fresh.error());
-    if (servo.raw(*torque).value_or(0) != torqueIsOn) {
-        context.note(NoticeCode::AlreadySo, servo.id, torque->key);
-        return HaltCommand{};
-    }
+    Context atOnce = context;
+    atOnce.emergencyStop = true;
     const catalog::Mode* mode = servo.mode();
     // A step that is under way cannot be taken back by another one.
     if (mode != nullptr && isRelative(*mode))
-        return torqueOff(context, servo).map([] { return HaltCommand{}; });
+        return torqueOff(atOnce, servo).map([] { return HaltCommand{}; });
     const bool drivesPosition = mode != nullptr && mode->command == Role::GoalPosition;
     if (drivesPosition && canSay(servo, protocol::Request::halt(servo.id)))
         return sayHalt(context, servo);
+    if (mode != nullptr && !drivesPosition)
+        return standStill(atOnce, servo);
+    if (const auto alone = requireVerified(context, servo, QStringLiteral("torque")); !alone)
+        return tl::unexpected(alone.error());
     if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
         return tl::unexpected(fresh.error());
     return standStill(context, servo);
+}
+
+/// Nothing with a register: torque is off already.
+base::Result<HaltCommand> command(const Context& context, Servo& servo)
+{
+    const QString operation = QStringLiteral("torque");
+    const bool verified =
+        context.bus.verifiedIds().contains(servo.protocol, servo.id, context.bus.baud());
+    const auto may =
+        verified ? beginWriting(context, servo, operation) : requireWritable(servo, operation);
+    if (!may)
+        return tl::unexpected(may.error());
+    const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
+    if (torque == nullptr)
+        return base::fail(ErrorCode::NotSupported, operation, operation, servo.id);
+    if (const auto fresh = readSettings(context, servo); !fresh)
+        return tl::unexpected(fresh.error());
+    if (auto bar = writeBar(servo)) {
+        bar->operation = operation;
+        return tl::unexpected(std::move(*bar));
+    }
+    if (servo.raw(*torque).value_or(0) != torqueIsOn)
+        return HaltCommand{HaltCommand::Kind::Nothing, torque};
+    return commandTurning(context, servo);
 }
 
 /// True when the stop command was heard: the shaft does not move between two readings.
@@ -224,6 +245,8 @@ base::Result<bool> heardStop(const Context& context, Servo& servo)
 
 base::Result<void> confirm(const Context& context, Servo& servo, HaltCommand command)
 {
+    if (const auto alone = requireVerified(context, servo, QStringLiteral("torque")); !alone)
+        return alone;
     if (command.kind == HaltCommand::Kind::StopCommand) {
         const auto heard = heardStop(context, servo);
         if (!heard)
@@ -238,8 +261,11 @@ base::Result<void> confirm(const Context& context, Servo& servo, HaltCommand com
             return tl::unexpected(holding.error());
         command = *holding;
     }
-    if (command.kind == HaltCommand::Kind::Nothing)
+    if (command.kind == HaltCommand::Kind::Nothing) {
+        if (command.reg != nullptr)
+            context.note(NoticeCode::AlreadySo, servo.id, command.reg->key);
         return {};
+    }
     const bool position = command.reg->role == Role::GoalPosition;
     const auto rests =
         comesToRest(context, servo, position ? std::optional(command.raw) : std::nullopt);

@@ -27,7 +27,7 @@ std::vector<base::Result<void>> haltAll(const Context& context, const std::vecto
 struct HaltCommand {
     enum class Kind : std::uint8_t { Nothing, Holding, StopCommand };
     Kind kind = Kind::Nothing;              ///< what is still to be proven
-    const catalog::Register* reg = nullptr; ///< Holding: the command register and its value
+    const catalog::Register* reg = nullptr; ///< the command; Nothing: torque, off already
     std::int64_t raw = 0;
 };
 base::Result<HaltCommand> commandHalt(const Context& context, Servo& servo);

@@ -88,8 +88,13 @@ base::Result<void> releaseAnyway(const Context& context, Servo& servo, base::Err
         context.note(NoticeCode::TorqueSwitchedOff, servo.id);
         return {};
     }
+    return tl::unexpected(sentUnproven(std::move(why)));
+}
+
+base::Error sentUnproven(base::Error why)
+{
     why.operation = sentOperation;
-    return tl::unexpected(std::move(why));
+    return why;
 }
 
 base::Error releaseUnidentified(const Context& context, int id,
@@ -102,8 +107,6 @@ base::Error releaseUnidentified(const Context& context, int id,
         unknown.id = id;
         sent = sendTorqueOff(context, unknown) || sent;
     }
-    if (sent)
-        why.operation = sentOperation;
-    return why;
+    return sent ? sentUnproven(std::move(why)) : why;
 }
 } // namespace device

@@ -25,6 +25,9 @@ bool sendTorqueOff(const Context& context, Servo& servo);
 /// it and a single servo answers; otherwise `why`, whose operation tells that it was sent.
 base::Result<void> releaseAnyway(const Context& context, Servo& servo, base::Error why);
 
+/// The same error, telling that torque off was sent although nothing proves it.
+base::Error sentUnproven(base::Error why);
+
 /// The same for an ID that could not be identified, in each of these protocols. Proves nothing.
 base::Error releaseUnidentified(const Context& context, int id,
                                 const std::vector<base::Protocol>& protocols, base::Error why);

@@ -8,13 +8,35 @@ namespace device {
 using base::Protocol;
 
 namespace {
+/// Far below what the length byte of a packet allows.
+constexpr std::size_t maxTargets = 64;
+
+/// A request for which the protocol has no frame is left out.
+void append(std::vector<bus::StopFrame>& frames, Protocol protocol,
+            const protocol::Request& request)
+{
+    if (auto frame = protocol::codecFor(protocol).encode(request.in(protocol)))
+        frames.push_back({protocol, std::move(*frame)});
+}
+
 void append(std::vector<bus::StopFrame>& frames, Protocol protocol, int id,
             const TorqueOffWrite& off)
 {
-    const auto request =
-        protocol::Request::write(id, off.offset, off.data, protocol::Repeat::Safe).in(protocol);
-    if (auto frame = protocol::codecFor(protocol).encode(request))
-        frames.push_back({protocol, std::move(*frame)});
+    append(frames, protocol,
+           protocol::Request::write(id, off.offset, off.data, protocol::Repeat::Safe));
+}
+
+void appendPackets(std::vector<bus::StopFrame>& frames, Protocol protocol,
+                   const std::vector<int>& ids, const TorqueOffWrite& off)
+{
+    std::vector<protocol::Target> targets;
+    for (const int id : ids) {
+        targets.push_back({id, off.data});
+        if (targets.size() < maxTargets && id != ids.back())
+            continue;
+        append(frames, protocol, protocol::Request::syncWrite(off.offset, std::move(targets)));
+        targets.clear();
+    }
 }
 } // namespace
 
@@ -29,5 +51,27 @@ std::vector<bus::StopFrame> stopFrames(const std::vector<Protocol>& protocols,
                torqueOffOf(servo).value_or(torqueOffIn(servo.protocol)));
     }
     return frames;
+}
+
+std::vector<bus::StopFrame> stopFramesFor(const std::vector<int>& ids,
+                                          const std::vector<Protocol>& protocols)
+{
+    std::vector<bus::StopFrame> frames;
+    for (const Protocol protocol : protocols)
+        appendPackets(frames, protocol, ids, torqueOffIn(protocol));
+    for (const Protocol protocol : protocols) {
+        for (const int id : ids)
+            append(frames, protocol, id, torqueOffIn(protocol));
+    }
+    return frames;
+}
+
+void releaseAtOnce(bus::Bus& bus, const std::vector<int>& ids,
+                   const std::vector<Protocol>& protocols)
+{
+    bus.setStopFrames(stopFramesFor(ids, protocols));
+    bus.emergency();
+    // Whatever comes next must find them sent, or it would be taken for work they interrupt.
+    static_cast<void>(bus.listen({}));
 }
 } // namespace device

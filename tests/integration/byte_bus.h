@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Servos that know only bytes, behind a pseudo-terminal of their own: tables of 256 bytes that
-// answer PING, READ and WRITE of the published protocol description through an adapter as late as
-// the test asks, and make of a restart what the test asks. Runs on a thread of its own. POSIX only.
+// answer PING, READ, WRITE and SYNC WRITE of the published protocol description through an adapter
+// as late as the test asks, and make of a restart what the test asks. Runs on a thread of its own.
+// POSIX only.
 #pragma once
 
 #include "support/byte_line.h"
@@ -55,6 +56,12 @@ public:
         m_lost[{id, address}] = count;
     }
     int writes() const { return m_writes; }
+    /// What the host has sent, in order.
+    std::vector<QByteArray> frames()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_frames;
+    }
     int restarts() const { return m_restarts; }
     bool has(int id)
     {
@@ -123,8 +130,11 @@ private:
     void handle(const QByteArray& frame)
     {
         const std::lock_guard lock(m_mutex);
+        m_frames.push_back(frame);
         const auto at = [&frame](int place) { return static_cast<unsigned char>(frame[place]); };
         const int id = at(2);
+        if (id == 254 && at(4) == 0x83)
+            writeTogether(frame);
         const auto servo = m_servos.find(id);
         if (servo == m_servos.end())
             return;
@@ -169,6 +179,18 @@ private:
         }
     }
 
+    /// SYNC WRITE: address, count, then an ID and its data for each servo.
+    void writeTogether(const QByteArray& frame)
+    {
+        const auto at = [&frame](int place) { return static_cast<unsigned char>(frame[place]); };
+        const int count = at(6);
+        for (int place = 7; place + count < frame.size() - 1; place += 1 + count) {
+            const auto servo = m_servos.find(at(place));
+            for (int i = 0; servo != m_servos.end() && i < count; ++i)
+                servo->second[std::size_t(at(5) + i)] = at(place + 1 + i);
+        }
+    }
+
     void reply(int id, const QByteArray& data)
     {
         m_replies.emplace_back(Clock::now() + m_latency, support::feetechFrame(id, 0, data));
@@ -178,8 +200,9 @@ private:
     const Restart m_restart;
     int m_master = -1;
     QString m_name;
-    std::mutex m_mutex; ///< guards the tables
+    std::mutex m_mutex; ///< guards the tables and the frames
     std::map<int, Table> m_servos;
+    std::vector<QByteArray> m_frames;
     std::map<std::pair<int, int>, int> m_lost;                      ///< WRITEs by ID and address
     std::deque<std::pair<Clock::time_point, QByteArray>> m_replies; ///< the thread's
     std::atomic<int> m_writes{0};
