@@ -4490,6 +4490,18 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Change %1 was begun on %2, which still exists. ServoDesk relies on your word that the servo on %3 is the same one.</source>
         <translation>更改 %1 是在 %2 上开始的，该端口仍然存在。%3 上的舵机是否为同一个，ServoDesk 以您的确认为准。</translation>
     </message>
+    <message>
+        <source>Torque off was sent (ID %1). Confirming …</source>
+        <translation>已发送卸力（ID %1），正在确认…</translation>
+    </message>
+    <message>
+        <source>No answer yet (ID %1): tried again after the others.</source>
+        <translation>暂无应答（ID %1）：处理完其他舵机后再次尝试。</translation>
+    </message>
+    <message>
+        <source>Confirming the stop (ID %1) …</source>
+        <translation>正在确认停止（ID %1）…</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -6643,6 +6655,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Wait until that program has finished. If it is stopped before, the change can be finished or undone here.</source>
         <translation>请等待该程序完成。如果它提前停止，可在此处完成或撤销此更改。</translation>
+    </message>
+    <message>
+        <source>It may still be on its way to the goal, with torque on, until it is stopped or torque is off.</source>
+        <translation>它可能仍在向目标位置运动，扭矩处于开启状态，直到被停止或卸力。</translation>
     </message>
 </context>
 <context>

@@ -38,7 +38,7 @@ enum class NoticeCode : std::uint8_t {
     SensorHolds,          ///< encoder alarm: power-cycle, repair if it returns
     RebootedAfter,        ///< a = milliseconds until it answered
     RateChanged,          ///< a = baud at which it answers now
-    StillMoving,          ///< stopped waiting; the servo itself goes on to its goal
+    StillMoving,          ///< no longer waited for, it goes on; a = 1: it may, unseen
     IdChanged,            ///< a = ID at which it answers now
     SentAgain,            ///< reading proved that a write without acknowledgement never arrived
     PersistenceNotStated, ///< nobody says whether key survives power-off

@@ -80,6 +80,20 @@ base::Result<void> checkArrived(const MovePlan& plan)
     return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("arrive"),
                                       QString::number(*missed), plan.servo->id});
 }
+
+/// Nothing tells any more what the servos do; none of them is stopped by that.
+base::Result<void> lost(const Context& context, const std::vector<Waiting>& waiting,
+                        base::Duration elapsed, base::Error why)
+{
+    constexpr std::int64_t mayBe = 1;
+    for (const Waiting& one : waiting) {
+        const bool rested = !underWay(one, elapsed) && one.quiet >= quietReadings;
+        // An emergency stop has taken its torque off.
+        if (why.code != ErrorCode::Preempted && !(rested && checkArrived(*one.plan)))
+            context.note(NoticeCode::StillMoving, one.plan->servo->id, {}, mayBe);
+    }
+    return tl::unexpected(std::move(why));
+}
 } // namespace
 
 std::optional<std::int64_t> missesGoal(const Servo& servo, std::int64_t goalRaw, bool relative)
@@ -115,7 +129,7 @@ base::Result<void> waitForArrival(const Context& context, std::vector<MovePlan>&
     for (;;) {
         for (Waiting& one : waiting) {
             if (const auto seen = look(context, one, onSample); !seen)
-                return seen;
+                return lost(context, waiting, clock.now() - start, seen.error());
         }
         const base::Duration elapsed = clock.now() - start;
         const bool quiet = std::all_of(waiting.begin(), waiting.end(), [&](const Waiting& one) {

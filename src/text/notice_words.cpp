@@ -187,6 +187,9 @@ QStringList setBits(std::uint8_t status, const catalog::Profile* profile, Name&&
 
 QString describe(const base::Notice& notice)
 {
+    if (notice.code == NoticeCode::StillMoving && notice.a == 1)
+        return translate("text", "It may still be on its way to the goal, with torque on, until it "
+                                 "is stopped or torque is off.");
     const Entry* entry = entryFor(notice.code);
     return translate("text", entry->sentence)
         .replace(QLatin1String("%1"), QString::number(notice.a))

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <deque>
 
 using base::ErrorCode;
 using device::MoveHow;
@@ -87,6 +88,7 @@ private Q_SLOTS:
     void moveArrives();
     void motionWithoutTheFlagIsSeen();
     void stoppingTheWaitIsNotStoppingTheServo();
+    void losingTheLinkIsNotStoppingTheServos();
     void refusedMoves_data();
     void refusedMoves();
     void timeActsOnScs();
@@ -294,6 +296,34 @@ void TestMoves::stoppingTheWaitIsNotStoppingTheServo()
     QVERIFY(!waited);
     QCOMPARE(waited.error().code, ErrorCode::Stopped);
     QVERIFY(noted(bench, device::NoticeCode::StillMoving));
+}
+
+void TestMoves::losingTheLinkIsNotStoppingTheServos()
+{
+    SimBench bench(text("sts3215@1,sts3215@2"));
+    std::deque<device::Servo> servos;
+    std::vector<MovePlan> plans;
+    for (const int id : {1, 2}) {
+        servos.push_back(bench.servo(id));
+        MoveOrder order = to("3072");
+        order.servo = &servos.back();
+        order.speed = text("100");
+        plans.push_back(*device::planMove(bench.context(), order));
+    }
+    QVERIFY(device::sendMoves(bench.context(), plans, MoveHow::Write));
+    bench.letTimePass(500ms);
+    const auto waited =
+        device::waitForArrival(bench.context(), plans, 10s, [&](const device::MoveProgress&) {
+            bench.wireConfig().faults.muteIds = {1, 2};
+        });
+    QVERIFY(!waited);
+    for (const int id : {1, 2}) {
+        const auto& notices = bench.notices();
+        QVERIFY(std::any_of(notices.begin(), notices.end(), [id](const device::Notice& notice) {
+            return notice.code == device::NoticeCode::StillMoving && notice.id == id &&
+                   notice.a == 1;
+        }));
+    }
 }
 
 void TestMoves::refusedMoves_data()
