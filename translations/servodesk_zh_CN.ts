@@ -4502,6 +4502,18 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>Confirming the stop (ID %1) …</source>
         <translation>正在确认停止（ID %1）…</translation>
     </message>
+    <message>
+        <source>Given up: change %1, servo %2 (%3, %4)</source>
+        <translation>已放弃：更改 %1，舵机 %2（%3，%4）</translation>
+    </message>
+    <message>
+        <source>Nothing was read: each register may hold its old or its new value.</source>
+        <translation>未读取舵机：每个参数可能是原值，也可能是新值。</translation>
+    </message>
+    <message>
+        <source>The EPROM lock may be open. &quot;info %1&quot; shows it; switching the servo off closes it.</source>
+        <translation>EPROM 锁可能处于打开状态。“info %1”可以查看；给舵机断电即可锁上。</translation>
+    </message>
 </context>
 <context>
     <name>text</name>

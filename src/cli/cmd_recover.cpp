@@ -84,6 +84,8 @@ Exit exitOf(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
 base::Result<Exit> forget(Run& run, const std::vector<base::Intent>& open, const QString& which)
 {
     QStringList forgotten;
+    Json::Array details;
+    QString lines;
     Unasked running;
     for (const base::Intent& intent : open) {
         if (which != QLatin1String("all") && !intent.uuid.startsWith(which))
@@ -95,13 +97,15 @@ base::Result<Exit> forget(Run& run, const std::vector<base::Intent>& open, const
         if (const auto ended = jobs::forget(run.session().journal(), intent); !ended)
             return tl::unexpected(ended.error());
         forgotten << intent.uuid;
+        details.push_back(jsonGivenUp(intent));
+        lines += givenUpLines(intent);
     }
     if (forgotten.isEmpty() && running.intents.empty() && which != QLatin1String("all"))
         return badArgument(translate("cli", "there is no open change \"%1\"").arg(which));
-    Json document = Json::object().add("forgotten", forgotten);
+    Json document = Json::object().add("forgotten", forgotten).add("given_up", std::move(details));
     running.addTo(document, "under_way");
     run.finish(std::move(document), translate("cli", "Changes given up: %1").arg(forgotten.size()) +
-                                        QLatin1Char('\n') + running.advice());
+                                        QLatin1Char('\n') + lines + running.advice());
     return running.intents.empty() ? Exit::Done : Exit::NotDone;
 }
 

@@ -153,6 +153,36 @@ QString changesBelow(const base::Intent& intent)
     return lines;
 }
 
+QString givenUpLines(const base::Intent& intent)
+{
+    const QStringList changes = changesOf(intent);
+    QString lines =
+        translate("cli", "Given up: change %1, servo %2 (%3, %4)")
+            .arg(intent.uuid.left(shownUuid))
+            .arg(intent.servo.id)
+            .arg(kindName(intent),
+                 intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
+    lines += QLatin1Char('\n');
+    for (const QString& change : changes.isEmpty() ? QStringList{changesCell(intent)} : changes)
+        lines += QStringLiteral("  %1\n").arg(change);
+    lines +=
+        QStringLiteral("  ") +
+        translate("cli", "Nothing was read: each register may hold its old or its new value.") +
+        QLatin1Char('\n');
+    if (intent.lockOpened)
+        lines += QStringLiteral("  ") +
+                 translate("cli", "The EPROM lock may be open. \"info %1\" shows it; switching the "
+                                  "servo off closes it.")
+                     .arg(intent.servo.id) +
+                 QLatin1Char('\n');
+    return lines;
+}
+
+Json jsonGivenUp(const base::Intent& intent)
+{
+    return jsonIntent(intent).add("lock_may_be_open", intent.lockOpened);
+}
+
 namespace {
 QString lockShown(const std::optional<bool>& open)
 {

@@ -13,6 +13,9 @@ Json jsonRecovered(const jobs::Recovered& one);
 Table recoveredTable(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action);
 /// What the table only counts, one a line.
 QString changesBelow(const base::Intent& intent);
+/// A change that was given up unread: what it concerned, and that the lock may be open.
+QString givenUpLines(const base::Intent& intent);
+Json jsonGivenUp(const base::Intent& intent);
 /// What was not written although it reads another value than was asked for.
 QString leftLine(const jobs::Recovered& one);
 /// One that was named although its own port is there: nothing proves that it is the same servo.

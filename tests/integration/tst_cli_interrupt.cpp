@@ -67,6 +67,7 @@ private Q_SLOTS:
     void killedWriteIsRecovered_data();
     void killedWriteIsRecovered();
     void openChangeCanBeGivenUp();
+    void whatIsGivenUpIsSaid();
 
 private:
     void killDuringWrite(CliProgram& cli);
@@ -206,7 +207,26 @@ void TestCliInterrupt::openChangeCanBeGivenUp()
     const Ran ran = cli.json("recover --forget all");
     QCOMPARE(ran.exit, 0);
     QCOMPARE(ran.json()[QLatin1String("forgotten")].toArray().size(), 1);
+    const QJsonObject given = ran.json()[QLatin1String("given_up")][0].toObject();
+    QCOMPARE(given[QLatin1String("id")].toInt(), 1);
+    QCOMPARE(given[QLatin1String("items")].toArray().size(), 4);
+    QCOMPARE(given[QLatin1String("lock_may_be_open")].toBool(), true);
     QCOMPARE(cli.json("recover").json()[QLatin1String("intents")].toArray().size(), 0);
+}
+
+void TestCliInterrupt::whatIsGivenUpIsSaid()
+{
+    CliProgram cli;
+    SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
+    cli.setPort(sim.port());
+    killDuringWrite(cli);
+    if (QTest::currentTestFailed())
+        return;
+    const Ran ran = cli.run("recover --forget all");
+    QCOMPARE(ran.exit, 0);
+    for (const char* said : {"servo 1", "max_temperature 70 → 60", "overload_torque",
+                             "old or its new value", "EPROM lock may be open"})
+        QVERIFY2(ran.out.contains(QString::fromUtf8(said)), qPrintable(ran.out));
 }
 
 void TestCliInterrupt::killedWriteIsRecovered()
