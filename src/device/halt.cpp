@@ -184,10 +184,19 @@ base::Result<HaltCommand> sayHalt(const Context& context, Servo& servo)
     return HaltCommand{HaltCommand::Kind::StopCommand};
 }
 
-/// A standstill in speed or PWM mode and the stop command of LX are the same order to every servo
-/// that hears them, so they go out before it is proven that one servo answers alone: that takes a
-/// dozen reads, and confirm() makes up for it. A place to hold at is one servo's own.
-base::Result<HaltCommand> commandTurning(const Context& context, Servo& servo)
+/// Signs of a second servo, or of a line on which none could be told.
+std::uint64_t signsHeard(const Context& context)
+{
+    const bus::Counters total = context.bus.statistics().total;
+    return total.badChecks + total.foreign + total.late + total.noiseBytes + total.retried;
+}
+
+/// Goes out before it is proven that one servo answers alone: that takes a dozen reads, and
+/// confirm() makes up for it. A standstill in speed or PWM mode and the stop command of LX are the
+/// same order to every servo that hears them. A place to hold at is one servo's own, so there the
+/// reads that lead to it must have been in order: replies of two servos are so only where they are
+/// equal, and with them the place. `before`: the signs heard before those reads.
+base::Result<HaltCommand> commandTurning(const Context& context, Servo& servo, std::uint64_t before)
 {
     Context atOnce = context;
     atOnce.emergencyStop = true;
@@ -199,6 +208,10 @@ base::Result<HaltCommand> commandTurning(const Context& context, Servo& servo)
     if (drivesPosition && canSay(servo, protocol::Request::halt(servo.id)))
         return sayHalt(context, servo);
     if (mode != nullptr && !drivesPosition)
+        return standStill(atOnce, servo);
+    if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
+        return tl::unexpected(fresh.error());
+    if (signsHeard(context) == before)
         return standStill(atOnce, servo);
     if (const auto alone = requireVerified(context, servo, QStringLiteral("torque")); !alone)
         return tl::unexpected(alone.error());
@@ -220,6 +233,7 @@ base::Result<HaltCommand> command(const Context& context, Servo& servo)
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
     if (torque == nullptr)
         return base::fail(ErrorCode::NotSupported, operation, operation, servo.id);
+    const std::uint64_t before = signsHeard(context);
     if (const auto fresh = readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
     if (auto bar = writeBar(servo)) {
@@ -228,7 +242,7 @@ base::Result<HaltCommand> command(const Context& context, Servo& servo)
     }
     if (servo.raw(*torque).value_or(0) != torqueIsOn)
         return HaltCommand{HaltCommand::Kind::Nothing, torque};
-    return commandTurning(context, servo);
+    return commandTurning(context, servo, before);
 }
 
 /// True when the stop command was heard: the shaft does not move between two readings.

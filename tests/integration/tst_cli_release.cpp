@@ -20,7 +20,9 @@ constexpr int writeInstruction = 0x03;
 constexpr int syncWriteInstruction = 0x83;
 constexpr int modeAddress = 33;
 constexpr int torqueSwitch = 40;
+constexpr int goalAddress = 42;
 constexpr int speedAddress = 46;
+constexpr int placeAddress = 56;
 constexpr int speedMode = 1;
 
 using Frames = std::vector<QByteArray>;
@@ -61,7 +63,9 @@ std::size_t firstPacket(const Frames& frames)
 qint64 readsBefore(const Frames& frames, std::size_t place)
 {
     return std::count_if(frames.begin(), frames.begin() + std::ptrdiff_t(place),
-                         [](const QByteArray& frame) { return at(frame, 4) == readInstruction; });
+                         [](const QByteArray& frame) {
+                             return at(frame, 4) == readInstruction && at(frame, 2) != broadcastId;
+                         });
 }
 
 /// Torque on, turning as a wheel.
@@ -87,6 +91,7 @@ private Q_SLOTS:
     void manyServosShareNoPacketThatIsTooLong();
     void unknownRateDoesNotDelayTorqueOff();
     void silentServosDoNotDelayAStop();
+    void allAreStoppedBeforeOneIsConfirmed_data();
     void allAreStoppedBeforeOneIsConfirmed();
 };
 
@@ -190,23 +195,36 @@ void TestCliRelease::silentServosDoNotDelayAStop()
     QCOMPARE(bus.byteAt(1, torqueSwitch), 1);
 }
 
+void TestCliRelease::allAreStoppedBeforeOneIsConfirmed_data()
+{
+    QTest::addColumn<int>("mode");
+    QTest::addColumn<int>("command");
+    QTest::newRow("wheels") << speedMode << speedAddress;
+    QTest::newRow("positions") << 0 << goalAddress;
+}
+
 void TestCliRelease::allAreStoppedBeforeOneIsConfirmed()
 {
+    QFETCH(int, mode);
+    QFETCH(int, command);
     constexpr int mostReadsEach = 5;
     const std::vector<int> ids{1, 2, 3, 4};
     bytes::Bus bus({1, 2, 3, 4}, 20ms);
     turn(bus, ids);
+    for (const int id : ids)
+        bus.setByte(id, modeAddress, mode);
     CliProgram cli;
     cli.setPort(bus.port());
     const Ran ran = cli.run("stop 1-4 --protocol feetech");
     QVERIFY2(ran.exit == 0, qPrintable(ran.err));
     const Frames frames = bus.frames();
     for (const int id : ids) {
-        const std::size_t stopped = firstWrite(frames, id, speedAddress);
+        const std::size_t stopped = firstWrite(frames, id, command);
         QVERIFY(stopped < frames.size());
         const auto reads = readsBefore(frames, stopped);
         QVERIFY2(reads <= mostReadsEach * id, qPrintable(QString::number(reads)));
-        QCOMPARE(bus.byteAt(id, speedAddress), 0);
+        QCOMPARE(bus.byteAt(id, command),
+                 command == goalAddress ? bus.byteAt(id, placeAddress) : 0);
         QCOMPARE(bus.byteAt(id, torqueSwitch), 1);
     }
     QVERIFY2(ran.err.contains(QStringLiteral("1, 2, 3, 4")), qPrintable(ran.err));

@@ -411,9 +411,12 @@ void TestWriteTwins::torqueOffReachesBoth_data()
 {
     QTest::addColumn<bool>("halt");
     QTest::addColumn<bool>("collide");
+    QTest::addColumn<int>("mode");
     for (const bool collide : {false, true}) {
-        QTest::addRow("off, %s", collide ? "colliding" : "in turn") << false << collide;
-        QTest::addRow("stop, %s", collide ? "colliding" : "in turn") << true << collide;
+        const char* how = collide ? "colliding" : "in turn";
+        QTest::addRow("off, %s", how) << false << collide << 0;
+        QTest::addRow("stop, %s", how) << true << collide << 0;
+        QTest::addRow("stop of wheels, %s", how) << true << collide << 1;
     }
 }
 
@@ -421,19 +424,26 @@ void TestWriteTwins::torqueOffReachesBoth()
 {
     QFETCH(bool, halt);
     QFETCH(bool, collide);
+    QFETCH(int, mode);
+    constexpr std::uint8_t goal = 4; // its high byte: 1024
     Bytes bench;
     bench.line.servos = {byteSts(1, 2048), byteSts(1, 900)};
     bench.line.servos[1].table[14] = 90;
     if (!collide)
         bench.line.replies = ByteLine::Replies::OneAfterAnother;
-    for (support::ByteServo& one : bench.line.servos)
+    for (support::ByteServo& one : bench.line.servos) {
+        one.table[33] = std::uint8_t(mode);
         one.table[40] = 1;
+        one.table[43] = goal;
+    }
     bench.open();
     device::Servo servo = bench.servo();
     const auto done = halt ? device::halt(bench.context(), servo)
                            : device::setTorque(bench.context(), servo, device::Torque::Off);
-    for (const support::ByteServo& one : bench.line.servos)
+    for (const support::ByteServo& one : bench.line.servos) {
         QCOMPARE(one.table[40], std::uint8_t(0));
+        QCOMPARE(one.table[43], goal); // the place of one is not the other's
+    }
     QVERIFY(!done);
     const auto words = text::describe(done.error());
     QVERIFY2(words.what.contains(QLatin1String("Torque off was sent")), qPrintable(words.what));
