@@ -68,15 +68,26 @@ bool BusCore::runPoll()
     return true;
 }
 
+namespace {
+/// No adapter is as late as that: it was this program that stood still (suspended, a busy machine).
+/// The servo has answered long ago.
+Duration momentOf(const Arrival& arrival, const Attempt& attempt)
+{
+    const bool stoodStill = arrival.at > attempt.onTime + LateGuard::longestLateness;
+    return stoodStill ? attempt.onTime : arrival.at;
+}
+} // namespace
+
 void BusCore::storeSamples(const PollRead& read, Attempt attempt, base::ErrorCode error)
 {
     m_polls.finished(read, attempt.missing, attempt.endedAt);
     for (Arrival& arrival : attempt.arrivals) {
         protocol::Part& part = arrival.part;
+        const Duration at = momentOf(arrival, attempt);
         const bool answered = part.exception == 0;
-        m_samples.add(read.plan, {part.id, read.block.address, std::move(part.data), part.status,
-                                  arrival.at, answered, answered ? error : base::ErrorCode::Refused,
-                                  read.protocol, read.endsRound});
+        m_samples.add(read.plan,
+                      {part.id, read.block.address, std::move(part.data), part.status, at, answered,
+                       answered ? error : base::ErrorCode::Refused, read.protocol, read.endsRound});
     }
     for (const int id : attempt.missing)
         m_samples.add(read.plan, {id,

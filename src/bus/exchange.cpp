@@ -155,6 +155,7 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
                   m_line.wireTime(replies * static_cast<std::size_t>(wait.expected.replyBytes));
     if (raw || replies > 0)
         wait.onTime += replyDelay * std::max<std::size_t>(replies, 1);
+    wait.attempt.onTime = wait.onTime;
     wait.deadline = wait.onTime + (patience > 0us ? patience : m_guard.patience());
     m_repliesUntil = wait.onTime;
     m_unsettled = true;

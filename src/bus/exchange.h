@@ -36,6 +36,7 @@ struct Attempt {
     bool refused = false;           ///< not sent, because of the unrest on the line
     std::optional<int> foreignId;   ///< a reply that came meanwhile, from an ID that was not asked
     base::Duration sentAt{};
+    base::Duration onTime{}; ///< when a prompt adapter would have shown the last reply
     base::Duration endedAt{};
 };
 

@@ -45,7 +45,9 @@ struct Sample {
     int address = 0;
     base::Bytes data;
     std::uint8_t status = 0;
-    base::Duration at{}; ///< when the last byte of the reply had arrived, bus clock
+    /// When the last byte of the reply had arrived, bus clock; of a reply that this program took up
+    /// much later: when it was due.
+    base::Duration at{};
     bool answered = false;
     base::ErrorCode error = base::ErrorCode::NoAnswer; ///< meaningful when not answered
     base::Protocol protocol = base::Protocol::Feetech; ///< IDs are those of one language

@@ -31,6 +31,8 @@ public:
     }
     base::Result<bool> waitReadable(base::Duration span) override
     {
+        if (m_tap.onWait)
+            m_tap.onWait();
         return m_own.empty() ? m_link->waitReadable(span) : base::Result<bool>(true);
     }
     base::Result<void> setBaud(int baud) override

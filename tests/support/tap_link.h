@@ -15,6 +15,7 @@ namespace support {
 struct LinkTap {
     std::vector<base::Bytes> written; ///< one entry a write, that is a frame
     std::function<void(const base::Bytes&)> onWrite;
+    std::function<void()> onWait; ///< about to wait for an answer
     std::function<void()> onOpen; ///< about to try
     std::set<int> refusedRates;
     /// What a device that is none of the simulator's makes of a frame: the bytes that come back,

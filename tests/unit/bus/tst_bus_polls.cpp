@@ -78,6 +78,25 @@ private Q_SLOTS:
         QVERIFY(bench.core->takeSamples(id).empty());
     }
 
+    /// The program is suspended while the servo answers: its value is of then, not of now.
+    void aReplyTakenUpMuchLaterIsOfWhenItWasDue()
+    {
+        Bench bench;
+        bench.open();
+        const Duration start = bench.script.clock.now();
+        bench.script.onWait = [&bench, stood = false]() mutable {
+            if (!std::exchange(stood, !bench.script.sent.empty()) && stood)
+                bench.script.clock.advance(2s);
+        };
+        const PollId id = bench.core->startPoll(singles({1}, 10ms));
+        pause(bench, 2s + 5ms);
+        const auto samples = bench.core->takeSamples(id);
+        QVERIFY(samples.size() >= 2);
+        QVERIFY(samples[0].answered && samples[1].answered);
+        QVERIFY(samples[0].at < start + 2ms);
+        QVERIFY(samples[1].at >= start + 2s);
+    }
+
     void periodZeroFillsTheWire()
     {
         Bench bench;
