@@ -168,6 +168,9 @@ std::vector<record::StepAdvice> Adviser::advise()
 {
     if (m_run.responses.empty())
         return {};
+    const auto seen = [](const record::StepResponse& one) { return one.seen; };
+    if (!std::all_of(m_run.responses.begin(), m_run.responses.end(), seen))
+        say(StepSymptom::NotSeen, StepRemedy::RepeatRun);
     if (stood(m_run.responses)) {
         say(StepSymptom::NoMotion, StepRemedy::FreeMotion);
         return m_advice;

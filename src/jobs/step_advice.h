@@ -5,6 +5,7 @@
 // larger dead zone; strong oscillation → P back to the stored one. By the means of the run, of what
 // was measured; the worst first. Each proposes one small step inside the register's range, and none
 // where there is no room. Of a servo that never moved no gain is known. Pure; any thread.
+//   not seen     readings were missing in the motion of one or more
 //   no motion    in no response it went further towards its target than noise goes
 //   oscillation  turned round four times or more, by more than the tolerance
 //   jitter       as often, by less

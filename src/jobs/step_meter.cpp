@@ -2,10 +2,12 @@
 #include "jobs/step_meter.h"
 
 #include "jobs/leg_trace.h"
+#include "jobs/sweep_runner.h"
 #include "record/sweep_fields.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace jobs {
 using base::Duration;
@@ -15,6 +17,7 @@ using Samples = std::vector<StepSample>;
 
 namespace {
 constexpr Duration longestStretch = 50ms; ///< between two readings, to be interpolated
+constexpr int ordinaryStretches = 4;      ///< so many of them in one are missing readings
 constexpr Duration closeReadings = 5ms;   ///< near enough to tell noise from motion
 constexpr double leastGone = 3;           ///< steps
 constexpr double goneShare = 0.01;
@@ -156,6 +159,42 @@ std::optional<double> reportedSpeed(const Samples& samples)
     return most;
 }
 } // namespace
+
+bool seenThroughout(const Samples& samples, const record::SweepLeg& leg, Duration end)
+{
+    std::vector<Duration> stretches;
+    Duration before{};
+    for (const StepSample& sample : samples)
+        stretches.push_back(sample.at - std::exchange(before, sample.at));
+    if (stretches.empty())
+        return false;
+    const auto middle = stretches.begin() + std::ptrdiff_t(stretches.size() / 2);
+    std::nth_element(stretches.begin(), middle, stretches.end());
+    const Duration longest =
+        std::min(std::max(longestStretch, ordinaryStretches * *middle), SweepRunner::gapFrom);
+    const Duration over =
+        leg.timeToTarget ? *leg.timeToTarget + leg.settling.value_or(Duration(0)) : end;
+    before = {};
+    for (const StepSample& sample : samples) {
+        if (sample.at - before > longest)
+            return false;
+        before = sample.at;
+        if (before >= over)
+            return true;
+    }
+    return end - before <= longest;
+}
+
+void forgetMotion(record::StepFigures& figures)
+{
+    for (const auto figure :
+         {&record::StepFigures::deadTime, &record::StepFigures::riseTime,
+          &record::StepFigures::timeToTarget, &record::StepFigures::settling,
+          &record::StepFigures::overshoot, &record::StepFigures::overshootSteps,
+          &record::StepFigures::swings, &record::StepFigures::swingFrequency,
+          &record::StepFigures::swingAmplitude, &record::StepFigures::peakSpeed})
+        (figures.*figure).reset();
+}
 
 record::StepFigures stepFigures(const Samples& samples, const record::SweepLeg& leg)
 {

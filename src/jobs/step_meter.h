@@ -10,8 +10,8 @@
 //   frequency:   of three swings or more, from the first to the last
 //   amplitude:   of two or more, half of the longest way between two of them
 //   peak speed:  the leg's top speed; on ways too short for that what the servo reports
-// A response with a silence of 300 ms or more has none of these (step_response.cpp).
-// Crossings are interpolated, but not across more than 50 ms. Pure; any thread.
+// A response whose motion was not seen throughout has no times, swings and speeds, nor an
+// overshoot. Crossings are interpolated, but not across more than 50 ms. Pure; any thread.
 #pragma once
 
 #include "record/step_run.h"
@@ -19,4 +19,12 @@
 namespace jobs {
 record::StepFigures stepFigures(const std::vector<record::StepSample>& samples,
                                 const record::SweepLeg& leg);
+
+/// Until it had settled (`end`, if it never did) no two readings were further apart than 50 ms, or
+/// than four times what is ordinary in this response if that is more; never 300 ms.
+bool seenThroughout(const std::vector<record::StepSample>& samples, const record::SweepLeg& leg,
+                    base::Duration end);
+
+/// What is not known of a response that was not.
+void forgetMotion(record::StepFigures& figures);
 } // namespace jobs

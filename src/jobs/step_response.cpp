@@ -55,17 +55,6 @@ base::Result<std::vector<record::StepGain>> gainsOf(const device::Context& conte
     return gains;
 }
 
-/// The leg's own figures forget it themselves.
-void forgetMotion(record::StepFigures& figures)
-{
-    figures.deadTime.reset();
-    figures.riseTime.reset();
-    figures.swings.reset();
-    figures.swingFrequency.reset();
-    figures.swingAmplitude.reset();
-    figures.peakSpeed.reset();
-}
-
 /// The speed and the acceleration a servo had before, which are in its RAM only.
 class Rates {
 public:
@@ -131,7 +120,6 @@ private:
     base::Result<record::StepRun> ride();
     base::Result<void> drive();
     base::Result<void> checkGains();
-    bool seenThroughout() const;
     SweepWatch watch();
     void take(const SweepSample& sample, int leg);
     void close(const record::SweepLeg& leg);
@@ -154,18 +142,6 @@ void StepJob::take(const SweepSample& sample, int leg)
         {sample.at - m_goalAt, *sample.position, sample.speed, sample.load, sample.current});
 }
 
-/// Without a gap in which nobody knows what it did.
-bool StepJob::seenThroughout() const
-{
-    base::Duration heardAt{};
-    for (const record::StepSample& sample : m_samples) {
-        if (sample.at - heardAt >= SweepRunner::gapFrom)
-            return false;
-        heardAt = sample.at;
-    }
-    return m_context.bus.clock().now() - m_goalAt - heardAt < SweepRunner::gapFrom;
-}
-
 void StepJob::close(const record::SweepLeg& leg)
 {
     record::StepResponse response;
@@ -176,7 +152,8 @@ void StepJob::close(const record::SweepLeg& leg)
     response.lost = leg.lost;
     response.alarms = leg.alarms;
     response.figures = stepFigures(m_samples, leg);
-    if (!seenThroughout())
+    response.seen = seenThroughout(m_samples, leg, leg.span);
+    if (!response.seen)
         forgetMotion(response.figures);
     response.samples = std::exchange(m_samples, {});
     if (m_watch.onResponse)
@@ -231,6 +208,9 @@ base::Result<void> StepJob::drive()
     m_run.putBack = (*trial)->putBack().has_value();
     if (!done)
         return tl::unexpected(done.error());
+    // A leg that lost its torque on the way is none of the run's.
+    if (const auto legs = done->servos.front().legs.size(); m_run.responses.size() > legs)
+        m_run.responses.resize(legs);
     m_run.at = done->at;
     m_run.port = done->port;
     m_run.baud = done->baud;

@@ -102,6 +102,7 @@ StepResponse readResponse(const JsonReader& json)
     response.target = number(json, "target");
     response.missed = json.flag("missed");
     response.lost = json.small("lost");
+    response.seen = !json.has("seen") || json.flag("seen"); // older files do not say
     response.alarms = std::uint8_t(json.small("alarms"));
     response.figures = readFigures(json.object("figures"));
     response.samples = readSamples(json);

@@ -97,6 +97,8 @@ std::vector<StepDifference> compareSteps(const StepRun& before, const StepRun& a
 QString stepSymptomName(StepSymptom symptom)
 {
     switch (symptom) {
+    case StepSymptom::NotSeen:
+        return QStringLiteral("not-seen");
     case StepSymptom::NoMotion:
         return QStringLiteral("no-motion");
     case StepSymptom::Lag:
@@ -118,6 +120,8 @@ QString stepSymptomName(StepSymptom symptom)
 QString stepRemedyName(StepRemedy remedy)
 {
     switch (remedy) {
+    case StepRemedy::RepeatRun:
+        return QStringLiteral("repeat-run");
     case StepRemedy::FreeMotion:
         return QStringLiteral("free-motion");
     case StepRemedy::RaiseP:

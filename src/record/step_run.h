@@ -89,6 +89,7 @@ struct StepResponse {
     double target = 0;
     bool missed = false; ///< never within tolerance
     int lost = 0;        ///< readings without an answer
+    bool seen = true;    ///< false: readings were missing in its motion, so its figures are
     std::uint8_t alarms = 0;
     StepFigures figures{};
     std::vector<StepSample> samples{};
@@ -133,6 +134,7 @@ std::vector<StepDifference> compareSteps(const StepRun& before, const StepRun& a
 /// What is wrong with a response, and what the sheet's advice is against it (error-diagnosis rows
 /// 10 to 14).
 enum class StepSymptom : std::uint8_t {
+    NotSeen, ///< readings were missing while it moved
     NoMotion,
     Lag,
     SpeedLimit,
@@ -142,6 +144,7 @@ enum class StepSymptom : std::uint8_t {
     Oscillation
 };
 enum class StepRemedy : std::uint8_t {
+    RepeatRun,
     FreeMotion, ///< power, torque limit and mechanism come before any gain
     RaiseP,
     LowerP, ///< back to the stored one, or less

@@ -85,6 +85,10 @@ Text stepChangeWords(StepChange change)
 Text stepSymptomWords(StepSymptom symptom)
 {
     switch (symptom) {
+    case StepSymptom::NotSeen:
+        return both("Readings were missing while the servo moved, so the times and speeds of those "
+                    "responses are not known.",
+                    "运动过程中有读数缺失，因此这些响应的时间和速度未知。");
     case StepSymptom::NoMotion:
         return both("The servo did not move, so nothing is known about its gains.",
                     "舵机没有运动，因此无法评价其增益。");
@@ -112,6 +116,9 @@ Text stepSymptomWords(StepSymptom symptom)
 Text stepRemedyWords(StepRemedy remedy)
 {
     switch (remedy) {
+    case StepRemedy::RepeatRun:
+        return both("Check cable, adapter and computer load, then run it again",
+                    "检查线缆、适配器和电脑负载，然后重新运行");
     case StepRemedy::FreeMotion:
         return both("Check supply, torque limit, alarms and mechanism, or use a larger step",
                     "检查供电、扭矩限制、报警和机构，或加大阶跃幅度");

@@ -149,6 +149,8 @@ private Q_SLOTS:
     void aLostLinkIsFoundByRecovery();
     void aSilenceInTheLastResponseEndsIt_data();
     void aSilenceInTheLastResponseEndsIt();
+    void whatNobodySawIsNotMeasured_data();
+    void whatNobodySawIsNotMeasured();
     void aPlugPulledAndPutBackCostsOneResponse();
     void whoRestartedWithThePlugStaysOffAndHasItsOwnGains_data();
     void whoRestartedWithThePlugStaysOffAndHasItsOwnGains();
@@ -426,6 +428,56 @@ bool said(SimBench& bench, device::NoticeCode code)
 }
 } // namespace
 
+void TestStepResponse::whatNobodySawIsNotMeasured_data()
+{
+    QTest::addColumn<int>("afterMs"); ///< the goal
+    QTest::addColumn<int>("spanMs");
+    for (const int after : {5, 40, 90}) {
+        for (const int span : {80, 150, 1000})
+            QTest::addRow("%d ms, for %d ms", after, span) << after << span;
+    }
+}
+
+/// Readings are missing in the motion of response 2: an adapter that held them back, a program that
+/// stood still.
+void TestStepResponse::whatNobodySawIsNotMeasured()
+{
+    QFETCH(int, afterMs);
+    QFETCH(int, spanMs);
+    SimBench bench(text("sts3215@1"));
+    device::Servo servo = bench.servo(1);
+    const auto untouched = run(bench, order());
+    QVERIFY(untouched);
+    std::optional<base::Duration> stillAt;
+    bench.tap().onWait = [&] {
+        if (!stillAt || bench.clock().now() < *stillAt)
+            return;
+        stillAt.reset();
+        bench.clock().advance(std::chrono::milliseconds(spanMs));
+    };
+    jobs::StepWatch watch;
+    watch.onResponse = [&](const record::StepResponse& response) {
+        if (response.number == 1)
+            stillAt = bench.clock().now() + std::chrono::milliseconds(afterMs);
+    };
+    const auto done = run(bench, order(), watch);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QVERIFY(!stillAt);
+    for (const record::StepResponse& one : done->responses) {
+        QCOMPARE(one.seen, one.number != 2);
+        QCOMPARE(one.figures.riseTime.has_value(), one.seen);
+        QCOMPARE(one.figures.timeToTarget.has_value(), one.seen);
+        QCOMPARE(one.figures.peakSpeed.has_value(), one.seen);
+    }
+    QVERIFY(std::abs(*done->mean.riseTime - *untouched->mean.riseTime) < 2);
+    QVERIFY(std::abs(*done->mean.timeToTarget - *untouched->mean.timeToTarget) < 4);
+    const auto advice = jobs::adviseStep(*done, *servo.profile);
+    QCOMPARE(advice.size(), std::size_t(1));
+    QCOMPARE(advice[0].symptom, record::StepSymptom::NotSeen);
+    const auto back = record::decodeStepRuns(record::encodeStepRuns({*done}, advice));
+    QVERIFY(back && back->front().responses == done->responses);
+}
+
 /// Nobody saw what it did meanwhile; the others are as good as ever.
 void TestStepResponse::aPlugPulledAndPutBackCostsOneResponse()
 {
@@ -485,6 +537,9 @@ void TestStepResponse::whoRestartedWithThePlugStaysOffAndHasItsOwnGains()
     QVERIFY(afterwards);
     QCOMPARE(done->end, SweepEnd::TorqueLost);
     QVERIFY(!done->responses.empty() && done->responses.front().figures.riseTime);
+    // A servo without torque says nothing about its gains.
+    for (const record::StepResponse& one : done->responses)
+        QVERIFY(std::abs(one.samples.back().position - one.target) < 20);
     QVERIFY(done->putBack);
     QVERIFY(!said(bench, device::NoticeCode::SettingNotPutBack));
     QVERIFY(bench.journal().open()->empty());
