@@ -4468,7 +4468,7 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>Without readings: %1. Legs with such a gap have no times and speeds.</source>
-        <translation type="unfinished"></translation>
+        <translation>无读数时段：%1。有这种中断的行程没有时间和速度。</translation>
     </message>
     <message>
         <source>still under way in another program</source>
@@ -5007,10 +5007,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>servo %1</source>
         <translation>舵机 %1</translation>
-    </message>
-    <message>
-        <source>Torque is on now: the goal switched it on.</source>
-        <translation>扭矩已打开：写目标时自动打开。</translation>
     </message>
     <message>
         <source>Torque stays off until you switch it on.</source>
@@ -6671,6 +6667,10 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>It may still be on its way to the goal, with torque on, until it is stopped or torque is off.</source>
         <translation>它可能仍在向目标位置运动，扭矩处于开启状态，直到被停止或卸力。</translation>
+    </message>
+    <message>
+        <source>The goal switched torque on.</source>
+        <translation>目标指令使能了扭矩。</translation>
     </message>
 </context>
 <context>

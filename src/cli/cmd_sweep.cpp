@@ -72,6 +72,22 @@ QString verdictText(const record::SweepRun& run, const record::SweepServo& servo
     return text;
 }
 
+/// Since the first goal, in seconds; empty: there was none.
+QString gapsText(const record::SweepRun& run)
+{
+    const auto seconds = [](base::Duration at) {
+        return QString::number(std::chrono::duration<double>(at).count(), 'f', 1);
+    };
+    QStringList gaps;
+    for (const record::SweepGap& gap : run.gaps)
+        gaps << QStringLiteral("%1–%2 s").arg(seconds(gap.at), seconds(gap.at + gap.span));
+    if (gaps.isEmpty())
+        return {};
+    return translate("cli", "Without readings: %1. Legs with such a gap have no times and speeds.")
+               .arg(gaps.join(QStringLiteral(", "))) +
+           QLatin1Char('\n');
+}
+
 bool allPutBack(const device::Notices& notices)
 {
     return std::none_of(notices.begin(), notices.end(), [](const device::Notice& notice) {
@@ -231,6 +247,7 @@ void SweepCommand::show(const record::SweepRun& run, const QString& kept)
     QString text;
     for (const record::SweepServo& servo : run.servos)
         text += verdictText(run, servo) + QLatin1Char('\n');
+    text += gapsText(run);
     if (run.end != record::SweepEnd::Finished) {
         text += in(report::endWords(run.end)) +
                 (run.endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run.endedBy) : QString()) +

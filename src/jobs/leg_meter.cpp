@@ -59,6 +59,7 @@ LegMeter::LegMeter(const record::SweepAxis& axis, int number, int cycle, Duratio
     : m_axis(axis)
     , m_at(at)
     , m_startUp(startUp(axis))
+    , m_goal(target)
     , m_last{at, start}
     , m_before(at)
     , m_still(stirs, at, start)
@@ -71,6 +72,7 @@ LegMeter::LegMeter(const record::SweepAxis& axis, int number, int cycle, Duratio
     m_leg.cycle = cycle;
     m_leg.start = start;
     m_leg.target = target;
+    noteAway(at);
     if (std::abs(start - target) <= axis.tolerance) {
         m_leg.timeToTarget = Duration(0);
         m_inside = at;
@@ -82,6 +84,20 @@ void LegMeter::follow(std::function<double(Duration since)> path, Duration perio
     m_path = std::move(path);
     m_period = period;
     m_flag.allowUp();
+}
+
+void LegMeter::command(Duration at, double goal)
+{
+    m_goal = goal;
+    noteAway(at);
+}
+
+void LegMeter::noteAway(Duration at)
+{
+    if (std::abs(m_last.position - m_goal) <= leftBeside())
+        m_awaySince.reset();
+    else if (!m_awaySince)
+        m_awaySince = at;
 }
 
 void LegMeter::add(const SweepSample& sample)
@@ -124,6 +140,7 @@ void LegMeter::addPosition(Duration at, double position)
     lookForArrival(at, position);
     m_last = {at, position};
     m_read = true;
+    noteAway(at);
 }
 
 double LegMeter::side(double position) const
@@ -188,11 +205,10 @@ bool LegMeter::standsNear(Duration rest) const
 
 bool LegMeter::stalled(Duration span) const
 {
-    const double goal = m_path ? m_path(m_last.at - m_at) : m_leg.target;
-    if (!m_read || std::abs(m_last.position - goal) <= leftBeside())
+    if (!m_read || !m_awaySince)
         return false;
     const Duration least = std::max(span, 2 * timeAt(m_axis.speed, stirs));
-    return m_last.at - std::max(m_still.since(), m_at + m_startUp) >= least;
+    return m_last.at - std::max({m_still.since(), m_at + m_startUp, *m_awaySince}) >= least;
 }
 
 record::SweepLeg LegMeter::finish(Duration end, Duration runStart) const

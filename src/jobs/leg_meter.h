@@ -59,6 +59,9 @@ public:
     /// The goal of a sine so long after `at`, and its period. Before the first reading.
     void follow(std::function<double(base::Duration since)> path, base::Duration period);
 
+    /// A goal of a sine was sent at `at`: until then the servo had nowhere else to go.
+    void command(base::Duration at, double goal);
+
     /// In order of time; what was read before the goal was sent is left out.
     void add(const SweepSample& sample);
 
@@ -68,9 +71,9 @@ public:
     /// For `rest` at one place as arrived() has it, perhaps beside its target, but no further from
     /// it than a servo that stalled().
     bool standsNear(base::Duration rest) const;
-    /// Further from its target than its tolerance and 1/64 turn, which friction and load may leave,
-    /// and within 4 steps of one place for `span`, although it has had that long, and the time that
-    /// its speed and acceleration need for more than that.
+    /// Further from the goal it was sent than its tolerance and 1/64 turn, which friction and load
+    /// may leave, and within 4 steps of one place, both for `span`, although it has had that long,
+    /// and the time that its speed and acceleration need for more than that.
     bool stalled(base::Duration span) const;
 
     /// `end`: the next goal was sent. `runStart` becomes the zero of SweepLeg::at.
@@ -78,6 +81,7 @@ public:
 
 private:
     double leftBeside() const;
+    void noteAway(base::Duration at);
     void addPosition(base::Duration at, double position);
     void lookForArrival(base::Duration at, double position);
     void holdAgainstPath(base::Duration at, double position);
@@ -93,8 +97,10 @@ private:
     record::SweepLeg m_leg; ///< as far as it is known already
     base::Duration m_at;
     std::function<double(base::Duration)> m_path;
-    base::Duration m_period{}; ///< of m_path
-    base::Duration m_startUp;  ///< until it can have been seen to move
+    base::Duration m_period{};                   ///< of m_path
+    base::Duration m_startUp;                    ///< until it can have been seen to move
+    double m_goal;                               ///< as sent
+    std::optional<base::Duration> m_awaySince{}; ///< leftBeside() and more from m_goal
 
     Reading m_last;                           ///< at first where it stood
     bool m_read = false;                      ///< m_last was read in this leg

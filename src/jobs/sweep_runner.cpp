@@ -15,14 +15,11 @@ using record::SweepShape;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr Duration readEvery = 20ms;
 constexpr Duration reportEvery = 100ms;
 
 /// At rest for so long it has arrived at the start. One that rests a little beside it comes no
 /// nearer: how far that is the test will measure.
 constexpr Duration approachRest = 200ms;
-/// Without motion for so long away from its target it is jammed.
-constexpr Duration stallTime = 1s;
 
 /// Goals of a sine follow each other so fast that the servo's own ramp does not show.
 constexpr Duration waveStep = 20ms;
@@ -96,16 +93,21 @@ base::Result<void> SweepRunner::goThrough()
     if (!ended()) {
         measure();
         confirmEnd();
+        forgetLegsWithoutTorque();
         finish();
     }
     return {};
 }
 
-/// Finished is only a test whose servos have all answered after their last leg and, if there was a
-/// silence, still have torque. A silence is waited out here as in any leg.
+/// Finished is only a test whose servos have all answered after their last leg and still have
+/// torque. A silence is waited out here as in any leg.
 void SweepRunner::confirmEnd()
 {
+    if (ended())
+        return;
     const Duration over = now();
+    m_askTorque = true;
+    m_legInDoubt = true;
     const auto answered = [over](const Track& track) { return track.heardAt >= over; };
     for (;;) {
         read(Duration::max(),
@@ -119,6 +121,18 @@ void SweepRunner::confirmEnd()
             break;
     }
     endRun(SweepEnd::Refused);
+}
+
+/// When in its latest leg a servo has lost its torque nobody knows.
+void SweepRunner::forgetLegsWithoutTorque()
+{
+    if (!m_legInDoubt)
+        return;
+    for (std::size_t i = 0; i < m_tracks.size(); ++i) {
+        std::vector<record::SweepLeg>& legs = m_run.servos[i].legs;
+        if (m_tracks[i].lostTorque && !legs.empty())
+            legs.pop_back();
+    }
 }
 
 /// To the first place of the path, which is no leg.
@@ -163,6 +177,7 @@ base::Result<void> SweepRunner::approach()
 /// Who has lost its torque on the way is not to blame for that.
 base::Result<void> SweepRunner::notAtStart(std::size_t i)
 {
+    m_askTorque = true;
     if (const auto held = stillHeld(); held && !*held)
         return {};
     endRun(SweepEnd::Stall, int(i));
@@ -248,6 +263,7 @@ void SweepRunner::wave(int number)
         track.meter->follow(
             [&track, before](Duration since) { return track.path.wave(before + since); },
             m_run.spec.period);
+        track.meter->command(now(), track.goal);
     }
     while (!ended() && now() < end) {
         std::vector<double> targets;
@@ -255,6 +271,8 @@ void SweepRunner::wave(int number)
             targets.push_back(track.path.wave(now() - m_waveStart));
         if (!sendOrEnd(targets))
             break;
+        for (Track& track : m_tracks)
+            track.meter->command(now(), track.goal);
         read(std::min(end, now() + waveStep), [] { return false; });
     }
     close();
@@ -292,90 +310,20 @@ void SweepRunner::close()
         const bool endUnseen = now() - track.heardAt >= gapFrom;
         const bool unseen = track.gapInLeg || endUnseen;
         leg.missed = leg.missed && !ended() && !unseen;
-        if (unseen)
+        if (unseen) {
             forgetMotion(leg);
+            m_nextAt = {}; // the next leg gets its whole time
+        }
         if (endUnseen)
             forgetRest(leg);
         m_run.servos[i].legs.push_back(leg);
         if (m_watch.onLeg)
             m_watch.onLeg(i, leg);
     }
+    m_legInDoubt = m_askTorque || m_run.end == SweepEnd::TorqueLost;
     for (Track& track : m_tracks)
         track.meter.reset();
     m_legAt = Duration::max(); // what comes now belongs to none
-}
-
-void SweepRunner::read(Duration until, const std::function<bool()>& done)
-{
-    while (!ended()) {
-        drain();
-        if (ended() || done() || now() >= until)
-            return;
-        if (!m_context.bus.pauseUntil(std::min(until, now() + readEvery), &m_context.stop))
-            endRun(m_context.bus.emergencies() != m_emergencies ? SweepEnd::Emergency
-                                                                : SweepEnd::Stopped);
-        tellProgress();
-    }
-}
-
-void SweepRunner::drain()
-{
-    for (const bus::Sample& sample : m_context.bus.takeSamples(m_poll)) {
-        if (const auto reading = m_reader.add(sample))
-            take(reading->servo, reading->sample);
-    }
-    watchLine();
-}
-
-void SweepRunner::take(std::size_t i, const SweepSample& sample)
-{
-    Track& track = m_tracks[i];
-    if (sample.answered) {
-        const Duration silence = sample.at - track.heardAt;
-        if (m_measuring && silence >= gapFrom)
-            noteGap(track.heardAt - m_start, silence);
-        m_wasSilent |= silence >= gapFrom;
-        track.gapInLeg |= silence >= gapFrom;
-        track.heardAt = sample.at;
-        ++track.answered;
-        if (sample.position)
-            track.position = sample.position;
-        if (!track.startCelsius || !m_measuring)
-            track.startCelsius = sample.temperature ? sample.temperature : track.startCelsius;
-    }
-    if (track.meter)
-        track.meter->add(sample);
-    if (m_watch.onSample)
-        m_watch.onSample(i, sample, track.goal, sample.at < m_legAt ? 0 : m_leg);
-    if (m_run.spec.stopOnAlarm && sample.answered && sample.status != 0)
-        endRun(SweepEnd::Alarm, int(i));
-    if (m_run.spec.stopOnStall && track.meter && track.meter->stalled(stallTime))
-        endRun(SweepEnd::Stall, int(i));
-}
-
-/// A silence of the line is heard of by every servo.
-void SweepRunner::noteGap(Duration from, Duration span)
-{
-    if (!m_run.gaps.empty() && from < m_run.gaps.back().at + m_run.gaps.back().span) {
-        record::SweepGap& last = m_run.gaps.back();
-        last.span = std::max(last.at + last.span, from + span) - last.at;
-    } else {
-        m_run.gaps.push_back({from, span});
-    }
-}
-
-void SweepRunner::watchLine()
-{
-    if (ended())
-        return;
-    if (m_context.bus.lost())
-        endRun(SweepEnd::LinkLost);
-    else if (m_context.bus.emergencies() != m_emergencies)
-        endRun(SweepEnd::Emergency);
-    for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
-        if (now() - m_tracks[i].heardAt > mostSilence)
-            endRun(SweepEnd::LinkLost, int(i));
-    }
 }
 
 void SweepRunner::endRun(SweepEnd end, int servo)

@@ -33,6 +33,8 @@ private:
         std::optional<double> startCelsius{};
         base::Duration heardAt{};
         bool gapInLeg = false;
+        int lostInARow = 0;
+        bool lostTorque = false;
         std::uint64_t answered = 0;
     };
 
@@ -42,6 +44,7 @@ private:
     void warmUp();
     void measure();
     void confirmEnd();
+    void forgetLegsWithoutTorque();
     void step(int number);
     void wave(int number);
     void begin(int number, base::Duration at);
@@ -58,6 +61,7 @@ private:
     void take(std::size_t i, const SweepSample& sample);
     void noteGap(base::Duration from, base::Duration span);
     void watchLine();
+    void blameStall(std::size_t i);
 
     void endRun(record::SweepEnd end, int servo = -1);
     bool ended() const { return m_ended; }
@@ -90,9 +94,10 @@ private:
     bool m_drives = false;     ///< a goal of this run has been sent
     bool m_measuring = false;
     int m_leg = 0;
-    base::Duration m_legAt{}; ///< its goal had been sent
-    bool m_wasSilent = false; ///< since the latest goal somebody was, long enough to restart
-    int m_fault = -1;         ///< place of the servo that ended it
+    base::Duration m_legAt{};  ///< its goal had been sent
+    bool m_legInDoubt = false; ///< in the latest leg torque may have been lost
+    bool m_askTorque = false;  ///< a servo may have lost it since that was asked last
+    int m_fault = -1;          ///< place of the servo that ended it
     bool m_ended = false;
 };
 } // namespace jobs

@@ -55,15 +55,15 @@ bool SweepRunner::canRetry(const base::Error& error)
     }
 }
 
-/// Whoever restarted while nobody heard it has no torque, and a goal would switch it on by
-/// surprise, from wherever it has sunk to. Then the run ends, and this is false. Before the first
-/// goal torque may be off by right: that goal is to switch it on.
+/// Whoever has restarted, or was switched off by another program, has no torque, and a goal would
+/// switch it on by surprise, from wherever it has sunk to. Then the run ends, and this is false.
+/// Before the first goal torque may be off by right: that goal is to switch it on.
 base::Result<bool> SweepRunner::stillHeld()
 {
     if (!m_drives)
         return true;
-    m_wasSilent |= silent();
-    if (!m_wasSilent)
+    m_askTorque |= silent();
+    if (!m_askTorque)
         return true;
     for (std::size_t i = 0; i < m_servos.size(); ++i) {
         device::Servo& servo = m_servos[i];
@@ -71,15 +71,17 @@ base::Result<bool> SweepRunner::stillHeld()
         if (torque == nullptr)
             continue;
         const auto raw = device::readRegister(m_context, servo, *torque);
+        if (!raw && ended())
+            continue; // that another one has lost it is known
         if (!raw)
             return tl::unexpected(raw.error());
-        if (*raw == 0) {
+        m_tracks[i].lostTorque = *raw == 0;
+        if (*raw == 0)
             endRun(SweepEnd::TorqueLost, int(i));
-            return false;
-        }
     }
-    m_wasSilent = false;
-    return true;
+    m_askTorque = false;
+    return std::none_of(m_tracks.begin(), m_tracks.end(),
+                        [](const Track& track) { return track.lostTorque; });
 }
 
 bool SweepRunner::silent() const

@@ -74,7 +74,7 @@ enum class SweepEnd : std::uint8_t {
     Failure, ///< the first failed line, when asked to stop there
     LinkLost,
     Refused,    ///< a servo no longer took a goal: its limits or its mode have changed
-    TorqueLost, ///< a servo had no torque after a silence: it has restarted, and is left so
+    TorqueLost, ///< a servo had no torque any more (a restart, another program), and is left so
 };
 QString sweepEndName(SweepEnd end);
 std::optional<SweepEnd> sweepEndFromName(const QString& name);

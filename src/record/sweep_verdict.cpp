@@ -9,6 +9,7 @@
 
 namespace record {
 namespace {
+constexpr int legsPerPeriod = 2;
 constexpr std::size_t legsOfCycle = 2; ///< of a sine and of random targets
 const QLatin1StringView relativeError("following_error_relative");
 const QLatin1StringView phaseLag("phase_lag");
@@ -69,8 +70,11 @@ NoVerdict lackOfSine(const SweepRun& run, const SweepServo& servo)
         return NoVerdict::TooShort;
     if (sineTooFast(run.spec, servo.axis))
         return NoVerdict::TooFast;
-    const SweepMetric* readings = metricOf(servo, readingsPerPeriod);
-    if (readings == nullptr || !readings->mean || *readings->mean < minReadingsPerPeriod)
+    const auto seenOften =
+        std::count_if(servo.legs.begin(), servo.legs.end(), [](const SweepLeg& leg) {
+            return leg.samples * legsPerPeriod >= minReadingsPerPeriod;
+        });
+    if (std::size_t(seenOften) * 4 < servo.legs.size() * 3)
         return NoVerdict::TooFewReadings;
     for (const QLatin1StringView key : {relativeError, phaseLag}) {
         if (const NoVerdict lack = lacks(servo, key); lack != NoVerdict::None)
@@ -213,15 +217,22 @@ void giveVerdicts(SweepRun& run)
 std::vector<VerdictLine> judge(const std::vector<SweepMetric>& metrics, const SweepLimits& limits,
                                SweepShape shape)
 {
+    const auto valueOf = [&](const QString& key) {
+        const auto found = std::find_if(metrics.begin(), metrics.end(),
+                                        [&](const SweepMetric& one) { return one.key == key; });
+        return found != metrics.end() ? found->value : std::nullopt;
+    };
+    const bool linkMayLag =
+        shape == SweepShape::Sine && valueOf(readingsPerPeriod).value_or(0) < readingsToFailSine;
     std::vector<VerdictLine> lines;
     for (const SweepLimit& limit : limits.lines) {
         if (!applies(limit.metric, shape))
             continue;
-        const auto found =
-            std::find_if(metrics.begin(), metrics.end(),
-                         [&](const SweepMetric& metric) { return metric.key == limit.metric; });
-        const auto value = found != metrics.end() ? found->value : std::nullopt;
-        lines.push_back({limit, value, gradeOf(value, limit)});
+        const auto value = valueOf(limit.metric);
+        const bool lags = limit.metric == relativeError || limit.metric == phaseLag;
+        const Grade grade = gradeOf(value, limit);
+        const bool unproven = grade == Grade::Fail && lags && linkMayLag;
+        lines.push_back({limit, value, unproven ? Grade::NotMeasured : grade});
     }
     return lines;
 }

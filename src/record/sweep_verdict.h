@@ -32,6 +32,9 @@ struct SweepVerdict {
 
 /// Fewer say nothing about how a sine is followed.
 inline constexpr int minReadingsPerPeriod = 20;
+/// With fewer, what a sine shows the servo to be behind by may be the delay of the link: that it is
+/// too much is not known then.
+inline constexpr int readingsToFailSine = 40;
 
 /// A shorter move proves nothing: a servo that stands still between its ends is within tolerance of
 /// both. Tolerances, from where the servo stood.

@@ -358,9 +358,9 @@ Text endWords(record::SweepEnd end)
             "Ended early: a servo no longer took its goal; its limits or mode have changed.",
             "提前结束：舵机不再接受目标；其限位或模式已改变。");
     case record::SweepEnd::TorqueLost:
-        return both("Ended early: after a silence a servo had no torque; it has restarted, and was "
-                    "not switched on again.",
-                    "提前结束：通信中断后舵机已无扭矩输出（已重启），未再次上电使能。");
+        return both("Ended early: a servo had no torque any more: it has restarted, or another "
+                    "program switched it off. It was not switched on again.",
+                    "提前结束：舵机已无扭矩输出（已重启，或被其他程序关闭），未再次使能。");
     case record::SweepEnd::LinkLost:
         break;
     }

@@ -20,7 +20,7 @@ constexpr std::array entries{
     Entry{NoticeCode::TorqueSwitchedOff, "torque-switched-off",
           QT_TRANSLATE_NOOP("text", "Torque was switched off.")},
     Entry{NoticeCode::TorqueSwitchedOn, "torque-switched-on",
-          QT_TRANSLATE_NOOP("text", "Torque is on now: the goal switched it on.")},
+          QT_TRANSLATE_NOOP("text", "The goal switched torque on.")},
     Entry{NoticeCode::TorqueStaysOff, "torque-stays-off",
           QT_TRANSLATE_NOOP("text", "Torque stays off until you switch it on.")},
     Entry{NoticeCode::HoldingAt, "holding-at",

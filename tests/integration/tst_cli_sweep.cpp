@@ -96,6 +96,7 @@ private Q_SLOTS:
     void tooShortADelayIsTold();
     void ctrlCEndsItSafely();
     void silenceInTheLastLegIsALostLink();
+    void aSuspendedRunSaysSo();
 };
 
 void TestCliSweep::tooShortADelayIsTold()
@@ -270,6 +271,22 @@ void TestCliSweep::silenceInTheLastLegIsALostLink()
     QCOMPARE(ran.json()[text("verdict")].toString(), text("not-measured"));
     for (const char* servo : {"Servo 1 may still have torque", "Servo 2 may still have torque"})
         QVERIFY2(ran.err.contains(text(servo)), qPrintable(ran.err));
+}
+
+/// Ctrl-Z and fg: nobody knows what the servo did meanwhile, and it is not to blame.
+void TestCliSweep::aSuspendedRunSaysSo()
+{
+    support::SimProgram sim({text("--servos"), text("sts3215@1")});
+    CliProgram cli;
+    cli.setPort(sim.port());
+    cli.start(text("sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 8").split(QLatin1Char(' ')));
+    QVERIFY(cli.waitForRemark("cycle 2"));
+    cli.signal(SIGSTOP);
+    QTest::qWait(2000); // so long it is suspended
+    cli.signal(SIGCONT);
+    const Ran ran = cli.finish();
+    QVERIFY2(ran.out.contains(text("Without readings: ")), qPrintable(ran.out));
+    QVERIFY2(!ran.out.contains(text("stood still")), qPrintable(ran.out));
 }
 
 void TestCliSweep::ctrlCEndsItSafely()

@@ -69,6 +69,8 @@ private Q_SLOTS:
     void whoCannotComeToTheStartIsLeftWithoutTorque();
     void anAlarmEndsIt();
     void aSilentSecondIsAGap();
+    void aSuspendedProgramBlamesNoServo_data();
+    void aSuspendedProgramBlamesNoServo();
     void aLongSilenceEndsIt();
     void aSilenceAfterTheLastLegEndsIt_data();
     void aSilenceAfterTheLastLegEndsIt();
@@ -83,6 +85,8 @@ private Q_SLOTS:
     void whoLostTorqueBeforeItIsMeasuredIsNotSwitchedOn();
     void aPlugPutBackBeforeItIsMeasuredCostsNothing_data();
     void aPlugPutBackBeforeItIsMeasuredCostsNothing();
+    void whoLosesTorqueOnItsWayIsNotJammed_data();
+    void whoLosesTorqueOnItsWayIsNotJammed();
     void whoHadNoTorqueAtTheBeginningIsSwitchedOn();
     void aStopWhileThePlugIsOutIsTheFirstWord();
     void theUserStops();
@@ -372,6 +376,40 @@ void TestSweep::aSilentSecondIsAGap()
     QVERIFY2(span > 1300ms && span < 2300ms, qPrintable(QString::number(span.count())));
     QCOMPARE(done->servos.at(0).legs.size(), std::size_t(6));
     QVERIFY(*metric(done->servos.at(0), "communication_errors") > 0);
+}
+
+void TestSweep::aSuspendedProgramBlamesNoServo_data()
+{
+    QTest::addColumn<int>("afterMs"); ///< a goal
+    for (const int after : {20, 100, 300, 600, 900})
+        QTest::addRow("%d ms", after) << after;
+}
+
+/// Ctrl-Z, a laptop's lid: what the servo answered before is taken up 2 s later.
+void TestSweep::aSuspendedProgramBlamesNoServo()
+{
+    QFETCH(int, afterMs);
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    std::optional<base::Duration> suspendAt;
+    bench.tap().onWait = [&] {
+        if (!suspendAt || bench.clock().now() < *suspendAt)
+            return;
+        suspendAt.reset();
+        bench.clock().advance(2s);
+    };
+    jobs::SweepWatch watch;
+    watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
+        if (leg == 3)
+            suspendAt = at + std::chrono::milliseconds(afterMs);
+    };
+    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    QVERIFY(done);
+    QVERIFY(!suspendAt);
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QVERIFY(done->verdict() == Grade::Pass || done->verdict() == Grade::Warn);
+    QCOMPARE(done->gaps.size(), std::size_t(1));
+    QVERIFY(done->gaps[0].span >= 1900ms);
 }
 
 void TestSweep::aLongSilenceEndsIt()
@@ -699,6 +737,63 @@ void TestSweep::aPlugPutBackBeforeItIsMeasuredCostsNothing()
 }
 
 /// A silence before its first goal says nothing of the torque: the test is to switch it on.
+void TestSweep::whoLosesTorqueOnItsWayIsNotJammed_data()
+{
+    QTest::addColumn<bool>("restarts"); ///< else another program switches it off
+    QTest::addColumn<int>("inLeg");
+    QTest::addColumn<int>("afterMs"); ///< its goal
+    QTest::addColumn<bool>("dwells");
+    for (const int after : {50, 600}) {
+        for (const bool dwells : {false, true}) {
+            const char* pace = dwells ? "dwell" : "delay";
+            QTest::addRow("restarts, %s, %d ms", pace, after) << true << 3 << after << dwells;
+            QTest::addRow("switched off, %s, %d ms", pace, after) << false << 3 << after << dwells;
+            QTest::addRow("restarts in the last leg, %s, %d ms", pace, after)
+                << true << 6 << after << dwells;
+            QTest::addRow("switched off in the last leg, %s, %d ms", pace, after)
+                << false << 6 << after << dwells;
+        }
+    }
+    QTest::newRow("switched off at the end") << false << 6 << 1900 << false;
+}
+
+void TestSweep::whoLosesTorqueOnItsWayIsNotJammed()
+{
+    QFETCH(bool, restarts);
+    QFETCH(int, inLeg);
+    QFETCH(int, afterMs);
+    QFETCH(bool, dwells);
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    std::optional<base::Duration> offAt;
+    bench.tap().onWait = [&] {
+        if (!offAt || bench.clock().now() < *offAt)
+            return;
+        offAt.reset();
+        if (restarts)
+            bench.powerCycle();
+        else
+            bench.poke(1, text("torque_switch"), 0);
+    };
+    jobs::SweepWatch watch;
+    watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
+        if (leg == inLeg)
+            offAt = at + std::chrono::milliseconds(afterMs);
+    };
+    record::SweepSpec spec = sweepSpec();
+    if (dwells) {
+        spec.pace = record::SweepPace::Dwell;
+        spec.pause = 300ms;
+    }
+    const auto done = run(bench.context(), servos, spec, watch);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QVERIFY(!offAt);
+    QCOMPARE(done->end, SweepEnd::TorqueLost);
+    QCOMPARE(done->endedBy, 1);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0); // no goal has switched it on again
+}
+
 void TestSweep::whoHadNoTorqueAtTheBeginningIsSwitchedOn()
 {
     SimBench bench(text("sts3215@1,sts3215@2"));

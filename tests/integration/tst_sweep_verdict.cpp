@@ -179,6 +179,8 @@ private Q_SLOTS:
     void whoFollowsByTheBytePasses();
     void aSineFasterThanItTurnsNeverPasses();
     void tooFewReadingsAreNoVerdict();
+    void aSlowAdapterCondemnsNoServo_data();
+    void aSlowAdapterCondemnsNoServo();
     void halfAPeriodIsNoVerdict();
     void limitsWithoutALineForSinesAreNoVerdict();
     void randomTargetsAreJudged();
@@ -374,6 +376,40 @@ void TestSweepVerdict::tooFewReadingsAreNoVerdict()
     const auto enough = scripted(spec, follow);
     QVERIFY(enough);
     QCOMPARE(enough->verdict(), Grade::Pass);
+}
+
+void TestSweepVerdict::aSlowAdapterCondemnsNoServo_data()
+{
+    QTest::addColumn<int>("latencyMs");
+    QTest::addColumn<int>("periodMs");
+    for (const int latency : {60, 80, 110, 150, 200}) {
+        for (const int period : {3000, 6000})
+            QTest::addRow("%d ms, sine of %d ms", latency, period) << latency << period;
+    }
+}
+
+/// What an adapter is late by is none of the servo's: it passes, or nothing is said of it.
+void TestSweepVerdict::aSlowAdapterCondemnsNoServo()
+{
+    QFETCH(int, latencyMs);
+    QFETCH(int, periodMs);
+    support::BenchOptions options;
+    options.wire.adapterLatency = std::chrono::milliseconds(latencyMs);
+    SimBench bench(text("sts3215@1"), options);
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = sine(std::chrono::milliseconds(periodMs));
+    spec.range = {text("1500"), text("2500")};
+    spec.cycles = 1;
+    spec.speed.clear();
+    spec.acceleration.clear();
+    spec.stopOnStall = true;
+    const auto done = run(bench.context(), servos, spec);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QVERIFY2(done->verdict() != Grade::Fail,
+             qPrintable(text("%1 %, %2°")
+                            .arg(metric(done->servos[0], "following_error_relative").value_or(-1))
+                            .arg(metric(done->servos[0], "phase_lag").value_or(-1))));
 }
 
 void TestSweepVerdict::halfAPeriodIsNoVerdict()
