@@ -56,21 +56,33 @@ base::Result<Exit> runSync(Run& run, const Values& values)
     if (!address)
         return tl::unexpected(address.error());
     const auto sent = send(run, choice);
-    // One that is away now is remembered as well, one that makes no sense to libpq is not.
-    if (values.has("--remember") && (sent || sent.error().code != base::ErrorCode::BadArgument)) {
+    const bool remember = values.has("--remember");
+    if (!sent) {
+        if (remember)
+            run.console().say(translate("cli", "Server and name of the bench were not stored"));
+        return tl::unexpected(sent.error());
+    }
+    if (remember) {
         if (const auto kept = session::setHistoryServerChoice(settings, choice); !kept)
             return tl::unexpected(kept.error());
     }
-    if (!sent)
-        return tl::unexpected(sent.error());
+    QString words = translate("cli", "Rows sent to %1 as %2: %3; it has everything now")
+                        .arg(address->shown(), choice.bench)
+                        .arg(qint64(sent->sent)) +
+                    QLatin1Char('\n');
+    if (remember)
+        words += (choice.fixed
+                      ? translate("cli", "The name of the bench was stored; the server is set by "
+                                         "SERVODESK_HISTORY_SERVER")
+                      : translate("cli", "Server and name of the bench were stored; the window "
+                                         "uses them too")) +
+                 QLatin1Char('\n');
     run.finish(Json::object()
                    .add("server", address->shown())
                    .add("bench", choice.bench)
-                   .add("sent", sent->sent),
-               translate("cli", "Rows sent to %1 as %2: %3; it has everything now")
-                       .arg(address->shown(), choice.bench)
-                       .arg(qint64(sent->sent)) +
-                   QLatin1Char('\n'));
+                   .add("sent", sent->sent)
+                   .add("remembered", remember),
+               words);
     return Exit::Done;
 }
 } // namespace
@@ -90,7 +102,8 @@ Command historySyncCommand()
               "STRING"},
              {"--bench", QT_TRANSLATE_NOOP("cli", "what this bench is called there"), "NAME"},
              {"--remember",
-              QT_TRANSLATE_NOOP("cli", "use server and name from now on, in the window too")}},
+              QT_TRANSLATE_NOOP("cli", "use server and name from now on, in the window too; "
+                                       "stored once the server has been reached")}},
             runSync};
 }
 } // namespace cli

@@ -5,17 +5,72 @@
 #include <QUrl>
 
 #include <algorithm>
+#include <array>
 
 namespace record {
 namespace {
 const QString passwordWord = QStringLiteral("password");
 
-/// What libpq calls a password, and what people call it by mistake.
-bool isSecret(const QString& keyword)
+/// The parameters of libpq that hold no secret. Anything else is refused: a later libpq may have a
+/// secret in it, and what `options` sets on the server is this program's business.
+constexpr std::array harmlessWords{
+    "host",
+    "hostaddr",
+    "port",
+    "dbname",
+    "user",
+    "passfile",
+    "service",
+    "servicefile",
+    "connect_timeout",
+    "tcp_user_timeout",
+    "keepalives",
+    "keepalives_idle",
+    "keepalives_interval",
+    "keepalives_count",
+    "application_name",
+    "fallback_application_name",
+    "client_encoding",
+    "target_session_attrs",
+    "load_balance_hosts",
+    "require_auth",
+    "requirepeer",
+    "channel_binding",
+    "sslmode",
+    "sslnegotiation",
+    "sslcompression",
+    "sslcert",
+    "sslkey",
+    "sslcertmode",
+    "sslrootcert",
+    "sslcrl",
+    "sslcrldir",
+    "sslsni",
+    "ssl_min_protocol_version",
+    "ssl_max_protocol_version",
+    "gssencmode",
+    "gssdelegation",
+    "gsslib",
+    "krbsrvname",
+};
+
+bool isHarmless(const QString& keyword)
 {
-    static const QRegularExpression secret(QStringLiteral("^(ssl)?(password|passwd|pass|pwd)$"),
-                                           QRegularExpression::CaseInsensitiveOption);
-    return secret.match(keyword).hasMatch();
+    return std::any_of(harmlessWords.begin(), harmlessWords.end(),
+                       [&](const char* word) { return keyword == QLatin1String(word); });
+}
+
+/// What libpq calls a secret, and what people call it by mistake; also inside `options`.
+bool isSecret(const QString& keyword, const QString& value)
+{
+    static const QRegularExpression secret(
+        QStringLiteral("(password|passwd|passphrase|pass|pwd|secret|token)$"),
+        QRegularExpression::CaseInsensitiveOption);
+    static const QRegularExpression inside(
+        QStringLiteral("(password|passwd|passphrase|pass|pwd|secret|token)\\s*="),
+        QRegularExpression::CaseInsensitiveOption);
+    return secret.match(keyword).hasMatch() ||
+           (!isHarmless(keyword) && inside.match(value).hasMatch());
 }
 
 /// Sockets in the file system and names of this computer that no name server can change.
@@ -81,9 +136,15 @@ base::Result<ServerAddress> ServerAddress::parse(const QString& text)
     if (!address)
         return address;
     for (const auto& [keyword, value] : address->m_values) {
-        if (isSecret(keyword) && !value.isEmpty())
+        if (isSecret(keyword, value) && !value.isEmpty())
             return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history-server"),
                               QStringLiteral("secret"));
+    }
+    for (const auto& [keyword, value] : address->m_values) {
+        // Which one is not repeated: it may be a part of a password.
+        if (!isHarmless(keyword) && !isSecret(keyword, value))
+            return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history-server"),
+                              QStringLiteral("parameter"));
     }
     return address;
 }
@@ -100,7 +161,7 @@ base::Result<ServerAddress> ServerAddress::parseAll(const QString& text)
         return tl::unexpected(done.error());
     for (const auto& [keyword, value] : address.m_values) {
         // Qt's driver parts options at semicolons.
-        if (value.contains(u';') && !isSecret(keyword) && keyword != QLatin1String("user") &&
+        if (value.contains(u';') && !isSecret(keyword, value) && keyword != QLatin1String("user") &&
             keyword != QLatin1String("dbname"))
             return wrong(QStringLiteral("; in %1").arg(keyword));
     }
@@ -246,7 +307,7 @@ QString ServerAddress::options() const
 {
     QStringList words;
     for (const auto& [keyword, value] : m_values) {
-        if (keyword != passwordWord && keyword != QLatin1String("user") &&
+        if (!isSecret(keyword, value) && keyword != QLatin1String("user") &&
             keyword != QLatin1String("dbname"))
             words.append(keyword + u'=' + quoted(value));
     }
@@ -266,7 +327,7 @@ QString ServerAddress::masked(QString text)
     static const QRegularExpression inUri(QStringLiteral(R"((://[^:/?@\s]*:)\S*(@))"));
     static const QRegularExpression inWords(
         QStringLiteral(
-            R"(((?:password|passwd|\bpass|pwd)\s*=\s*)(?:'(?:[^'\\]|\\.)*'?|(?:\\.|\S)+))"),
+            R"(((?:password|passwd|passphrase|\bpass|pwd|secret|token)\s*(?:=|%3D)\s*)(?:'(?:[^'\\]|\\.)*'?|(?:\\.|\S)+))"),
         QRegularExpression::CaseInsensitiveOption);
     text.replace(inUri, QStringLiteral("\\1") + cover + QStringLiteral("\\2"));
     return text.replace(inWords, QStringLiteral("\\1") + cover);
@@ -280,7 +341,7 @@ std::optional<QString> ServerAddress::withoutSecrets(const QString& text)
     QStringList words;
     bool hasSecret = false;
     for (const auto& [keyword, value] : address->m_values) {
-        if (isSecret(keyword))
+        if (isSecret(keyword, value))
             hasSecret = hasSecret || !value.isEmpty();
         else
             words.append(keyword + u'=' + quotedIfNeeded(value));

@@ -2,8 +2,9 @@
 // A connection string of PostgreSQL as libpq knows it, taken apart:
 // postgresql://user@host:5432/servodesk?sslmode=verify-full or host=… dbname=…. A plain value; any
 // thread. What it does not say libpq takes from PGHOST, PGPASSWORD, ~/.pgpass … by itself. A string
-// with a password is refused: it would end up in settings, lists of processes and logs. Fails with
-// BadArgument, detail "string: what" or "secret".
+// with a password or another secret is refused: it would end up in settings, lists of processes and
+// logs; so is any parameter that is not known to be harmless. Fails with BadArgument, detail
+// "string: what", "secret" or "parameter".
 #pragma once
 
 #include "base/error.h"

@@ -153,8 +153,6 @@ base::Result<SendProgress>
 HistorySending::send(const std::function<void(const SendProgress&)>& progress)
 {
     m_waiting = 0;
-    if (!QFileInfo::exists(m_path))
-        return SendProgress{}; // nothing was ever kept
     const auto history = record::History::open(m_path);
     if (!history)
         return tl::unexpected(history.error());

@@ -23,6 +23,7 @@ public:
     HistorySending(QString historyPath, QString server, QString bench);
     ~HistorySending();
 
+    /// Connects with nothing to send as well: an empty history proves nothing about the server.
     base::Result<SendProgress> send(const std::function<void(const SendProgress&)>& progress = {});
 
     /// Rows the server has not got, when send() looked last; nullopt: nobody has asked the server

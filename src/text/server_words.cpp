@@ -67,6 +67,15 @@ constexpr std::array serverKinds{
                  QT_TRANSLATE_NOOP("text", "Remove it from the string and store it in ~/.pgpass: "
                                            "a line HOST:PORT:DATABASE:USER:PASSWORD, file mode "
                                            "0600.")},
+    RefusalWords{"parameter",
+                 QT_TRANSLATE_NOOP("text", "the connection string contains a parameter that is "
+                                           "not accepted"),
+                 QT_TRANSLATE_NOOP("text", "It is misspelled, or it is none of the parameters "
+                                           "that are known to hold no password."),
+                 QT_TRANSLATE_NOOP("text", "Use host, hostaddr, port, dbname, user, service, "
+                                           "connect_timeout, application_name, "
+                                           "target_session_attrs and the parameters that begin "
+                                           "with ssl, gss or keepalives.")},
     RefusalWords{"secret-removed",
                  QT_TRANSLATE_NOOP("text", "the password of the history server was removed from "
                                            "the settings"),

@@ -69,6 +69,7 @@ private Q_SLOTS:
     void theWindowBrowses();
     void browsingAHungServer();
     void theChoiceIsRemembered();
+    void aServerIsReachedOrNotStored();
     void theCommandLineSendsAndBrowses();
 };
 
@@ -364,6 +365,28 @@ void TestHistorySender::theChoiceIsRemembered()
     QCOMPARE(overridden.address, utf8("host=elsewhere"));
     QVERIFY(overridden.fixed);
     QVERIFY(!session::historyServerChoice(settings).fixed);
+}
+
+/// An empty history says nothing about the server, and only one that was reached is stored.
+void TestHistorySender::aServerIsReachedOrNotStored()
+{
+    support::CliProgram cli;
+    cli.setPort(QString());
+    const QStringList sync{utf8("history"), utf8("sync"), utf8("--remember"), utf8("--server")};
+    const support::Ran away = cli.run(sync + QStringList{utf8("postgresql://u@127.0.0.1:1/db")});
+    QCOMPARE(away.exit, 3);
+    QVERIFY2(away.err.contains(utf8("were not stored")), qPrintable(away.err));
+    for (const char* server : {"bogus=1", "host=127.0.0.1 oauth_client_secret=swordfish",
+                               "host=127.0.0.1 options=-cpassword=swordfish"}) {
+        const support::Ran refused = cli.run(sync + QStringList{utf8(server)});
+        QCOMPARE(refused.exit, 2);
+        QVERIFY(!(refused.out + refused.err).contains(utf8("swordfish")));
+    }
+    QCOMPARE(cli.run("history sync").exit, 2); // no server is set
+    const support::Ran reached = cli.run(sync + QStringList{address()});
+    QVERIFY2(reached.exit == 0, qPrintable(reached.err));
+    QVERIFY2(reached.out.contains(utf8("were stored")), qPrintable(reached.out));
+    QCOMPARE(cli.run("history sync").exit, 0);
 }
 
 void TestHistorySender::theCommandLineSendsAndBrowses()

@@ -630,6 +630,11 @@ void TestHistoryServer::nothingWasEverSent()
     Bench bench;
     HistorySending sending(bench.path, address(), utf8("Bench"));
     QCOMPARE(sending.send().value().sent, std::int64_t(0));
+    HistorySending elsewhere(Bench().path, utf8("host=127.0.0.1 port=1 user=u dbname=d"),
+                             utf8("Bench"));
+    const auto away = elsewhere.send();
+    QVERIFY(!away);
+    QCOMPARE(kindOf(away.error()), utf8("away"));
 }
 
 QTEST_GUILESS_MAIN(TestHistoryServer)

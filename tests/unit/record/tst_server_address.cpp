@@ -42,11 +42,11 @@ private Q_SLOTS:
                                          << ""
                                          << ""
                                          << "host='b'";
-        QTest::newRow("a quote in an option") << R"(host=h options='-c search_path=\'x\'')"
+        QTest::newRow("a quote in an option") << R"(host=h application_name='the \'x\' bench')"
                                               << "h"
                                               << ""
                                               << ""
-                                              << R"(host='h' options='-c search_path=\'x\'')";
+                                              << R"(host='h' application_name='the \'x\' bench')";
         QTest::newRow("uri") << "postgresql://other@localhost/otherdb?connect_timeout=10&"
                                 "application_name=myapp"
                              << "other@localhost/otherdb"
@@ -145,6 +145,12 @@ private Q_SLOTS:
                                     << "host=h sslkey=/k";
         QTest::newRow("another word for it") << "host=h PWD=swordfish"
                                              << "host=h";
+        QTest::newRow("of OAuth") << "host=h oauth_client_id=me oauth_client_secret=swordfish"
+                                  << "host=h oauth_client_id=me";
+        QTest::newRow("in options") << "host=h options=-cpassword=swordfish"
+                                    << "host=h";
+        QTest::newRow("in options, uri") << "postgresql://h/db?options=-cpassword%3Dswordfish"
+                                         << "host=h dbname=db";
         // What cannot be parsed is thrown away as a whole.
         QTest::newRow("a slash in it") << "postgresql://u:pa/swordfish@h/db"
                                        << "";
@@ -165,6 +171,29 @@ private Q_SLOTS:
         const QString shown = ServerAddress::masked(string);
         QVERIFY2(!shown.contains(text("swordfish")), qPrintable(shown));
         QTEST(ServerAddress::withoutSecrets(string).value_or(text("none")), "rest");
+    }
+
+    void onlyHarmlessParametersPass_data()
+    {
+        QTest::addColumn<bool>("accepted");
+        for (const char* fine :
+             {"host=h hostaddr=10.0.0.1 port=1 dbname=d user=u", "service=shop passfile=/p",
+              "sslmode=verify-full sslrootcert=/r sslcert=/c sslkey=/k sslcrl=/l",
+              "connect_timeout=3 keepalives=1 keepalives_idle=5 target_session_attrs=any",
+              "postgresql://u@h/d?sslmode=require&application_name=x"})
+            QTest::newRow(fine) << true;
+        for (const char* other : {"bogus=1", "host=h options=-cgeqo=off", "host=h HOST=g",
+                                  "postgresql://h/d?oauth_issuer=x", "host=h swordfish=1"})
+            QTest::newRow(other) << false;
+    }
+
+    void onlyHarmlessParametersPass()
+    {
+        QFETCH(bool, accepted);
+        const auto address = ServerAddress::parse(text(QTest::currentDataTag()));
+        QCOMPARE(address.has_value(), accepted);
+        if (!accepted)
+            QCOMPARE(address.error().detail, text("parameter"));
     }
 
     /// Where there is nothing to hide, nothing changes.
