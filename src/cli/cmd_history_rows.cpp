@@ -178,6 +178,32 @@ base::Result<Exit> takeSnapshot(Run& run, const Values& values)
     return Exit::Done;
 }
 
+QString tableWords(const record::TablePoint& point, const QString& file)
+{
+    const auto local = [](const QDateTime& at) {
+        return at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+    };
+    const QString comma = QStringLiteral(", ");
+    QStringList lines{
+        translate("cli", "Registers saved to %1: %2").arg(file).arg(point.table.registers.size()),
+        translate("cli", "From snapshot %1 of %2; written since then: %3")
+            .arg(QString::number(qint64(point.base.number)), local(point.base.at),
+                 point.replayed.isEmpty() ? translate("cli", "nothing")
+                                          : point.replayed.join(comma))};
+    if (!point.unknown.isEmpty())
+        lines << translate("cli", "Changed in a way nobody recorded, so without a value: %1")
+                     .arg(point.unknown.join(comma));
+    if (!point.temporary.isEmpty())
+        lines << translate("cli", "Written temporarily, which is left out: the table has the "
+                                  "stored value of %1")
+                     .arg(point.temporary.join(comma));
+    if (point.changedId)
+        lines << translate("cli", "Its ID was changed to %1 on %2: what was written to it with "
+                                  "that ID is in the history of servo ID %1, not here")
+                     .arg(QString::number(point.changedId->id), local(point.changedId->at));
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
 base::Result<Exit> takeTable(Run& run, const Values& values)
 {
     const auto at = parseMoment(values.word("TIME"), QDateTime::currentDateTimeUtc());
@@ -195,16 +221,11 @@ base::Result<Exit> takeTable(Run& run, const Values& values)
     const QString file = values.word("FILE");
     if (const auto saved = record::saveSnapshot(point->table, file); !saved)
         return tl::unexpected(saved.error());
-    QStringList lines{
-        translate("cli", "Registers saved to %1: %2").arg(file).arg(point->table.registers.size()),
-        translate("cli", "From snapshot %1 of %2; written since then: %3")
-            .arg(QString::number(qint64(point->base.number)),
-                 point->base.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-                 point->replayed.isEmpty() ? translate("cli", "nothing")
-                                           : point->replayed.join(QStringLiteral(", ")))};
-    if (!point->unknown.isEmpty())
-        lines << translate("cli", "Changed in a way nobody recorded, so without a value: %1")
-                     .arg(point->unknown.join(QStringLiteral(", ")));
+    Json changedId; // null: it kept its ID
+    if (point->changedId)
+        changedId = Json::object()
+                        .add("id", point->changedId->id)
+                        .add("time", point->changedId->at.toString(Qt::ISODateWithMs));
     run.finish(Json::object()
                    .add("servo", *servo)
                    .add("id", point->table.servo.id)
@@ -213,8 +234,10 @@ base::Result<Exit> takeTable(Run& run, const Values& values)
                    .add("snapshot", point->base.number)
                    .add("snapshot_time", point->base.at.toString(Qt::ISODateWithMs))
                    .add("replayed", point->replayed)
-                   .add("unknown", point->unknown),
-               lines.join(QLatin1Char('\n')) + QLatin1Char('\n'));
+                   .add("unknown", point->unknown)
+                   .add("temporary", point->temporary)
+                   .add("changed_id", std::move(changedId)),
+               tableWords(*point, file));
     return Exit::Done;
 }
 

@@ -8,46 +8,63 @@
 
 namespace record {
 namespace {
-/// One register of one write after the snapshot.
+/// One register of one write that may have changed it after the snapshot.
 struct Step {
     QString key;
     std::int64_t oldRaw = 0;
     std::int64_t newRaw = 0;
     std::optional<std::int64_t> readBack;
-    QString outcome; ///< of the register, else of the whole; empty: nobody knows
+    QString outcome; ///< of the register, else of the whole; empty: not known at the moment
     base::IntentKind kind = base::IntentKind::Write;
     bool temporary = false;
     bool valuesKnown = true; ///< beforehand: some row of its intent was to change
+    std::int64_t ended = 0;  ///< ms; where no end is known, its begin
 };
 
+Step stepFrom(const QVariantList& row, std::int64_t until)
+{
+    Step step;
+    step.key = row.value(0).toString();
+    step.oldRaw = row.value(1).toLongLong();
+    step.newRaw = row.value(2).toLongLong();
+    step.kind = base::intentKindFromName(row.value(6).toString()).value_or(base::IntentKind::Write);
+    step.temporary = row.value(7).toBool();
+    step.valuesKnown = row.value(8).toBool();
+    step.ended = row.value(row.value(9).isNull() ? 10 : 9).toLongLong();
+    // How a later recovery ended it was not so yet, and the servo may have had either value.
+    if (step.ended > until)
+        return step;
+    const QString own = row.value(4).toString();
+    step.outcome = own.isEmpty() ? row.value(5).toString() : own;
+    if (!row.value(3).isNull())
+        step.readBack = row.value(3).toLongLong();
+    return step;
+}
+
+/// In the order in which they began: a recovery leaves alone what a later write has replaced. One
+/// that began before the snapshot counts where its end after it may have written; being given up
+/// writes nothing.
 base::Result<std::vector<Step>> stepsBetween(const HistoryFile& file, std::int64_t servo,
                                              const QDateTime& from, const QDateTime& until)
 {
+    const qint64 first = from.toMSecsSinceEpoch();
+    const qint64 last = until.toMSecsSinceEpoch();
     const auto rows =
         file.run(QStringLiteral("SELECT w.\"key\", w.old, w.new, w.read_back, w.outcome, "
                                 "i.outcome, i.kind, i.temporary, EXISTS (SELECT 1 FROM writes o "
-                                "WHERE o.intent = w.intent AND o.old <> o.new) FROM writes w JOIN "
-                                "intents i ON i.number = w.intent WHERE w.servo = ? AND w.at >= ? "
-                                "AND w.at <= ? ORDER BY w.at, w.number"),
-                 {qint64(servo), from.toMSecsSinceEpoch(), until.toMSecsSinceEpoch()});
+                                "WHERE o.intent = w.intent AND o.old <> o.new), i.ended, w.at "
+                                "FROM writes w JOIN intents i ON i.number = w.intent "
+                                "WHERE w.servo = ? AND w.at <= ? AND (w.at >= ? OR "
+                                "(i.ended > ? AND i.ended <= ? AND i.outcome <> 'abandoned' AND "
+                                "NOT EXISTS (SELECT 1 FROM writes o WHERE o.servo = w.servo AND "
+                                "o.\"key\" = w.\"key\" AND o.at > w.at AND o.at < ?))) "
+                                "ORDER BY w.at, w.number"),
+                 {qint64(servo), last, first, first, last, first});
     if (!rows)
         return tl::unexpected(rows.error());
     std::vector<Step> steps;
-    for (const QVariantList& row : rows->rows) {
-        Step step;
-        step.key = row.value(0).toString();
-        step.oldRaw = row.value(1).toLongLong();
-        step.newRaw = row.value(2).toLongLong();
-        if (!row.value(3).isNull())
-            step.readBack = row.value(3).toLongLong();
-        const QString own = row.value(4).toString();
-        step.outcome = own.isEmpty() ? row.value(5).toString() : own;
-        step.kind =
-            base::intentKindFromName(row.value(6).toString()).value_or(base::IntentKind::Write);
-        step.temporary = row.value(7).toBool();
-        step.valuesKnown = row.value(8).toBool();
-        steps.push_back(std::move(step));
-    }
+    for (const QVariantList& row : rows->rows)
+        steps.push_back(stepFrom(row, last));
     return steps;
 }
 
@@ -63,8 +80,10 @@ public:
         if (step.outcome == QLatin1String("refused") || step.outcome == QLatin1String("not-sent"))
             return;
         // Gone with the next power-off, by design; what a test or blinking had set is put back.
-        if (step.temporary || step.outcome == QLatin1String("temporary"))
+        if (step.temporary || step.outcome == QLatin1String("temporary")) {
+            leaveOut(step);
             return;
+        }
         // Old and new are the same in all rows where the servo took what it had stored itself
         // (0x06); the values of a restored snapshot are known.
         const bool measured = step.kind == base::IntentKind::Calibrate; // by the servo itself
@@ -73,6 +92,9 @@ public:
         } else if (!measured && (step.outcome == QLatin1String("kept") ||
                                  step.outcome == QLatin1String("done"))) {
             set(step.key, step.readBack.value_or(step.newRaw));
+            if (step.key == QLatin1String("id") && step.newRaw != m_point.table.servo.id)
+                m_point.changedId = {int(step.newRaw),
+                                     QDateTime::fromMSecsSinceEpoch(step.ended, Qt::UTC)};
         } else if (!measured && step.outcome == QLatin1String("undone")) {
             set(step.key, step.oldRaw);
         } else {
@@ -88,6 +110,14 @@ private:
                          [&](const SnapshotRegister& one) { return one.key == key; });
         return row == m_point.table.registers.end() ? nullptr : &*row;
     }
+    /// Until power-off the servo has another value than the one it stores.
+    void leaveOut(const Step& step)
+    {
+        const SnapshotRegister* row = find(step.key);
+        if (row != nullptr && row->area == catalog::Area::Eprom &&
+            step.outcome != QLatin1String("undone") && !m_point.temporary.contains(step.key))
+            m_point.temporary.append(step.key);
+    }
     void set(const QString& key, std::int64_t raw)
     {
         SnapshotRegister* row = find(key);
@@ -96,6 +126,7 @@ private:
         row->raw = raw;
         row->value.reset();
         m_point.unknown.removeAll(key);
+        m_point.temporary.removeAll(key);
         if (!m_point.replayed.contains(key))
             m_point.replayed.append(key);
     }
@@ -175,7 +206,7 @@ base::Result<TablePoint> tableAt(const HistoryFile& file, const catalog::Catalog
     const auto steps = stepsBetween(file, servo, last->front().at, at);
     if (!steps)
         return tl::unexpected(steps.error());
-    TablePoint point{*table, last->front(), {}, {}};
+    TablePoint point{*table, last->front()};
     point.table.at = at.toUTC();
     Replay replay(point);
     for (const Step& step : *steps)

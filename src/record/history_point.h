@@ -9,13 +9,23 @@
 #include "record/history_log.h"
 
 namespace record {
+/// A change of ID that the servo took: what is written to it later is another servo's past.
+struct ChangedId {
+    int id = -1;
+    QDateTime at{};
+};
+
 struct TablePoint {
     Snapshot table{}; ///< `at` is the moment asked for
     HistorySnapshot base{};
     QStringList replayed{}; ///< keys whose value comes from a write after the snapshot
     /// Keys that something changed in a way nobody recorded (centring, stored parameters put back,
-    /// interrupted or failed writes): they have no value in `table`.
+    /// interrupted or failed writes, writes that had not ended at the moment): they have no value
+    /// in `table`.
     QStringList unknown{};
+    /// Keys written until power-off only; `table` has what is stored.
+    QStringList temporary{};
+    std::optional<ChangedId> changedId{};
 };
 
 /// Physical values follow the catalog's profile of that servo; without one they are left out.

@@ -73,6 +73,17 @@ void HistoryPage::openMoment(const HistoryLine& line)
                                            .arg(keys.join(QStringLiteral(", "))),
                                        tr("They are left alone when the table is restored.")};
                 });
+            } else if (point->changedId) {
+                m_banner->present([changed = *point->changedId] {
+                    return BannerWords{
+                        Tone::Warn, tr("The servo had ID %1 at that moment.").arg(changed.id),
+                        tr("Its ID was changed on %1.")
+                            .arg(changed.at.toLocalTime().toString(
+                                QStringLiteral("yyyy-MM-dd HH:mm:ss"))),
+                        tr("What was written to it with that ID is in the history of servo ID "
+                           "%1, not in this table.")
+                            .arg(changed.id)};
+                });
             }
         });
 }

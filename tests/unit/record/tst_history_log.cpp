@@ -135,6 +135,8 @@ private Q_SLOTS:
     void stepRunsAreKept();
     void theTableOfAnyMoment();
     void whatNobodyRecordedHasNoValue();
+    void thePastStaysAsItWas();
+    void whatATableLeavesOutIsNamed();
     void theChangesForACopy();
     void nothingIsMissedByACopyMeanwhile();
     void exportedAsCsv();
@@ -491,6 +493,62 @@ void TestHistoryLog::whatNobodyRecordedHasNoValue()
     for (const char* key : {"id", "min_angle_limit", "position_p", "position_offset"})
         QVERIFY(restored.unknown.contains(text(key)));
     QVERIFY(rowOf(restored.table, "present_voltage").raw); // as it was read
+}
+
+/// What a moment says does not change with what is done later.
+void TestHistoryLog::thePastStaysAsItWas()
+{
+    const auto catalog = catalog::Catalog::load().catalog;
+    const auto history = open();
+    const auto log = history->log();
+    log.addSnapshot(snapshotOf(1), SnapshotReason::Automatic).value();
+    const auto servo = log.of(someServo(1)).value()->number;
+    const auto at = [&](const QDateTime& when) {
+        return record::tableAt(history->file(), catalog, servo, when).value();
+    };
+    record::HistoryJournal journal(m_path, program);
+    pass();
+    const QString cut = journal.begin(intentOf(1, "position_p", 32, 90)).value();
+    const QDateTime open = pass();
+    const QString forgotten = journal.begin(intentOf(1, "min_angle_limit", 0, 9)).value();
+    pass();
+    log.addSnapshot(snapshotOf(1, 90), SnapshotReason::Asked).value();
+    const QDateTime read = pass();
+    QVERIFY(journal.end(cut, {text("undone"), {}}));
+    QVERIFY(journal.end(forgotten, {text("abandoned"), {}}));
+    const QDateTime after = pass();
+    QCOMPARE(at(open).unknown, QStringList{text("position_p")});
+    QVERIFY(at(open).replayed.isEmpty());
+    QCOMPARE(rowOf(at(read).table, "position_p").raw, std::int64_t(90)); // as it was read
+    QCOMPARE(rowOf(at(after).table, "position_p").raw, std::int64_t(32));
+    // What a later write has replaced is not put back.
+    const QString old = journal.begin(intentOf(1, "position_p", 32, 40)).value();
+    pass();
+    write(1, "position_p", 40, 50);
+    QVERIFY(journal.end(old, {text("undone"), {}}));
+    QCOMPARE(rowOf(at(pass()).table, "position_p").raw, std::int64_t(50));
+    QVERIFY(at(after).unknown.isEmpty()); // given up after it was read: nothing was written
+}
+
+void TestHistoryLog::whatATableLeavesOutIsNamed()
+{
+    const auto catalog = catalog::Catalog::load().catalog;
+    const auto history = open();
+    const auto log = history->log();
+    log.addSnapshot(snapshotOf(1), SnapshotReason::Automatic).value();
+    const auto servo = log.of(someServo(1)).value()->number;
+    const auto now = [&] {
+        return record::tableAt(history->file(), catalog, servo, pass()).value();
+    };
+    write(1, "position_p", 32, 50, "temporary");
+    QCOMPARE(now().temporary, QStringList{text("position_p")});
+    QVERIFY(!now().changedId);
+    write(1, "position_p", 32, 60);
+    QVERIFY(now().temporary.isEmpty());
+    write(1, "id", 1, 7, "kept", IntentKind::SetId);
+    QVERIFY(now().changedId.has_value());
+    QCOMPARE(now().changedId->id, 7);
+    QCOMPARE(rowOf(now().table, "id").raw, std::int64_t(7));
 }
 
 void TestHistoryLog::theChangesForACopy()
