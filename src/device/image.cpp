@@ -11,17 +11,22 @@ void Image::store(int offset, base::ByteView bytes, base::Duration at)
         m_cells.resize(first + bytes.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         Cell& place = m_cells[first + i];
-        if (!place.read || place.at <= at)
+        if (place.at <= at)
             place = {bytes[i], true, at};
     }
 }
 
 void Image::forget(int offset, int count)
 {
+    forget(offset, count, {});
+}
+
+void Image::forget(int offset, int count, base::Duration readUntil)
+{
     const auto first = static_cast<std::size_t>(std::max(offset, 0));
     const auto end = std::min(first + static_cast<std::size_t>(std::max(count, 0)), m_cells.size());
     for (std::size_t place = first; place < end; ++place)
-        m_cells[place].read = false;
+        m_cells[place] = {0, false, readUntil};
 }
 
 void Image::clear()
@@ -36,7 +41,8 @@ void Image::takeNewer(const Image& other, base::Duration since)
     for (std::size_t place = 0; place < other.m_cells.size(); ++place) {
         const Cell& theirs = other.m_cells[place];
         Cell& mine = m_cells[place];
-        if (theirs.read && theirs.at >= since && (!mine.read || mine.at < theirs.at))
+        const bool newer = mine.read ? mine.at < theirs.at : mine.at <= theirs.at;
+        if (theirs.read && theirs.at >= since && newer)
             mine = theirs;
     }
 }

@@ -18,6 +18,9 @@ public:
     /// followed it.
     void store(int offset, base::ByteView bytes, base::Duration at);
     void forget(int offset, int count);
+    /// The same before a write whose read-back may be lost: what was read by then, here or by
+    /// others, no longer says what stands there.
+    void forget(int offset, int count, base::Duration readUntil);
     void clear();
     /// Takes what `other` has read from `since` on, where it is the newer reading.
     void takeNewer(const Image& other, base::Duration since);
@@ -32,7 +35,7 @@ private:
     struct Cell {
         std::uint8_t value = 0;
         bool read = false;
-        base::Duration at{};
+        base::Duration at{}; ///< not read: readings up to then are void
     };
     const Cell* cell(int offset) const; ///< null: never read
 

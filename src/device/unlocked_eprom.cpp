@@ -27,6 +27,7 @@ base::Result<UnlockedEprom> UnlockedEprom::open(const Context& context, Servo& s
     UnlockedEprom unlocked(context, servo, needed);
     if (*present == needed)
         return unlocked;
+    servo.image.forget(lock->offset, lock->size, context.bus.clock().now());
     auto opened = writeVerified(context, servo, *lock, needed);
     if (!opened) {
         if (opened.error().code == ErrorCode::Mismatch)

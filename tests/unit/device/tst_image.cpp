@@ -35,6 +35,20 @@ private Q_SLOTS:
         image.store(5, base::Bytes{3}, 1s);
         QCOMPARE(*image.bytes(5, 1), (base::Bytes{3}));
     }
+
+    /// What was read before a write without a read-back is not brought back by another reader.
+    void whatIsVoidIsTakenFromLaterReadingsOnly()
+    {
+        device::Image polled;
+        polled.store(5, base::Bytes{1}, 2s);
+        device::Image image = polled;
+        image.forget(5, 1, 3s);
+        image.takeNewer(polled, 1s);
+        QVERIFY(!image.readAt(5));
+        polled.store(5, base::Bytes{0}, 4s);
+        image.takeNewer(polled, 1s);
+        QCOMPARE(*image.bytes(5, 1), (base::Bytes{0}));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestImage)
