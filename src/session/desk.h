@@ -288,6 +288,8 @@ private:
 
     // interrupted writes (desk_intents.cpp)
     void recoverIntents(jobs::RecoverAction action, const QString& uuid, bool anyPort);
+    ServoRef rowOf(const jobs::OpenIntent& found) const;
+    void removeLeft(const base::ServoIdentity& left, ServoRef now);
     void followRecovered(const jobs::Recovered& one);
     void coverRecovered(const jobs::Recovered& one);
 

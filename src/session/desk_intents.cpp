@@ -68,6 +68,16 @@ std::optional<int> rateAfter(const catalog::Profile& profile, const device::Writ
     }
     return std::nullopt;
 }
+
+/// Journals of earlier versions name no map.
+bool isOfKind(const device::Servo& servo, const base::ServoIdentity& who)
+{
+    if (!servo.profile)
+        return false;
+    base::ServoIdentity known = servo.identity();
+    known.map = who.map.isEmpty() ? QString() : known.map;
+    return known.sameKind(who);
+}
 } // namespace
 
 void Desk::lookForIntents(bool anyPort)
@@ -118,21 +128,57 @@ void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid, bool 
     enqueue(work);
 }
 
-/// Settling an ID or a rate leads the servo away from where the list has it.
+/// In the list: the servo that a look has found. Its row still stands where the interrupted change
+/// of ID or rate began, unless a search has met the servo where it is now.
+ServoRef Desk::rowOf(const jobs::OpenIntent& found) const
+{
+    const base::ServoIdentity& who = found.intent.servo;
+    const auto at = [&](int id, int baud) {
+        const auto row = std::find_if(m_order.begin(), m_order.end(), [&](ServoRef ref) {
+            const device::Servo& known = m_servos.at(ref).servo;
+            return known.id == id && known.baud == baud && isOfKind(known, who);
+        });
+        return row != m_order.end() ? *row : 0;
+    };
+    const ServoRef now = at(found.foundId, found.foundBaud);
+    return now != 0 ? now : at(who.id, hasBaud() ? who.baud : found.foundBaud);
+}
+
+/// Settling an ID or a rate leads the servo away from where the list has it, or the interrupted
+/// change had done so already. One servo has one row: where it was, it has been asked in vain.
 void Desk::followRecovered(const jobs::Recovered& one)
 {
-    const ServoRef ref = find(one.before.intent.servo.protocol, one.before.foundId);
+    const base::ServoIdentity& who = one.before.intent.servo;
+    const ServoRef ref = rowOf(one.before);
     ServoEntry* known = entry(ref);
-    if (!one.done || known == nullptr || known->servo.baud != one.before.foundBaud)
+    if (!one.done || known == nullptr)
         return;
     device::Servo moved = known->servo;
-    if (one.report && one.report->id >= 0)
-        moved.id = one.report->id;
+    moved.id = one.report && one.report->id >= 0 ? one.report->id : one.before.foundId;
+    moved.baud = one.before.foundBaud;
     if (one.report && moved.profile)
         moved.baud = rateAfter(*moved.profile, *one.report).value_or(moved.baud);
+    // It was identified, written to and read back where it is.
+    known->silent = known->garbled = known->heardAgain = false;
+    known->lastSeen = now();
     merge(*known, moved, now());
+    removeLeft(who, ref);
+    changed(*known);
     readTable(ref);
     loadHistory(ref);
+}
+
+/// The row at the place a servo has left, if the list has another one of it.
+void Desk::removeLeft(const base::ServoIdentity& left, ServoRef now)
+{
+    const auto row = std::find_if(m_order.begin(), m_order.end(), [&](ServoRef ref) {
+        const ServoEntry& known = m_servos.at(ref);
+        const bool there =
+            known.servo.id == left.id && (!hasBaud() || known.servo.baud == left.baud);
+        return ref != now && there && known.silent && isOfKind(known.servo, left);
+    });
+    if (row != m_order.end())
+        remove(*row);
 }
 
 /// What the interrupted write had changed in this session could be undone by itself, and would
@@ -143,7 +189,7 @@ void Desk::coverRecovered(const jobs::Recovered& one)
     const base::Intent& intent = one.before.intent;
     const bool snapshot =
         intent.kind == base::IntentKind::Restore && jobs::restoresSnapshot(intent);
-    const ServoRef ref = find(intent.servo.protocol, one.before.foundId);
+    const ServoRef ref = rowOf(one.before);
     const ServoEntry* known = servo(ref);
     if (!one.done || known == nullptr || !known->servo.profile ||
         !(snapshot || intent.kind == base::IntentKind::Write))

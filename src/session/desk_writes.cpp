@@ -14,8 +14,18 @@ using device::WriteOutcome;
 WriteOutcome outcomeOf(const base::Error& error)
 {
     using base::ErrorCode;
-    if (error.code == ErrorCode::LinkLost || error.code == ErrorCode::IdentityDiffers ||
-        isChangedSince(error))
+    switch (error.code) {
+    case ErrorCode::LinkLost:
+    case ErrorCode::Held:
+    case ErrorCode::IdentityDiffers:
+    case ErrorCode::SeveralServos:
+    case ErrorCode::FamilyUnclear:
+    case ErrorCode::UnknownModel:
+        return WriteOutcome::NotSent;
+    default:
+        break;
+    }
+    if (isChangedSince(error))
         return WriteOutcome::NotSent;
     const bool silent = error.code == ErrorCode::NoAnswer || error.code == ErrorCode::Garbled ||
                         error.code == ErrorCode::LineBusy;
@@ -283,12 +293,14 @@ void Desk::loadHistory(ServoRef ref)
             return;
         m_inbox.post([this, ref, own = std::move(*own)]() mutable {
             ServoEntry* entry = this->entry(ref);
-            if (entry == nullptr || sameEntries(entry->history, own))
-                return;
-            entry->lockOpenedByUs =
+            const bool unlocked =
                 std::any_of(own.begin(), own.end(), [](const base::JournalEntry& one) {
                     return !one.end && one.intent.lockOpened;
                 });
+            if (entry == nullptr ||
+                (sameEntries(entry->history, own) && entry->lockOpenedByUs == unlocked))
+                return;
+            entry->lockOpenedByUs = unlocked;
             entry->history = std::move(own);
             Q_EMIT servoChanged(ref);
         });

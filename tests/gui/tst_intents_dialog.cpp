@@ -62,6 +62,16 @@ QString leaveOpen(TasksBench& bench, const QString& port = {})
     intent.items = {{text("max_temperature"), 13, before, 61}};
     return bench.session.journal().begin(intent).value_or(QString());
 }
+/// Closing the window would ask nothing.
+bool nothingUnfinished(TasksBench& bench)
+{
+    std::optional<session::UnfinishedWrites> unfinished;
+    QObject::connect(&bench.desk, &session::Desk::unfinishedFound, &bench.window,
+                     [&](const session::UnfinishedWrites& found) { unfinished = found; });
+    bench.desk.findUnfinished();
+    const bool told = QTest::qWaitFor([&] { return unfinished.has_value(); }, 20000);
+    return told && unfinished->ids.empty() && unfinished->unlocked.empty();
+}
 } // namespace
 
 class TestIntentsDialog : public QObject {
@@ -74,6 +84,8 @@ private Q_SLOTS:
     void aCutWriteIsFinished();
     void aServoIsFollowed_data();
     void aServoIsFollowed();
+    void aServoThatHasMovedAlreadyIsFollowed_data() { aServoIsFollowed_data(); }
+    void aServoThatHasMovedAlreadyIsFollowed();
     void isOfferedAfterTheFirstSearch();
     void laterIsNotAskedTwice();
     void forgettingAsksFirst();
@@ -168,6 +180,47 @@ void TestIntentsDialog::aServoIsFollowed()
     QCOMPARE(bench.entry().servo.id, id);
     QCOMPARE(bench.entry().servo.baud, baud);
     QVERIFY(!bench.entry().readError);
+}
+
+/// The cable was cut right after the write of the ID or the rate, with the lock open.
+void TestIntentsDialog::aServoThatHasMovedAlreadyIsFollowed()
+{
+    QFETCH(int, kind);
+    QFETCH(QString, key);
+    QFETCH(int, value);
+    QFETCH(int, id);
+    QFETCH(int, baud);
+    TasksBench bench;
+    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    const session::ServoRef ref = bench.selection.current();
+    base::Intent intent;
+    intent.kind = base::IntentKind(kind);
+    intent.lockOpened = true;
+    intent.servo = bench.entry().servo.identity();
+    intent.items = {{key, 5, bench.raw(1, key.toLatin1().constData()), value}};
+    QVERIFY(bench.session.journal().begin(intent));
+    bench.withWire([&](sim::VirtualBus& wire) {
+        sim::VirtualServo* servo = wire.servo(1);
+        servo->poke(text("lock"), 0);
+        servo->poke(key, value);
+    });
+    bench.desk.readTable(ref);
+    bench.desk.loadHistory(ref);
+    QVERIFY(bench.settled());
+    QTRY_VERIFY(bench.entry().silent && bench.entry().lockOpenedByUs);
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QTRY_COMPARE(table(dialog)->model()->rowCount(), 1);
+    gui::click(dialog, "intentFinish");
+    QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
+    QVERIFY(bench.settled());
+    QCOMPARE(bench.raw(id, "lock"), 1);
+    QCOMPARE(bench.desk.servos(), std::vector{ref});
+    QCOMPARE(bench.entry().servo.id, id);
+    QCOMPARE(bench.entry().servo.baud, baud);
+    QTRY_VERIFY(!bench.entry().silent && !bench.entry().lockOpenedByUs);
+    QTRY_COMPARE(bench.entry().lockOpen(), std::optional(false));
+    QVERIFY(nothingUnfinished(bench));
 }
 
 void TestIntentsDialog::isOfferedAfterTheFirstSearch()

@@ -73,6 +73,7 @@ private Q_SLOTS:
     void theLockMayBeLeftOpen();
     void cancelChangesNothing();
     void aLockThatStaysOpenKeepsTheWindowOpen();
+    void aLockThatIsClosedLaterIsNoLongerNamed();
     void withoutAQuestionTheLockIsClosedAsWell();
     void whatTheJournalHoldsIsSaidWithoutAPort();
     void nothingUnfinishedIsNotAskedAbout();
@@ -168,6 +169,28 @@ void TestLeavingWrites::aLockThatStaysOpenKeepsTheWindowOpen()
     dialog = bench.question();
     QVERIFY(dialog != nullptr);
     gui::click(dialog, "questionOther");
+    QVERIFY(bench.closed());
+}
+
+void TestLeavingWrites::aLockThatIsClosedLaterIsNoLongerNamed()
+{
+    Bench bench;
+    QVERIFY(bench.interrupted());
+    bench.mute(true);
+    bench.window->close();
+    QDialog* dialog = bench.question();
+    QVERIFY(dialog != nullptr);
+    gui::click(dialog, "questionYes");
+    auto* banner = bench.find<QWidget>("banner");
+    QVERIFY(banner != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longTime);
+    bench.mute(false);
+    QVERIFY(bench.settled());
+    bench.desk().settleIntent(bench.session.journal().open()->front().uuid,
+                              jobs::RecoverAction::Undo);
+    QTRY_COMPARE_WITH_TIMEOUT(bench.unfinished(), std::size_t(0), longTime);
+    QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), longTime);
+    bench.window->close();
     QVERIFY(bench.closed());
 }
 

@@ -34,6 +34,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 
+#include <algorithm>
 #include <utility>
 
 namespace ui {
@@ -165,6 +166,8 @@ void MainWindow::connectDesk()
     connect(&m_desk, &session::Desk::happened, this, &MainWindow::happened);
     connect(m_banner, &Banner::dismissed, this, [this] { m_stopShown = false; });
     connect(&m_desk, &session::Desk::linkChanged, this, &MainWindow::linkChanged);
+    for (const auto signal : {&session::Desk::servoChanged, &session::Desk::servoRemoved})
+        connect(&m_desk, signal, this, &MainWindow::withdrawNotLeft);
     connect(&m_desk, &session::Desk::servoAdded, this, &MainWindow::selectWanted);
     connect(&m_desk, &session::Desk::servoAdded, this, [this] { showCentre(); });
     connect(&m_desk, &session::Desk::searchChanged, this, [this] {
@@ -199,6 +202,7 @@ void MainWindow::presentStop(const session::Event& event)
     if (!unsent)
         return;
     m_stopShown = true;
+    m_unlockedShown = event.moving.empty() ? event.unlocked : std::vector<session::ServoRef>{};
     const QList<QAction*> actions = m_desk.state() == session::LinkState::Open && !event.owed
                                         ? QList{m_commands.action(Command::TorqueOffAll)}
                                         : QList<QAction*>{};
@@ -208,6 +212,21 @@ void MainWindow::presentStop(const session::Event& event)
             return BannerWords{Tone::Bad, words.line, {}, words.more.join(QLatin1Char(' '))};
         },
         actions);
+}
+
+/// Once no lock that it names is open any more.
+void MainWindow::withdrawNotLeft()
+{
+    const auto isOpen = [this](session::ServoRef ref) {
+        const session::ServoEntry* entry = m_desk.servo(ref);
+        return entry != nullptr && entry->lockOpenedByUs && entry->lockOpen().value_or(true);
+    };
+    if (!m_stopShown || m_unlockedShown.empty() ||
+        std::any_of(m_unlockedShown.begin(), m_unlockedShown.end(), isOpen))
+        return;
+    m_unlockedShown.clear();
+    m_stopShown = false;
+    m_banner->clear();
 }
 
 /// What is changed back is shown: it may belong to another servo than the one selected.

@@ -66,6 +66,7 @@ private:
     void tellStartTroubles();
     void happened(const session::Event& event);
     void presentStop(const session::Event& event);
+    void withdrawNotLeft();
     void undo();
     void redoLast();
     void selectWanted(session::ServoRef added);
@@ -103,6 +104,8 @@ private:
     Menus* m_menus = nullptr;
     LeaveQuestion* m_leave = nullptr;
     bool m_stopShown = false; ///< the banner says that a stop was not sent
+    /// Of a banner that says nothing but that their EPROM locks stayed open.
+    std::vector<session::ServoRef> m_unlockedShown;
 
     std::optional<int> m_wantedId; ///< of the command line; selected when it is found
     bool m_selectFirst = false;    ///< a screenshot without a wish selects the first servo found
