@@ -343,12 +343,18 @@ void CommissionCommand::tell(const record::CommissionRow& row)
 
 void CommissionCommand::nameUnfinished()
 {
+    if (m_batch.pending.empty())
+        return;
     for (const record::CommissionPending& one : m_batch.pending)
         m_run.console().remark(
-            translate("cli", "Unfinished: %1 that was to have ID %2. Connect it and run the same "
-                             "command again to finish it; \"recover\" shows what is open.")
+            translate("cli", "Unfinished: %1 that was to have ID %2. A part of its settings may be "
+                             "written. Connect it and run the same command again to finish it.")
                 .arg(one.servo.model)
                 .arg(one.newId));
+    // Between two writes none is open.
+    const auto open = m_run.session().journal().open();
+    if (!open || !open->empty())
+        m_run.console().remark(translate("cli", "\"recover\" shows the changes that are open."));
 }
 
 Exit CommissionCommand::finish(jobs::CommissionEnd end)

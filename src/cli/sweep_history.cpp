@@ -29,11 +29,11 @@ QString wordsFor(Console& console, const record::KeptRun& kept)
 {
     if (!kept.trouble)
         return translate("cli", "Kept in the history as test run %1").arg(qint64(kept.number));
-    console.say(translate("cli", "The test could not be kept in the history: %1 (%2)")
-                    .arg(text::describe(*kept.trouble).what, kept.trouble->detail));
-    if (kept.file.isEmpty())
-        return {};
-    console.say(translate("cli", "It was left in %1 instead").arg(kept.file));
+    console.say(translate("cli", "The test could not be kept in the history: %1")
+                    .arg(text::describe(*kept.trouble).what));
+    console.say(kept.file.isEmpty()
+                    ? translate("cli", "It could not be left in a file beside the history either")
+                    : translate("cli", "It was left in %1 instead").arg(kept.file));
     return {};
 }
 } // namespace

@@ -26,15 +26,19 @@ base::Result<void> checkId(const device::Servo& servo, int newId)
     return tl::unexpected(error);
 }
 
-/// Silence under the new ID: anything else, a collision included, means that it is taken.
-base::Result<void> proveFree(const device::Context& context, base::Protocol protocol, int newId)
+/// Silence under the new ID: anything else, a collision included, means that it is taken. What
+/// ends the question concerns the servo that still has its old one.
+base::Result<void> proveFree(const device::Context& context, base::Protocol protocol, int oldId,
+                             int newId)
 {
     const auto free = isFree(context, protocol, newId);
     if (!free) {
         const ErrorCode code = free.error().code;
         if (code == ErrorCode::Garbled || code == ErrorCode::WrongAnswer)
             return base::fail(ErrorCode::IdInUse, operation, QStringLiteral("garbled"), newId);
-        return tl::unexpected(free.error());
+        base::Error error = free.error();
+        error.id = oldId;
+        return tl::unexpected(error);
     }
     if (!*free)
         return base::fail(ErrorCode::IdInUse, operation, {}, newId);
@@ -168,7 +172,7 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
     for (const base::Protocol protocol : neighbours(context, servo)) {
-        if (const auto free = proveFree(context, protocol, newId); !free)
+        if (const auto free = proveFree(context, protocol, servo.id, newId); !free)
             return tl::unexpected(free.error());
     }
     if (context.stop.requested())

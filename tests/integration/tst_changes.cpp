@@ -49,6 +49,7 @@ private Q_SLOTS:
     void newIdIsKept_data();
     void newIdIsKept();
     void takenIdIsRefused();
+    void aStopNamesTheServoThatIsThere();
     void impossibleIds_data();
     void impossibleIds();
     void lostIdRequestIsSentAgain();
@@ -116,6 +117,21 @@ void TestChanges::takenIdIsRefused()
         QCOMPARE(report.error().code, ErrorCode::IdInUse);
         QVERIFY(bench.onlyAsked());
     }
+}
+
+/// While the new ID is asked for, the servo still has its old one.
+void TestChanges::aStopNamesTheServoThatIsThere()
+{
+    SimBench bench(text("sts3215@1"));
+    device::Servo one = bench.servo(1);
+    bench.tap().onWrite = [&](const base::Bytes& frame) {
+        if (frame[2] == 9)
+            bench.stop().request();
+    };
+    const auto report = jobs::changeId(bench.context(), one, 9);
+    QVERIFY(!report);
+    QCOMPARE(report.error().code, ErrorCode::Stopped);
+    QCOMPARE(report.error().id, 1);
 }
 
 void TestChanges::impossibleIds_data()

@@ -347,6 +347,7 @@ void TestCliCtrlC::commission()
     QCOMPARE(batch->pending.size(), std::size_t{1});
     QVERIFY2(bench.nothingIsOpen(), story.constData());
     QVERIFY2(ran.err.contains(QLatin1String("1 unfinished")), story.constData());
+    QVERIFY2(!ran.err.contains(QLatin1String("\"recover\" shows")), story.constData());
 
     const bool atRate = address == rateAddress;
     const bool atId = atRate || address == idAddress;
