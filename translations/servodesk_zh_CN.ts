@@ -3655,10 +3655,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>已存入历史，测试记录 %1</translation>
     </message>
     <message>
-        <source>The test could not be kept in the history: %1 (%2)</source>
-        <translation>测试无法存入历史：%1（%2）</translation>
-    </message>
-    <message>
         <source>It was left in %1 instead</source>
         <translation>已改存到 %1</translation>
     </message>
@@ -4023,10 +4019,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>本工位在服务器上的名称</translation>
     </message>
     <message>
-        <source>use server and name from now on, in the window too</source>
-        <translation>从现在起使用此服务器和名称,窗口程序也一样</translation>
-    </message>
-    <message>
         <source>Label: %1</source>
         <translation>标签：%1</translation>
     </message>
@@ -4331,10 +4323,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>有一个同型号的舵机未完成，它应得到 ID %1。如果就是这一个，请按 s 再按回车；否则按新舵机设置。</translation>
     </message>
     <message>
-        <source>Unfinished: %1 that was to have ID %2. Connect it and run the same command again to finish it; &quot;recover&quot; shows what is open.</source>
-        <translation>未完成：%1，应得到 ID %2。接上它并再次运行同一命令即可完成；“recover”可显示尚未结束的更改。</translation>
-    </message>
-    <message>
         <source>No setting was changed; %1 has been removed again.</source>
         <translation>没有更改任何设置；已将 %1 删除。</translation>
     </message>
@@ -4513,6 +4501,46 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>The EPROM lock may be open. &quot;info %1&quot; shows it; switching the servo off closes it.</source>
         <translation>EPROM 锁可能处于打开状态。“info %1”可以查看；给舵机断电即可锁上。</translation>
+    </message>
+    <message>
+        <source>Unfinished: %1 that was to have ID %2. A part of its settings may be written. Connect it and run the same command again to finish it.</source>
+        <translation>未完成：%1，应得到 ID %2。它的部分设置可能已写入。接上它并再次运行同一命令即可完成。</translation>
+    </message>
+    <message>
+        <source>&quot;recover&quot; shows the changes that are open.</source>
+        <translation>“recover”可显示尚未结束的更改。</translation>
+    </message>
+    <message>
+        <source>Written temporarily, which is left out: the table has the stored value of %1</source>
+        <translation>临时写入不计入，内存表中是保存的值：%1</translation>
+    </message>
+    <message>
+        <source>Its ID was changed to %1 on %2: what was written to it with that ID is in the history of servo ID %1, not here</source>
+        <translation>它的 ID 已于 %2 改为 %1：此后以该 ID 进行的写入在 ID %1 舵机的历史记录中，不在此处</translation>
+    </message>
+    <message>
+        <source>Server and name of the bench were not stored</source>
+        <translation>未保存服务器和工位名称</translation>
+    </message>
+    <message>
+        <source>The name of the bench was stored; the server is set by SERVODESK_HISTORY_SERVER</source>
+        <translation>已保存工位名称；服务器由 SERVODESK_HISTORY_SERVER 指定</translation>
+    </message>
+    <message>
+        <source>Server and name of the bench were stored; the window uses them too</source>
+        <translation>已保存服务器和工位名称，窗口程序也会使用</translation>
+    </message>
+    <message>
+        <source>use server and name from now on, in the window too; stored once the server has been reached</source>
+        <translation>从现在起使用此服务器和名称，窗口程序也一样；连接成功后才保存</translation>
+    </message>
+    <message>
+        <source>The test could not be kept in the history: %1</source>
+        <translation>测试无法存入历史：%1</translation>
+    </message>
+    <message>
+        <source>It could not be left in a file beside the history either</source>
+        <translation>也无法存为历史旁边的文件</translation>
     </message>
 </context>
 <context>
@@ -5779,10 +5807,6 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>请清除阻挡，再检查扭矩限制、速度和报警。</translation>
     </message>
     <message>
-        <source>Let the test switch the mode while it lasts (the tick &quot;switch the mode&quot;; --switch-mode on the command line), or change to position mode first.</source>
-        <translation>让测试在运行期间切换模式（勾选“切换模式”；命令行用 --switch-mode），或先切换到位置模式。</translation>
-    </message>
-    <message>
         <source>There would be nothing to answer to.</source>
         <translation>没有可响应的阶跃。</translation>
     </message>
@@ -6671,6 +6695,22 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>The goal switched torque on.</source>
         <translation>目标指令使能了扭矩。</translation>
+    </message>
+    <message>
+        <source>Tick &quot;Switch to position mode&quot; for this test (--switch-mode on the command line), or change to position mode first.</source>
+        <translation>为本次测试勾选“切换到位置模式”（命令行用 --switch-mode），或先改为位置模式。</translation>
+    </message>
+    <message>
+        <source>the connection string contains a parameter that is not accepted</source>
+        <translation>连接字符串中含有不接受的参数</translation>
+    </message>
+    <message>
+        <source>It is misspelled, or it is none of the parameters that are known to hold no password.</source>
+        <translation>参数名拼写有误，或不属于已知不含密码的参数。</translation>
+    </message>
+    <message>
+        <source>Use host, hostaddr, port, dbname, user, service, connect_timeout, application_name, target_session_attrs and the parameters that begin with ssl, gss or keepalives.</source>
+        <translation>可使用 host、hostaddr、port、dbname、user、service、connect_timeout、application_name、target_session_attrs，以及以 ssl、gss 或 keepalives 开头的参数。</translation>
     </message>
 </context>
 <context>
@@ -8371,6 +8411,18 @@ Asked more than once: %9</source>
     <message>
         <source>History server</source>
         <translation>历史记录服务器</translation>
+    </message>
+    <message>
+        <source>The servo had ID %1 at that moment.</source>
+        <translation>那一刻舵机的 ID 是 %1。</translation>
+    </message>
+    <message>
+        <source>Its ID was changed on %1.</source>
+        <translation>它的 ID 于 %1 更改。</translation>
+    </message>
+    <message>
+        <source>What was written to it with that ID is in the history of servo ID %1, not in this table.</source>
+        <translation>以该 ID 进行的写入在 ID %1 舵机的历史记录中，不在此内存表中。</translation>
     </message>
 </context>
 <context>
@@ -11403,6 +11455,26 @@ Asked more than once: %9</source>
     <message>
         <source>Keep hands and objects out of their way. Esc takes torque off all servos at once.</source>
         <translation>双手和物体请离开舵机的运动范围。按 Esc 立即关闭所有舵机的扭矩。</translation>
+    </message>
+    <message>
+        <source>The test was not started.</source>
+        <translation>测试没有开始。</translation>
+    </message>
+    <message>
+        <source>A servo it was meant for has left the list or was exchanged.</source>
+        <translation>要测试的舵机已不在列表中，或已被更换。</translation>
+    </message>
+    <message>
+        <source>Choose the servo and start again.</source>
+        <translation>请选择舵机后重新开始。</translation>
+    </message>
+    <message>
+        <source>%1 (own value %2)</source>
+        <translation>%1（原值 %2）</translation>
+    </message>
+    <message>
+        <source>Settings of the test still in the servo: %1.</source>
+        <translation>测试的设置仍在舵机中：%1。</translation>
     </message>
 </context>
 <context>
