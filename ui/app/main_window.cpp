@@ -166,8 +166,7 @@ void MainWindow::connectDesk()
     connect(&m_desk, &session::Desk::happened, this, &MainWindow::happened);
     connect(m_banner, &Banner::dismissed, this, [this] { m_stopShown = false; });
     connect(&m_desk, &session::Desk::linkChanged, this, &MainWindow::linkChanged);
-    for (const auto signal : {&session::Desk::servoChanged, &session::Desk::servoRemoved})
-        connect(&m_desk, signal, this, &MainWindow::withdrawNotLeft);
+    connect(&m_desk, &session::Desk::servoChanged, this, &MainWindow::withdrawNotLeft);
     connect(&m_desk, &session::Desk::servoAdded, this, &MainWindow::selectWanted);
     connect(&m_desk, &session::Desk::servoAdded, this, [this] { showCentre(); });
     connect(&m_desk, &session::Desk::searchChanged, this, [this] {
@@ -214,12 +213,12 @@ void MainWindow::presentStop(const session::Event& event)
         actions);
 }
 
-/// Once no lock that it names is open any more.
+/// Once each lock that it names has been read as closed.
 void MainWindow::withdrawNotLeft()
 {
     const auto isOpen = [this](session::ServoRef ref) {
         const session::ServoEntry* entry = m_desk.servo(ref);
-        return entry != nullptr && entry->lockOpenedByUs && entry->lockOpen().value_or(true);
+        return entry == nullptr || entry->lockOpen().value_or(true);
     };
     if (!m_stopShown || m_unlockedShown.empty() ||
         std::any_of(m_unlockedShown.begin(), m_unlockedShown.end(), isOpen))
