@@ -152,6 +152,7 @@ bool SweepTest::start(const SweepTestOrder& order)
     ++m_looks; // what is still being looked at does not matter any more
     m_progress = {};
     m_torqueLeft.clear();
+    m_settingsLeft.clear();
     m_live = std::make_shared<Live>();
     m_live->servos = order.servos;
     const auto live = m_live;
@@ -293,6 +294,10 @@ void SweepTest::finish(Ending& ending, const TaskEnd& end)
     m_live.reset();
     m_running = false;
     m_torqueLeft = std::move(ending.torqueLeft);
+    std::copy_if(end.notices.begin(), end.notices.end(), std::back_inserter(m_settingsLeft),
+                 [](const device::Notice& notice) {
+                     return notice.code == device::NoticeCode::SettingNotPutBack;
+                 });
     if (ending.recording) // else the test before is still here to be saved
         m_recording = ending.recording;
     if (ending.run) {

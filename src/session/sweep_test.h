@@ -50,6 +50,8 @@ public:
     const jobs::SweepProgress& progress() const { return m_progress; }
     /// Of the test that has ended: servos that could not be left as they were to be.
     const std::vector<jobs::TorqueLeft>& torqueLeft() const { return m_torqueLeft; }
+    /// Of that test: what it has set and could not put back (NoticeCode::SettingNotPutBack).
+    const device::Notices& settingsLeft() const { return m_settingsLeft; }
     /// Worked out anew from the legs while it runs; the final ones afterwards.
     std::vector<record::SweepMetric> figures(std::size_t servo) const;
 
@@ -91,6 +93,7 @@ private:
     std::vector<ServoRef> m_servos;
     jobs::SweepProgress m_progress;
     std::vector<jobs::TorqueLeft> m_torqueLeft;
+    device::Notices m_settingsLeft;
     record::SampleStore m_store;
     std::vector<Curves> m_curves;
     base::Duration m_startedAt{};

@@ -13,9 +13,9 @@ constexpr std::array notSupported{
     RefusalWords{"not-position", QT_TRANSLATE_NOOP("text", "it is not in a position mode"),
                  QT_TRANSLATE_NOOP("text", "In its present mode goals are no places it could come "
                                            "to."),
-                 QT_TRANSLATE_NOOP("text", "Let the test switch the mode while it lasts (the tick "
-                                           "\"switch the mode\"; --switch-mode on the command "
-                                           "line), or change to position mode first.")},
+                 QT_TRANSLATE_NOOP("text", "Tick \"Switch to position mode\" for this test "
+                                           "(--switch-mode on the command line), or change to "
+                                           "position mode first.")},
     RefusalWords{"fixed-rate", QT_TRANSLATE_NOOP("text", "its baud rate cannot be changed"),
                  QT_TRANSLATE_NOOP("text", "This family runs at one rate and has no command for "
                                            "another."),

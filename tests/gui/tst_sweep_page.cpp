@@ -372,6 +372,34 @@ private Q_SLOTS:
         QCOMPARE(bench.find<QLineEdit>("sweepStart")->text(), QStringLiteral("1800"));
     }
 
+    /// The test had switched the mode, and the link is lost before it could be put back.
+    void aModeThatIsNotPutBackIsNamed()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        bench.bench.drive.setServos({bench.selection().current()});
+        bench.bench.drive.switchMode(QStringLiteral("speed"));
+        auto* tick = bench.find<QCheckBox>("sweepSwitchMode");
+        QTRY_VERIFY_WITH_TIMEOUT(tick->isVisible(), testTime);
+        tick->setChecked(true);
+        bench.type("sweepStart", QStringLiteral("1800"));
+        bench.type("sweepEnd", QStringLiteral("2200"));
+        bench.find<QSpinBox>("sweepCycles")->setValue(50);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find<QPushButton>("sweepRun")->isEnabled(), testTime);
+        bench.run();
+        QVERIFY(bench.begun());
+        bench.desk().connection()->simulation()->with(
+            [](sim::VirtualBus& bus) { bus.config().faults.dropRequest = 1; });
+        QVERIFY(bench.over());
+        QCOMPARE(bench.test().run()->end, record::SweepEnd::LinkLost);
+        QString said;
+        for (const QLabel* label : bench.find<QWidget>("sweepBanner")->findChildren<QLabel*>())
+            said += label->text();
+        for (const char* part : {"Settings of the test still in the servo: ID 1: ", "(own value 1)",
+                                 "Interrupted writes", "Torque could not be switched off: ID 1"})
+            QVERIFY2(said.contains(QLatin1String(part)), qPrintable(said));
+    }
+
     /// However often its servos are read meanwhile, and also if nothing reads them.
     void aLineThatIsWholeAgainIsNoticed_data()
     {

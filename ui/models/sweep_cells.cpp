@@ -109,6 +109,22 @@ QString torqueLeftRemedy()
                                             "Press the emergency stop or cut the supply.");
 }
 
+QString settingsLeftRemedy()
+{
+    return text::translate("ui::StepPage",
+                           "It is noted in the journal: when the servo answers again, put it back "
+                           "under Port → Interrupted writes. At power-off the servo forgets it by "
+                           "itself.");
+}
+
+BannerWords notStartedWords()
+{
+    return {Tone::Warn, text::translate("ui::SweepPage", "The test was not started."),
+            text::translate("ui::SweepPage", "A servo it was meant for has left the list or was "
+                                             "exchanged."),
+            text::translate("ui::SweepPage", "Choose the servo and start again.")};
+}
+
 BannerWords failedWords(const base::Error& error, const std::vector<jobs::TorqueLeft>& left)
 {
     const text::Description why = text::describe(error);

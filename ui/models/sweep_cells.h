@@ -24,6 +24,10 @@ QString reasonText(const record::VerdictLine& line); ///< "above 8 step"
 /// Of servos that could not be left at the end as they were to be.
 QString torqueLeftText(const std::vector<jobs::TorqueLeft>& left);
 QString torqueLeftRemedy();
+/// The way back of what a test has set and could not put back.
+QString settingsLeftRemedy();
+/// A test was agreed to, and its servo has left the list meanwhile.
+BannerWords notStartedWords();
 /// Why a test failed, and the servos that it has left so.
 BannerWords failedWords(const base::Error& error, const std::vector<jobs::TorqueLeft>& left);
 } // namespace ui

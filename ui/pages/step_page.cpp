@@ -214,7 +214,8 @@ void StepPage::start(bool trial)
     if (trial)
         order.spec.trial = m_gains->trial();
     order.switchMode = otherMode() && m_switchMode->isChecked();
-    (void)m_test.start(order);
+    if (!m_test.start(order))
+        m_banner->present([] { return notStartedWords(); });
     showState();
 }
 
@@ -254,9 +255,7 @@ std::function<BannerWords()> StepPage::endWords() const
         else if (!putBack)
             left << tr("What the run had set could not be put back.");
         if (!putBack)
-            remedies << tr("It is noted in the journal: when the servo answers again, put it back "
-                           "under Port → Interrupted writes. At power-off the servo forgets it by "
-                           "itself.");
+            remedies << settingsLeftRemedy();
         if (!torque.empty()) {
             left << torqueLeftText(torque);
             remedies << torqueLeftRemedy();

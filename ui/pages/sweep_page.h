@@ -62,6 +62,8 @@ private:
     static QString torqueAfterwards(const Consent& consent);
     void run();
     void start();
+    QString settingsLeftText() const;
+    void showLeft(const std::optional<base::Error>& error);
     void ended();
     void keep();
     void showReference();

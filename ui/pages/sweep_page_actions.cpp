@@ -2,6 +2,7 @@
 // What the page starts, and what it does with the result.
 #include "record/sweep_verdict.h"
 #include "report/sweep_words.h"
+#include "text/error_words.h"
 #include "text/language.h"
 #include "ui/dialogs/ask.h"
 #include "ui/dialogs/limits_dialog.h"
@@ -91,19 +92,69 @@ void SweepPage::start()
     m_lookTimer.stop();
     if (m_test.start(order()))
         m_progressWords->setText(tr("On the way to the start"));
+    else
+        m_banner->present([] { return notStartedWords(); });
     showState();
 }
 
 void SweepPage::ended()
 {
     keep();
-    if (!m_test.torqueLeft().empty())
-        m_banner->present([left = m_test.torqueLeft()] {
-            return BannerWords{Tone::Bad, torqueLeftText(left), {}, torqueLeftRemedy()};
-        });
+    showLeft({});
     showVerdicts();
     showState();
     lookSoon(); // what the servo has set now may be something else
+}
+
+/// "ID 1: Operating mode (own value 1), Goal speed (own value 0)"
+QString SweepPage::settingsLeftText() const
+{
+    std::map<int, QStringList> names;
+    for (const device::Notice& one : m_test.settingsLeft()) {
+        const auto& all = m_desk.servos();
+        const auto found = std::find_if(all.begin(), all.end(), [&](session::ServoRef ref) {
+            const session::ServoEntry* entry = m_desk.servo(ref);
+            return entry != nullptr && entry->servo.id == one.id && entry->servo.profile;
+        });
+        const catalog::Register* reg =
+            found != all.end() ? m_desk.servo(*found)->servo.profile->find(one.key) : nullptr;
+        names[one.id] << tr("%1 (own value %2)")
+                             .arg(reg != nullptr ? reg->name.in(text::inChinese()) : one.key)
+                             .arg(one.a);
+    }
+    QStringList servos;
+    for (const auto& [id, registers] : names)
+        servos << QStringLiteral("ID %1: %2").arg(id).arg(registers.join(QStringLiteral(", ")));
+    return servos.join(QStringLiteral("; "));
+}
+
+/// All that a test has left in its servos, and why it failed, if it did.
+void SweepPage::showLeft(const std::optional<base::Error>& error)
+{
+    const bool settings = !m_test.settingsLeft().empty();
+    const bool torque = !m_test.torqueLeft().empty();
+    if (!settings && !torque) {
+        if (error && error->code != base::ErrorCode::Stopped)
+            m_banner->present(*error);
+        return;
+    }
+    m_banner->present([this, error, settings, torque, left = m_test.torqueLeft()] {
+        QStringList what;
+        QStringList remedies;
+        if (torque) {
+            what << torqueLeftText(left);
+            remedies << torqueLeftRemedy();
+        }
+        if (settings) {
+            what << tr("Settings of the test still in the servo: %1.").arg(settingsLeftText());
+            remedies << settingsLeftRemedy();
+        }
+        if (error)
+            what.prepend(text::describe(*error).what);
+        const QString first = what.takeFirst();
+        return BannerWords{Tone::Bad, first, what.join(QLatin1Char(' ')),
+                           remedies.join(QLatin1Char(' '))};
+    });
 }
 
 /// Of the latest test, in the table of servos.
@@ -147,10 +198,7 @@ void SweepPage::showReference()
 
 void SweepPage::failed(const base::Error& error)
 {
-    if (!m_test.torqueLeft().empty())
-        m_banner->present([error, left = m_test.torqueLeft()] { return failedWords(error, left); });
-    else if (error.code != base::ErrorCode::Stopped)
-        m_banner->present(error);
+    showLeft(error);
     showState();
     lookSoon();
 }
