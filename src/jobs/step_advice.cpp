@@ -17,6 +17,9 @@ constexpr double badError = 2;          ///< steps: row 14 of the advice
 constexpr double atTheLimit = 0.95;
 constexpr std::int64_t share = 8; ///< of the value: a small step
 constexpr double noise = 3;       ///< steps
+constexpr std::size_t leastSamples = 20;
+constexpr double stillBand = 4; ///< steps
+constexpr double restShare = 64;
 constexpr double noiseShare = 0.02;
 
 /// Nothing is known of a response without readings, nor of one that began at its target.
@@ -43,6 +46,22 @@ bool stood(const std::vector<record::StepResponse>& responses)
         any = any || went.has_value();
     }
     return any;
+}
+
+/// Neither gain nor speed explains it.
+bool blocked(const record::StepResponse& response, const record::SweepAxis& axis)
+{
+    const auto& samples = response.samples;
+    if (!response.missed || !response.seen || samples.size() < leastSamples)
+        return false;
+    const auto last = samples.end() - std::ptrdiff_t(samples.size() / 4);
+    const auto [low, high] =
+        std::minmax_element(last, samples.end(), [](const auto& one, const auto& other) {
+            return one.position < other.position;
+        });
+    const double left = std::abs(samples.back().position - response.target);
+    return high->position - low->position <= stillBand &&
+           left > std::max(axis.tolerance, axis.stepsPerTurn / restShare);
 }
 
 class Adviser {
@@ -173,6 +192,11 @@ std::vector<record::StepAdvice> Adviser::advise()
         say(StepSymptom::NotSeen, StepRemedy::RepeatRun);
     if (stood(m_run.responses)) {
         say(StepSymptom::NoMotion, StepRemedy::FreeMotion);
+        return m_advice;
+    }
+    if (std::any_of(m_run.responses.begin(), m_run.responses.end(),
+                    [this](const auto& one) { return blocked(one, m_run.axis); })) {
+        say(StepSymptom::Blocked, StepRemedy::ClearWay);
         return m_advice;
     }
     const auto& mean = m_run.mean;

@@ -7,6 +7,8 @@
 // where there is no room. Of a servo that never moved no gain is known. Pure; any thread.
 //   not seen     readings were missing in the motion of one or more
 //   no motion    in no response it went further towards its target than noise goes
+//   blocked      stood still in the last quarter of a response, further from its target than
+//                friction and load may leave (1/64 turn)
 //   oscillation  turned round four times or more, by more than the tolerance
 //   jitter       as often, by less
 //   overshoot    above 2 % of the way and twice the noise of leg_meter.h

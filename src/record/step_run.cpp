@@ -101,6 +101,8 @@ QString stepSymptomName(StepSymptom symptom)
         return QStringLiteral("not-seen");
     case StepSymptom::NoMotion:
         return QStringLiteral("no-motion");
+    case StepSymptom::Blocked:
+        return QStringLiteral("blocked");
     case StepSymptom::Lag:
         return QStringLiteral("lag");
     case StepSymptom::SpeedLimit:
@@ -122,6 +124,8 @@ QString stepRemedyName(StepRemedy remedy)
     switch (remedy) {
     case StepRemedy::RepeatRun:
         return QStringLiteral("repeat-run");
+    case StepRemedy::ClearWay:
+        return QStringLiteral("clear-way");
     case StepRemedy::FreeMotion:
         return QStringLiteral("free-motion");
     case StepRemedy::RaiseP:

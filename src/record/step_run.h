@@ -136,6 +136,7 @@ std::vector<StepDifference> compareSteps(const StepRun& before, const StepRun& a
 enum class StepSymptom : std::uint8_t {
     NotSeen, ///< readings were missing while it moved
     NoMotion,
+    Blocked, ///< stands still far from its target
     Lag,
     SpeedLimit,
     Overshoot,
@@ -145,6 +146,7 @@ enum class StepSymptom : std::uint8_t {
 };
 enum class StepRemedy : std::uint8_t {
     RepeatRun,
+    ClearWay,
     FreeMotion, ///< power, torque limit and mechanism come before any gain
     RaiseP,
     LowerP, ///< back to the stored one, or less

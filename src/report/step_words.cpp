@@ -92,6 +92,11 @@ Text stepSymptomWords(StepSymptom symptom)
     case StepSymptom::NoMotion:
         return both("The servo did not move, so nothing is known about its gains.",
                     "舵机没有运动，因此无法评价其增益。");
+    case StepSymptom::Blocked:
+        return both(
+            "It stood still far from its target, so something holds it back, and nothing is "
+            "known about its gains.",
+            "舵机停在远离目标处，说明运动受阻，因此无法评价其增益。");
     case StepSymptom::Lag:
         return both("It lags behind: P is too small.", "跟随滞后：P 偏小。");
     case StepSymptom::SpeedLimit:
@@ -119,6 +124,9 @@ Text stepRemedyWords(StepRemedy remedy)
     case StepRemedy::RepeatRun:
         return both("Check cable, adapter and computer load, then run it again",
                     "检查线缆、适配器和电脑负载，然后重新运行");
+    case StepRemedy::ClearWay:
+        return both("Check mechanism, end stops, torque limit and supply",
+                    "检查机构、机械限位、扭矩限制和供电");
     case StepRemedy::FreeMotion:
         return both("Check supply, torque limit, alarms and mechanism, or use a larger step",
                     "检查供电、扭矩限制、报警和机构，或加大阶跃幅度");

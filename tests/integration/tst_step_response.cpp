@@ -165,6 +165,7 @@ private Q_SLOTS:
     void adviceIsTheSheets();
     void anOvershootThatIsGivenIsFound();
     void aServoThatStandsGetsNoGains();
+    void aServoAtAStopGetsNoGains();
     void aRunSurvivesItsFile();
     void scatterIsNoDifference();
 };
@@ -785,6 +786,21 @@ void TestStepResponse::aServoThatStandsGetsNoGains()
     QVERIFY(advice[0].key.isEmpty());
     run.responses[2].samples.back().position = 2054; // it did move once
     QVERIFY(advises(jobs::adviseStep(run, *servo.profile), record::StepRemedy::RaiseP));
+}
+
+/// More P would only press harder.
+void TestStepResponse::aServoAtAStopGetsNoGains()
+{
+    SimBench bench(text("sts3215@1+stop=200"));
+    device::Servo servo = bench.servo(1);
+    jobs::StepOrder asked = order("400");
+    asked.spec.from = text("2200");
+    const auto done = run(bench, asked);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    const auto advice = jobs::adviseStep(*done, *servo.profile);
+    QCOMPARE(advice.size(), std::size_t(1));
+    QCOMPARE(advice[0].symptom, record::StepSymptom::Blocked);
+    QVERIFY(advice[0].key.isEmpty());
 }
 
 void TestStepResponse::aRunSurvivesItsFile()
