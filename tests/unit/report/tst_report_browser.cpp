@@ -43,7 +43,7 @@ bool write(const QString& path, const QByteArray& bytes)
 
 /// Looks into each report: what is seen at first, then after a click on each language.
 const char* const looker = R"(<!DOCTYPE html><html><body>%1<pre id="found"></pre><script>
-window.onload = () => {
+window.onload = async () => {
   const found = [];
   for (const frame of document.querySelectorAll('iframe')) {
     const page = frame.contentDocument;
@@ -62,6 +62,7 @@ window.onload = () => {
         shapes: [...svg.querySelectorAll('path, rect, line')]
           .filter(one => one.getClientRects().length > 0).length};
     });
+    await page.fonts.ready; // they are read beside the layout
     const fonts = [...page.fonts].filter(font => font.status === 'loaded')
       .map(font => font.family.replaceAll('\x22', '') + ' ' + font.weight);
     found.push({first, chinese, english, charts, fonts,
@@ -139,8 +140,9 @@ void TestReportBrowser::chartsAndLanguages()
     for (const QString& name : names)
         frames += text("<iframe width=\"1000\" height=\"900\" src=\"%1\"></iframe>").arg(name);
     QVERIFY(write(page("looker.html"), text(looker).arg(frames).toUtf8()));
-    const Ran ran = browse({text("--allow-file-access-from-files"), text("--dump-dom"),
-                            text("file://") + page("looker.html")});
+    const Ran ran =
+        browse({text("--allow-file-access-from-files"), text("--dump-dom"),
+                text("--virtual-time-budget=60000"), text("file://") + page("looker.html")});
     QCOMPARE(ran.exit, 0);
     QCOMPARE(ran.complaints, QStringList());
     const int begin = ran.out.indexOf("<pre id=\"found\">") + 16;
