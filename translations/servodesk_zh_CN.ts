@@ -4542,6 +4542,22 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <source>It could not be left in a file beside the history either</source>
         <translation>也无法存为历史旁边的文件</translation>
     </message>
+    <message>
+        <source>Asking</source>
+        <translation>正在询问</translation>
+    </message>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>Ended by you before it was confirmed (ID %1): torque off was sent, but nothing proves that it took effect.</source>
+        <translation>尚未确认即被您中止（ID %1）：卸力指令已发送，但无法证明已生效。</translation>
+    </message>
+    <message>
+        <source>Ended by you before it was confirmed (ID %1): these servos may still have torque and move.</source>
+        <translation>尚未确认即被您中止（ID %1）：这些舵机可能仍有扭矩并在运动。</translation>
+    </message>
 </context>
 <context>
     <name>text</name>

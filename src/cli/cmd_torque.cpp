@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/progress.h"
 #include "cli/report_words.h"
 #include "cli/run.h"
 #include "cli/translate.h"
@@ -69,23 +70,24 @@ public:
         , m_task(task)
     {}
 
-    /// All of them are commanded before the first one is waited for.
-    base::Result<void> serve(const std::vector<int>& ids)
+    /// All of them are commanded before the first one is waited for. After Ctrl-C the others stay
+    /// as they are.
+    void serve(const std::vector<int>& ids)
     {
+        ProgressLine line(m_run.console(), translate("cli", "Asking"));
         Begun begun;
         for (const int id : ids) {
-            if (m_run.stop().requested())
-                return stopped(id);
-            begun.emplace_back(id, begin(id));
+            line.show(translate("cli", "ID %1").arg(id));
+            begun.emplace_back(id, m_run.stop().requested() ? stopped(id) : begin(id));
         }
         sayCommanded(begun);
         for (auto& [id, rest] : begun) {
+            line.show(translate("cli", "ID %1").arg(id));
             if (!rest)
                 m_done[id] = tl::unexpected(rest.error());
             else
                 m_done[id] = *rest ? (*rest)() : base::Result<void>{};
         }
-        return {};
     }
 
     base::Result<Exit> show(const std::vector<int>& ids) const
@@ -93,6 +95,7 @@ public:
         Json::Array servos;
         QString text;
         Exit exit = Exit::Done;
+        std::vector<int> unconfirmed;
         for (const int id : ids) {
             const base::Result<void>& done = m_done.at(id);
             if (!done && ids.size() == 1)
@@ -105,11 +108,16 @@ public:
                     translate("cli", "Servo %1: %2").arg(id).arg(m_task.shown) + QLatin1Char('\n');
             } else {
                 json.add("error", jsonError(done.error()));
-                m_run.console().remark(errorText(done.error()));
+                if (done.error().code == base::ErrorCode::Stopped)
+                    unconfirmed.push_back(id);
+                else
+                    m_run.console().remark(errorText(done.error()));
                 exit = exit == Exit::Done ? exitCode(done.error().code) : exit;
             }
             servos.push_back(std::move(json));
         }
+        if (!unconfirmed.empty())
+            m_run.console().remark(unconfirmedText().arg(shownIds(unconfirmed)));
         m_run.finish(Json::object().add("servos", std::move(servos)), text);
         return exit;
     }
@@ -117,6 +125,15 @@ public:
 private:
     using Begun = std::vector<std::pair<int, base::Result<Confirm>>>;
 
+    QString unconfirmedText() const
+    {
+        return m_task.sent
+                   ? translate("cli",
+                               "Ended by you before it was confirmed (ID %1): torque off was "
+                               "sent, but nothing proves that it took effect.")
+                   : translate("cli", "Ended by you before it was confirmed (ID %1): these servos "
+                                      "may still have torque and move.");
+    }
     void sayCommanded(const Begun& begun) const
     {
         std::vector<int> ids;
@@ -138,7 +155,7 @@ private:
         return tl::unexpected(device::releaseUnidentified(
             *m_run.context(), id, (*connection)->protocols(), std::move(servo.error())));
     }
-    base::Result<void> stopped(int id) const
+    base::Result<Confirm> stopped(int id) const
     {
         const base::Error error{base::ErrorCode::Stopped, QLatin1String(m_task.name), {}, id};
         return tl::unexpected(m_task.sent ? device::sentUnproven(error) : error);
@@ -152,8 +169,7 @@ private:
 base::Result<Exit> doAll(Run& run, const std::vector<int>& ids, const Task& task)
 {
     Round round(run, task);
-    if (const auto served = round.serve(ids); !served)
-        return tl::unexpected(served.error());
+    round.serve(ids);
     return round.show(ids);
 }
 
@@ -178,34 +194,6 @@ base::Result<void> releaseAtOnce(Run& run, const std::vector<int>& ids)
         run.console().remark(
             translate("cli", "Torque off was sent (ID %1). Confirming …").arg(shownIds(ids)));
     return {};
-}
-
-base::Result<Exit> runTorque(Run& run, const Values& values)
-{
-    QStringList words = values.words("ID… on|off|damp");
-    const auto state = parseState(words.takeLast());
-    if (!state)
-        return tl::unexpected(state.error());
-    const auto ids = parseIds(words);
-    if (!ids)
-        return tl::unexpected(ids.error());
-    if (const auto connection = run.connect(); !connection)
-        return tl::unexpected(connection.error());
-    const bool off = state->torque == device::Torque::Off;
-    if (off) {
-        if (const auto sent = releaseAtOnce(run, *ids); !sent)
-            return tl::unexpected(sent.error());
-    }
-    const Task task{
-        "torque",
-        QString::fromLatin1(state->word),
-        translate("cli", state->shown),
-        [torque = state->torque](const device::Context& context, device::Servo servo) {
-            return device::setTorque(context, servo, torque).map([] { return Confirm(); });
-        },
-        off,
-        off};
-    return doAll(run, *ids, task);
 }
 
 base::Result<Confirm> beginHalt(const device::Context& context, device::Servo servo)
@@ -239,6 +227,45 @@ base::Result<std::vector<std::vector<int>>> bySilence(Run& run, const std::vecto
     return std::vector<std::vector<int>>{answering, silent};
 }
 
+base::Result<Exit> answeringFirst(Run& run, const std::vector<int>& ids, const Task& task)
+{
+    const auto groups = bySilence(run, ids);
+    if (!groups)
+        return tl::unexpected(groups.error());
+    Round round(run, task);
+    for (const std::vector<int>& group : *groups)
+        round.serve(group);
+    return round.show(ids);
+}
+
+base::Result<Exit> runTorque(Run& run, const Values& values)
+{
+    QStringList words = values.words("ID… on|off|damp");
+    const auto state = parseState(words.takeLast());
+    if (!state)
+        return tl::unexpected(state.error());
+    const auto ids = parseIds(words);
+    if (!ids)
+        return tl::unexpected(ids.error());
+    if (const auto connection = run.connect(); !connection)
+        return tl::unexpected(connection.error());
+    const bool off = state->torque == device::Torque::Off;
+    if (off) {
+        if (const auto sent = releaseAtOnce(run, *ids); !sent)
+            return tl::unexpected(sent.error());
+    }
+    const Task task{
+        "torque",
+        QString::fromLatin1(state->word),
+        translate("cli", state->shown),
+        [torque = state->torque](const device::Context& context, device::Servo servo) {
+            return device::setTorque(context, servo, torque).map([] { return Confirm(); });
+        },
+        off,
+        off};
+    return off ? answeringFirst(run, *ids, task) : doAll(run, *ids, task);
+}
+
 base::Result<Exit> runStop(Run& run, const Values& values)
 {
     const auto ids = parseIds(values.words("ID"));
@@ -253,15 +280,7 @@ base::Result<Exit> runStop(Run& run, const Values& values)
                     true,
                     false,
                     translate("cli", "Confirming the stop (ID %1) …")};
-    Round round(run, task);
-    const auto groups = bySilence(run, *ids);
-    if (!groups)
-        return tl::unexpected(groups.error());
-    for (const std::vector<int>& group : *groups) {
-        if (const auto served = round.serve(group); !served)
-            return tl::unexpected(served.error());
-    }
-    return round.show(*ids);
+    return answeringFirst(run, *ids, task);
 }
 
 base::Result<Exit> runMode(Run& run, const Values& values)

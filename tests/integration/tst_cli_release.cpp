@@ -89,6 +89,8 @@ private Q_SLOTS:
     void torqueOffReachesAllBeforeAnythingIsRead();
     void silentServosDoNotDelayTorqueOff();
     void manyServosShareNoPacketThatIsTooLong();
+    void whatWasConfirmedBeforeCtrlCIsSaid_data();
+    void whatWasConfirmedBeforeCtrlCIsSaid();
     void unknownRateDoesNotDelayTorqueOff();
     void silentServosDoNotDelayAStop();
     void allAreStoppedBeforeOneIsConfirmed_data();
@@ -149,8 +151,9 @@ void TestCliRelease::manyServosShareNoPacketThatIsTooLong()
     QTRY_COMPARE_WITH_TIMEOUT(bus.byteAt(200, torqueSwitch), 0, 60'000);
     cli.signal(SIGINT);
     const Ran ran = cli.finish();
-    QVERIFY2(ran.err.contains(QStringLiteral("Torque off was sent all the same")),
+    QVERIFY2(ran.err.contains(QStringLiteral("Ended by you before it was confirmed")),
              qPrintable(ran.err));
+    QVERIFY(!ran.err.contains(QStringLiteral("not been touched")));
     QSet<int> named;
     for (const QByteArray& frame : bus.frames()) {
         if (at(frame, 4) != syncWriteInstruction)
@@ -160,6 +163,39 @@ void TestCliRelease::manyServosShareNoPacketThatIsTooLong()
             named.insert(at(frame, place));
     }
     QCOMPARE(named.size(), 201);
+}
+
+void TestCliRelease::whatWasConfirmedBeforeCtrlCIsSaid_data()
+{
+    QTest::addColumn<QString>("command");
+    QTest::addColumn<QString>("done");
+    QTest::newRow("torque off") << QStringLiteral("torque 30-49 1 off --protocol feetech")
+                                << QStringLiteral("Servo 1: torque off");
+    QTest::newRow("stop") << QStringLiteral("stop 30-49 1 --protocol feetech")
+                          << QStringLiteral("Servo 1: stopped");
+}
+
+void TestCliRelease::whatWasConfirmedBeforeCtrlCIsSaid()
+{
+    QFETCH(QString, command);
+    QFETCH(QString, done);
+    bytes::Bus bus({1}, 1ms);
+    turn(bus, {1});
+    CliProgram cli;
+    cli.setPort(bus.port());
+    cli.start(command.split(QLatin1Char(' ')));
+    const auto isAsked = [&] { // a silent one: all that answer are done with
+        const Frames frames = bus.frames();
+        return firstRead(frames, 30) < frames.size();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isAsked(), 60'000);
+    cli.signal(SIGINT);
+    const Ran ran = cli.finish();
+    QVERIFY(ran.exit != 0);
+    QVERIFY2(ran.out.contains(done), qPrintable(ran.out + ran.err));
+    QVERIFY2(ran.err.contains(QRegularExpression(QStringLiteral("confirmed \\(ID [^)]*49\\)"))),
+             qPrintable(ran.err));
+    QVERIFY2(!ran.err.contains(QStringLiteral("stopped")), qPrintable(ran.err));
 }
 
 /// A pseudo-terminal carries bytes at any rate.
