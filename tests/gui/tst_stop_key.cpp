@@ -33,6 +33,20 @@ struct Stops {
     QObject guard;
     int count = 0;
 };
+/// A menu, or a question; null: it did not open.
+QWidget* openOver(gui::WindowBench& bench, bool menu)
+{
+    QMenu* first = bench.window->menuBar()->actions().front()->menu();
+    if (menu)
+        first->popup(bench.window->mapToGlobal(QPoint(10, 40)));
+    else
+        ui::ask(bench.window.get(), {.title = QStringLiteral("?"), .yes = QStringLiteral("yes")},
+                [] {});
+    const auto shown = [&] { return menu ? first : QApplication::activeModalWidget(); };
+    const bool opened =
+        QTest::qWaitFor([&] { return shown() != nullptr && shown()->isVisible(); }, 30'000);
+    return opened ? shown() : nullptr;
+}
 } // namespace
 
 class TestStopKey : public QObject {
@@ -160,18 +174,8 @@ private Q_SLOTS:
                 {.goal = device::exactText(800, servo.meaning(*device::goalRegister(servo)))});
         QTRY_COMPARE(bench.desk().driving(), moves);
         QTRY_VERIFY(idle());
-        QPointer<QWidget> open;
-        if (menu) {
-            QMenu* first = bench.window->menuBar()->actions().front()->menu();
-            first->popup(bench.window->mapToGlobal(QPoint(10, 40)));
-            open = first;
-        } else {
-            ui::ask(bench.window.get(),
-                    {.title = QStringLiteral("?"), .yes = QStringLiteral("yes")}, [] {});
-            QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
-            open = QApplication::activeModalWidget();
-        }
-        QTRY_VERIFY(open->isVisible());
+        const QPointer<QWidget> open = openOver(bench, menu);
+        QVERIFY(open != nullptr);
         QTest::keyClick(open, Qt::Key_Escape);
         QCOMPARE(stops.count, moves ? 1 : 0);
         QTRY_VERIFY(open.isNull() || !open->isVisible());
@@ -212,18 +216,8 @@ private Q_SLOTS:
         };
         QTRY_VERIFY_WITH_TIMEOUT(stands(), 30000);
         QVERIFY(bench.desk().driving());
-        QPointer<QWidget> open;
-        if (menu) {
-            QMenu* first = bench.window->menuBar()->actions().front()->menu();
-            first->popup(bench.window->mapToGlobal(QPoint(10, 40)));
-            open = first;
-        } else {
-            ui::ask(bench.window.get(),
-                    {.title = QStringLiteral("?"), .yes = QStringLiteral("yes")}, [] {});
-            QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
-            open = QApplication::activeModalWidget();
-        }
-        QTRY_VERIFY(open->isVisible());
+        const QPointer<QWidget> open = openOver(bench, menu);
+        QVERIFY(open != nullptr);
         QTest::keyClick(open, Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
         QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(0));
@@ -245,9 +239,8 @@ private Q_SLOTS:
         QVERIFY(bench.settled());
         QTRY_COMPARE(bench.raw("goal_speed"), std::int64_t(800));
         QVERIFY(bench.desk().driving());
-        QMenu* menu = bench.window->menuBar()->actions().front()->menu();
-        menu->popup(bench.window->mapToGlobal(QPoint(10, 40)));
-        QTRY_VERIFY(menu->isVisible());
+        QWidget* menu = openOver(bench, true);
+        QVERIFY(menu != nullptr);
         QTest::keyClick(menu, Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
         QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(0));

@@ -51,6 +51,12 @@ QStringList advised(const Ran& ran)
 
 constexpr const char* fourRegisters =
     "write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70";
+/// A servo of the same model and ID on each.
+struct TwoPorts {
+    CliProgram cli;
+    SimProgram own{words("--servos sts3215@1 --latency-ms 60")};
+    SimProgram other{words("--servos sts3215@1")};
+};
 } // namespace
 
 class TestCliRecover : public QObject {
@@ -72,6 +78,7 @@ private Q_SLOTS:
 
 private:
     void killDuringWrite(CliProgram& cli);
+    void killOnItsOwnPort(TwoPorts& ports);
 };
 
 void TestCliRecover::killDuringWrite(CliProgram& cli)
@@ -80,6 +87,13 @@ void TestCliRecover::killDuringWrite(CliProgram& cli)
     QTRY_VERIFY_WITH_TIMEOUT(hasOpenIntent(cli), 60'000);
     cli.signal(SIGKILL);
     QCOMPARE(cli.finish().exit, -1);
+}
+
+void TestCliRecover::killOnItsOwnPort(TwoPorts& ports)
+{
+    ports.cli.setPort(ports.own.port());
+    killDuringWrite(ports.cli);
+    ports.cli.setPort(ports.other.port());
 }
 
 void TestCliRecover::anAdapterUnderAnotherNameHidesNothing()
@@ -207,19 +221,16 @@ void TestCliRecover::aChangeUnderWayIsNotGivenUp()
 
 void TestCliRecover::aTwinOnAnotherPortIsLeftAlone()
 {
-    CliProgram cli;
-    SimProgram own(words("--servos sts3215@1 --latency-ms 60"));
-    SimProgram other(words("--servos sts3215@1"));
-    cli.setPort(own.port());
-    killDuringWrite(cli);
+    TwoPorts ports;
+    CliProgram& cli = ports.cli;
+    killOnItsOwnPort(ports);
     if (QTest::currentTestFailed())
         return;
-    cli.setPort(other.port());
     const Ran look = cli.json("recover");
     QCOMPARE(look.exit, 1);
     QCOMPARE(list(look, "elsewhere")[0][QLatin1String("port_present")].toBool(), true);
     QCOMPARE(look.json()[QLatin1String("try")].toString(),
-             QStringLiteral("servodesk-cli recover --port ") + own.port());
+             QStringLiteral("servodesk-cli recover --port ") + ports.own.port());
     for (const char* how : {"recover --any-port", "recover --any-port --undo"}) {
         const Ran ran = cli.json(how);
         QVERIFY2(ran.exit == 1, qPrintable(ran.out));
@@ -236,21 +247,18 @@ void TestCliRecover::aTwinOnAnotherPortIsLeftAlone()
 
 void TestCliRecover::aNamedChangeIsTakenFromAPortThatIsThere()
 {
-    CliProgram cli;
-    SimProgram own(words("--servos sts3215@1 --latency-ms 60"));
-    SimProgram other(words("--servos sts3215@1"));
-    cli.setPort(own.port());
-    killDuringWrite(cli);
+    TwoPorts ports;
+    CliProgram& cli = ports.cli;
+    killOnItsOwnPort(ports);
     if (QTest::currentTestFailed())
         return;
-    cli.setPort(other.port());
     const QString uuid =
         list(cli.json("recover"), "elsewhere")[0][QLatin1String("uuid")].toString();
     const QStringList named{QStringLiteral("recover"), QStringLiteral("--any-port"),
                             QStringLiteral("--change"), uuid.left(8)};
     const Ran text = cli.run(named);
     QCOMPARE(text.exit, 0);
-    QVERIFY2(text.out.contains(own.port()) && text.out.contains(QStringLiteral("your word")),
+    QVERIFY2(text.out.contains(ports.own.port()) && text.out.contains(QStringLiteral("your word")),
              qPrintable(text.out));
     const Ran undone =
         cli.run(QStringList(named) << QStringLiteral("--undo") << QStringLiteral("--json"));
