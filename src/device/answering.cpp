@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/answering.h"
 
+#include "device/talk.h"
+
 #include <algorithm>
 #include <set>
 
@@ -15,15 +17,7 @@ constexpr base::Duration listenSlice = 10ms;
 /// Anything but silence, also the collision of two replies.
 bool answers(const Context& context, int id, base::Protocol protocol)
 {
-    bus::Transaction ping;
-    ping.request = protocol::Request::ping(id).in(protocol);
-    ping.priority = context.priority;
-    ping.retries = 0;
-    ping.patience = briefPatience;
-    ping.hold = context.hold;
-    ping.epoch = context.epoch;
-    ping.stop = &context.stop;
-    const auto outcome = context.bus.transact(ping);
+    const auto outcome = pingOnce(context, protocol, id, briefPatience);
     return outcome || outcome.error().code == ErrorCode::Garbled ||
            outcome.error().code == ErrorCode::WrongAnswer;
 }

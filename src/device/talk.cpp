@@ -44,6 +44,20 @@ bool canSay(const Servo& servo, const protocol::Request& request)
     return protocol::codecFor(servo.protocol).encode(request.in(servo.protocol)).has_value();
 }
 
+base::Result<bus::Outcome> pingOnce(const Context& context, base::Protocol protocol, int id,
+                                    base::Duration patience)
+{
+    bus::Transaction ping;
+    ping.request = protocol::Request::ping(id).in(protocol);
+    ping.priority = context.priority;
+    ping.retries = 0;
+    ping.patience = patience;
+    ping.hold = context.hold;
+    ping.epoch = context.epoch;
+    ping.stop = &context.stop;
+    return context.bus.transact(ping);
+}
+
 base::Result<void> readBlock(const Context& context, Servo& servo, int offset, int count,
                              int retries)
 {

@@ -14,6 +14,10 @@ constexpr base::Duration epromWriteTime = std::chrono::milliseconds(20);
 /// False when this servo's language has no words for the request. Says nothing on the wire.
 bool canSay(const Servo& servo, const protocol::Request& request);
 
+/// One PING, not repeated.
+base::Result<bus::Outcome> pingOnce(const Context& context, base::Protocol protocol, int id,
+                                    base::Duration patience);
+
 /// `retries` −1: the bus' default.
 base::Result<void> readBlock(const Context& context, Servo& servo, int offset, int count,
                              int retries = -1);

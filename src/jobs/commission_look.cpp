@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/commission_look.h"
 
+#include "device/talk.h"
 #include "device/twin_check.h"
 #include "jobs/scan_manner.h"
 
@@ -88,14 +89,7 @@ std::vector<Protocol> CommissionLook::languages(int baud) const
 base::Result<CommissionLook::Answer> CommissionLook::ask(Protocol protocol, int id,
                                                          base::Duration patience) const
 {
-    bus::Transaction ping;
-    ping.request = protocol::Request::ping(id).in(protocol);
-    ping.priority = m_context.priority;
-    ping.retries = 0;
-    ping.patience = patience;
-    ping.hold = m_context.hold;
-    ping.stop = &m_context.stop;
-    const auto outcome = m_context.bus.transact(ping);
+    const auto outcome = device::pingOnce(m_context, protocol, id, patience);
     if (outcome)
         return Answer{Voice::Clean, outcome->parts.empty() ? id : outcome->parts.front().id};
     switch (outcome.error().code) {

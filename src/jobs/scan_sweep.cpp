@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/scan_sweep.h"
 
+#include "device/talk.h"
+
 #include <algorithm>
 
 namespace jobs {
@@ -230,14 +232,7 @@ base::Result<bus::Outcome> RateSweep::question(int id, base::Duration patience)
 {
     if (m_context.stop.requested())
         return base::fail(base::ErrorCode::Stopped, QStringLiteral("scan"));
-    bus::Transaction transaction;
-    transaction.request = protocol::Request::ping(id).in(m_protocol);
-    transaction.priority = m_context.priority;
-    transaction.retries = 0;
-    transaction.patience = patience;
-    transaction.hold = m_context.hold;
-    transaction.stop = &m_context.stop;
-    return m_context.bus.transact(transaction);
+    return device::pingOnce(m_context, m_protocol, id, patience);
 }
 
 base::Result<void> RateSweep::ask(int id, base::Duration patience)
