@@ -3959,7 +3959,7 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>无</translation>
     </message>
     <message>
-        <source>Changed in a way nobody recorded, so without a value: %1</source>
+        <source>Changed without a record of how, so without a value: %1</source>
         <translation>以未被记录的方式改变，因此没有值：%1</translation>
     </message>
     <message>

@@ -191,7 +191,7 @@ QString tableWords(const record::TablePoint& point, const QString& file)
                  point.replayed.isEmpty() ? translate("cli", "nothing")
                                           : point.replayed.join(comma))};
     if (!point.unknown.isEmpty())
-        lines << translate("cli", "Changed in a way nobody recorded, so without a value: %1")
+        lines << translate("cli", "Changed without a record of how, so without a value: %1")
                      .arg(point.unknown.join(comma));
     if (!point.temporary.isEmpty())
         lines << translate("cli", "Written temporarily, which is left out: the table has the "

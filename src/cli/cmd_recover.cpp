@@ -13,7 +13,7 @@
 
 namespace cli {
 namespace {
-QString nothingOpen(const Unasked& elsewhere)
+QString nothingOpen(const UncheckedChanges& elsewhere)
 {
     return elsewhere.intents.empty()
                ? translate("cli", "No change was left open.") + QLatin1Char('\n')
@@ -22,7 +22,7 @@ QString nothingOpen(const Unasked& elsewhere)
 }
 
 void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction action,
-          const Unasked& elsewhere)
+          const UncheckedChanges& elsewhere)
 {
     Json::Array intents;
     for (const jobs::Recovered& one : all)
@@ -48,8 +48,8 @@ void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction
 base::Result<Exit> showWithoutPort(Run& run, const std::vector<base::Intent>& open,
                                    const base::Error& why)
 {
-    const Unasked elsewhere{jobs::begunElsewhere(open, run.portName()), {}};
-    Unasked own{{}, run.portName()};
+    const UncheckedChanges elsewhere{jobs::begunElsewhere(open, run.portName()), {}};
+    UncheckedChanges own{{}, run.portName()};
     std::copy_if(open.begin(), open.end(), std::back_inserter(own.intents),
                  [&](const base::Intent& intent) { return intent.servo.port == own.port; });
     if (elsewhere.intents.empty() && own.intents.empty())
@@ -86,7 +86,7 @@ base::Result<Exit> forget(Run& run, const std::vector<base::Intent>& open, const
     QStringList forgotten;
     Json::Array details;
     QString lines;
-    Unasked running;
+    UncheckedChanges running;
     for (const base::Intent& intent : open) {
         if (which != QLatin1String("all") && !intent.uuid.startsWith(which))
             continue;
@@ -151,7 +151,7 @@ base::Result<Exit> settle(Run& run, const std::vector<base::Intent>& open,
     if (!recovered)
         return tl::unexpected(recovered.error());
     const QString port = context->bus.portName();
-    const Unasked elsewhere{jobs::begunElsewhere(open, port, options.ports), port};
+    const UncheckedChanges elsewhere{jobs::begunElsewhere(open, port, options.ports), port};
     show(run, *recovered, action, elsewhere);
     const Exit exit = exitOf(*recovered, action);
     return exit == Exit::Done && !elsewhere.intents.empty() ? Exit::NotDone : exit;

@@ -204,8 +204,8 @@ base::Result<Confirm> beginHalt(const device::Context& context, device::Servo se
     });
 }
 
-/// Those that answer, then the silent ones: theirs are the tries that take long. One alone delays
-/// nobody, and before the rate is found nobody can be heard.
+/// Those that answer, then the silent ones: theirs are the tries that take long. A single one
+/// delays no other, and before the rate is found no servo can be heard.
 base::Result<std::vector<std::vector<int>>> bySilence(Run& run, const std::vector<int>& ids)
 {
     const auto connection = run.connect();

@@ -249,7 +249,7 @@ QString commandOn(const QString& port)
 } // namespace
 
 /// Of one that may be here first.
-QString Unasked::command() const
+QString UncheckedChanges::command() const
 {
     QString there;
     for (const base::Intent& intent : intents) {
@@ -263,7 +263,7 @@ QString Unasked::command() const
     return there;
 }
 
-Json Unasked::json() const
+Json UncheckedChanges::json() const
 {
     Json::Array all;
     for (const base::Intent& intent : intents)
@@ -271,7 +271,7 @@ Json Unasked::json() const
     return all;
 }
 
-void Unasked::addTo(Json& document, const char* name) const
+void UncheckedChanges::addTo(Json& document, const char* name) const
 {
     if (intents.empty())
         return;
@@ -280,7 +280,7 @@ void Unasked::addTo(Json& document, const char* name) const
         document.add("try", command());
 }
 
-QString Unasked::advice() const
+QString UncheckedChanges::advice() const
 {
     std::vector<base::Intent> running;
     std::map<QString, std::vector<base::Intent>> present;
@@ -317,7 +317,7 @@ QString Unasked::advice() const
     return lines.isEmpty() ? QString() : lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
-QString Unasked::text(const QString& title) const
+QString UncheckedChanges::text(const QString& title) const
 {
     if (intents.empty())
         return {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Interrupted changes as the command line shows them: those that were compared with a servo, and
-// those nobody was asked about, with what to type. Pure, but for a look whether a port is there;
+// those that were not, with what to type. Pure, but for a look whether a port is there;
 // any thread.
 #pragma once
 
@@ -21,8 +21,8 @@ QString leftLine(const jobs::Recovered& one);
 /// One that was named although its own port is there: nothing proves that it is the same servo.
 QString userSaidSo(const jobs::Recovered& one, const QString& port);
 
-/// Changes nobody was asked about, and how to get at each.
-struct Unasked {
+/// Changes that were not compared with a servo, and how to get at each.
+struct UncheckedChanges {
     std::vector<base::Intent> intents{};
     QString port{}; ///< of this run; empty where none was opened
 

@@ -16,7 +16,7 @@ enum class Finding : std::uint8_t {
     OtherServo, ///< identity or values differ: hands off
     NoAnswer,
     Unreadable, ///< something answers, but nothing readable: it may be the servo
-    UnderWay,   ///< in another program that is running: nobody was asked
+    UnderWay,   ///< in another program that is running: not looked at
     /// Later writes to the servo, which the journal has, explain what stands there, or all of it is
     /// lost at power-off and reads neither old nor new.
     Replaced,
@@ -69,7 +69,7 @@ struct RecoverOptions {
 std::vector<base::Intent> begunElsewhere(const std::vector<base::Intent>& open, const QString& port,
                                          IntentPorts ports = IntentPorts::This);
 
-/// The device that the intent was begun on is there; of a port in a network nobody can say.
+/// The device that the intent was begun on is there; of a port in a network that is not known.
 bool isPortPresent(const base::Intent& intent);
 
 /// Gives an intent up: recorded as abandoned, the servo is left as it is. Held ("other-program"):

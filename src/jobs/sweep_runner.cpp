@@ -123,7 +123,7 @@ void SweepRunner::confirmEnd()
     endRun(SweepEnd::Refused);
 }
 
-/// When in its latest leg a servo has lost its torque nobody knows.
+/// When in its latest leg a servo has lost its torque is not known.
 void SweepRunner::forgetLegsWithoutTorque()
 {
     if (!m_legInDoubt)

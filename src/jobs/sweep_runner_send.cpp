@@ -55,9 +55,9 @@ bool SweepRunner::canRetry(const base::Error& error)
     }
 }
 
-/// Whoever has restarted, or was switched off by another program, has no torque, and a goal would
-/// switch it on by surprise, from wherever it has sunk to. Then the run ends, and this is false.
-/// Before the first goal torque may be off by right: that goal is to switch it on.
+/// A servo that has restarted, or was switched off by another program, has no torque, and a goal
+/// would switch it on by surprise, from wherever it has sunk to. Then the run ends, and this is
+/// false. Before the first goal torque may be off by right: that goal is to switch it on.
 base::Result<bool> SweepRunner::stillHeld()
 {
     if (!m_drives)

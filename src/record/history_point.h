@@ -19,7 +19,7 @@ struct TablePoint {
     Snapshot table{}; ///< `at` is the moment asked for
     HistorySnapshot base{};
     QStringList replayed{}; ///< keys whose value comes from a write after the snapshot
-    /// Keys that something changed in a way nobody recorded (centring, stored parameters put back,
+    /// Keys that were changed without a record of the value (centring, stored parameters put back,
     /// interrupted or failed writes, writes that had not ended at the moment): they have no value
     /// in `table`.
     QStringList unknown{};

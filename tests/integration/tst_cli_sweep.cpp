@@ -273,7 +273,7 @@ void TestCliSweep::silenceInTheLastLegIsALostLink()
         QVERIFY2(ran.err.contains(text(servo)), qPrintable(ran.err));
 }
 
-/// Ctrl-Z and fg: nobody knows what the servo did meanwhile, and it is not to blame.
+/// Ctrl-Z and fg: what the servo did meanwhile is not known, and it is not to blame.
 void TestCliSweep::aSuspendedRunSaysSo()
 {
     support::SimProgram sim({text("--servos"), text("sts3215@1")});
