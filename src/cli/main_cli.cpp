@@ -2,6 +2,7 @@
 #include "cli/interrupt.h"
 #include "cli/program.h"
 #include "cli/utf8_locale.h"
+#include "session/loose_thread.h"
 
 #include <QGuiApplication>
 
@@ -30,5 +31,6 @@ int main(int argc, char** argv)
     const auto application = makeApplication(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("servodesk"));
     QCoreApplication::setApplicationVersion(QStringLiteral(SERVODESK_VERSION));
-    return cli::runProgram(QCoreApplication::arguments().mid(1), interrupt.stop());
+    return session::LooseThread::exitCode(
+        cli::runProgram(QCoreApplication::arguments().mid(1), interrupt.stop()));
 }

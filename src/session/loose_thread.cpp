@@ -3,25 +3,31 @@
 
 #include <QCoreApplication>
 
+#include <atomic>
 #include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
 #include <deque>
-#include <thread>
 
 namespace session {
+namespace {
+std::atomic<bool> leftBehind = false;
+}
+
 struct LooseThread::State {
     std::mutex mutex;
     std::condition_variable changed;
     std::deque<std::function<void()>> jobs;
     std::function<void()> last;
+    bool busy = false;
     bool ending = false;
     bool ended = false;
 };
 
 LooseThread::LooseThread()
     : m_state(std::make_shared<State>())
-{
-    std::thread([state = m_state] { run(state); }).detach();
-}
+    , m_thread([state = m_state] { run(state); })
+{}
 
 LooseThread::~LooseThread()
 {
@@ -37,14 +43,28 @@ void LooseThread::start(std::function<void()> job)
 
 bool LooseThread::end(std::chrono::milliseconds grace, std::function<void()> last)
 {
-    std::deque<std::function<void()>> dropped;
-    std::unique_lock lock(m_state->mutex);
-    if (!m_state->ending)
+    if (!m_thread.joinable()) {
+        const std::lock_guard lock(m_state->mutex);
+        return m_state->ended;
+    }
+    bool ended = false;
+    {
+        std::deque<std::function<void()>> dropped;
+        std::unique_lock lock(m_state->mutex);
         m_state->last = std::move(last);
-    m_state->ending = true;
-    dropped.swap(m_state->jobs);
-    m_state->changed.notify_all();
-    return m_state->changed.wait_for(lock, grace, [this] { return m_state->ended; });
+        m_state->ending = true;
+        dropped.swap(m_state->jobs);
+        m_state->changed.notify_all();
+        const bool idle = !m_state->busy && !m_state->last;
+        ended = idle || m_state->changed.wait_for(lock, grace, [this] { return m_state->ended; });
+    }
+    if (ended) {
+        m_thread.join();
+    } else {
+        leftBehind = true;
+        m_thread.detach();
+    }
+    return ended;
 }
 
 void LooseThread::run(const std::shared_ptr<State>& state)
@@ -58,9 +78,13 @@ void LooseThread::run(const std::shared_ptr<State>& state)
                 break;
             job = std::move(state->jobs.front());
             state->jobs.pop_front();
+            state->busy = true;
         }
         job();
         stayIfProgramEnds();
+        job = {};
+        const std::lock_guard lock(state->mutex);
+        state->busy = false;
     }
     if (state->last)
         state->last();
@@ -74,6 +98,15 @@ void LooseThread::stayIfProgramEnds()
 {
     while (QCoreApplication::instance() == nullptr)
         std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
+int LooseThread::exitCode(int code)
+{
+    if (leftBehind) {
+        std::fflush(nullptr);
+        std::_Exit(code);
+    }
+    return code;
 }
 
 void LoosePost::post(std::function<void()> work)

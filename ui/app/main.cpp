@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/loose_thread.h"
 #include "ui/app/program.h"
 
 int main(int argc, char* argv[])
 {
-    return ui::runProgram(argc, argv);
+    return session::LooseThread::exitCode(ui::runProgram(argc, argv));
 }
