@@ -15,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 
 namespace cli {
 namespace {
@@ -70,24 +71,32 @@ public:
         , m_task(task)
     {}
 
-    /// All of them are commanded before the first one is waited for. After Ctrl-C the others stay
-    /// as they are.
-    void serve(const std::vector<int>& ids)
+    /// Commands all of them, to be confirmed afterwards. After Ctrl-C the rest stay as they are.
+    void command(const std::vector<int>& ids)
     {
         ProgressLine line(m_run.console(), translate("cli", "Asking"));
-        Begun begun;
         for (const int id : ids) {
             line.show(translate("cli", "ID %1").arg(id));
-            begun.emplace_back(id, m_run.stop().requested() ? stopped(id) : begin(id));
+            if (m_run.stop().requested()) {
+                m_untouched.insert(id);
+                m_begun.emplace_back(id, stopped(id));
+            } else {
+                m_begun.emplace_back(id, begin(id));
+            }
         }
-        sayCommanded(begun);
-        for (auto& [id, rest] : begun) {
+    }
+    void confirm()
+    {
+        ProgressLine line(m_run.console(), translate("cli", "Asking"));
+        sayCommanded();
+        for (auto& [id, rest] : m_begun) {
             line.show(translate("cli", "ID %1").arg(id));
             if (!rest)
                 m_done[id] = tl::unexpected(rest.error());
             else
                 m_done[id] = *rest ? (*rest)() : base::Result<void>{};
         }
+        m_begun.clear();
     }
 
     base::Result<Exit> show(const std::vector<int>& ids) const
@@ -95,7 +104,7 @@ public:
         Json::Array servos;
         QString text;
         Exit exit = Exit::Done;
-        std::vector<int> unconfirmed;
+        std::map<QString, std::vector<int>> endedByUser;
         for (const int id : ids) {
             const base::Result<void>& done = m_done.at(id);
             if (!done && ids.size() == 1)
@@ -109,15 +118,15 @@ public:
             } else {
                 json.add("error", jsonError(done.error()));
                 if (done.error().code == base::ErrorCode::Stopped)
-                    unconfirmed.push_back(id);
+                    endedByUser[endedText(id, done.error())].push_back(id);
                 else
                     m_run.console().remark(errorText(done.error()));
                 exit = exit == Exit::Done ? exitCode(done.error().code) : exit;
             }
             servos.push_back(std::move(json));
         }
-        if (!unconfirmed.empty())
-            m_run.console().remark(unconfirmedText().arg(shownIds(unconfirmed)));
+        for (const auto& [ended, its] : endedByUser)
+            m_run.console().remark(ended.arg(shownIds(its)));
         m_run.finish(Json::object().add("servos", std::move(servos)), text);
         return exit;
     }
@@ -125,19 +134,24 @@ public:
 private:
     using Begun = std::vector<std::pair<int, base::Result<Confirm>>>;
 
-    QString unconfirmedText() const
+    /// %1: the IDs.
+    QString endedText(int id, const base::Error& error) const
     {
-        return m_task.sent
-                   ? translate("cli",
-                               "Ended by you before it was confirmed (ID %1): torque off was "
-                               "sent, but nothing proves that it took effect.")
-                   : translate("cli", "Ended by you before it was confirmed (ID %1): these servos "
-                                      "may still have torque and move.");
+        if (m_task.sent || device::isSentUnproven(error))
+            return translate("cli", "Ended by you before it was confirmed (ID %1): torque off was "
+                                    "sent, but nothing proves that it took effect.");
+        if (m_task.releases)
+            return translate("cli", "Ended by you before it was confirmed (ID %1): these servos "
+                                    "may still have torque and move.");
+        return m_untouched.count(id) > 0
+                   ? translate("cli", "Ended by you before anything was sent (ID %1).")
+                   : translate("cli", "Ended by you before it was confirmed (ID %1): the torque of "
+                                      "these servos may have been switched.");
     }
-    void sayCommanded(const Begun& begun) const
+    void sayCommanded() const
     {
         std::vector<int> ids;
-        for (const auto& [id, rest] : begun) {
+        for (const auto& [id, rest] : m_begun) {
             if (rest)
                 ids.push_back(id);
         }
@@ -163,18 +177,22 @@ private:
 
     Run& m_run;
     const Task& m_task;
+    Begun m_begun{};
+    std::set<int> m_untouched{}; ///< when Ctrl-C came
     std::map<int, base::Result<void>> m_done{};
 };
 
 base::Result<Exit> doAll(Run& run, const std::vector<int>& ids, const Task& task)
 {
     Round round(run, task);
-    round.serve(ids);
+    round.command(ids);
+    round.confirm();
     return round.show(ids);
 }
 
-/// Before anything is read. Where the rate is still to be found, at each that it can be.
-base::Result<void> releaseAtOnce(Run& run, const std::vector<int>& ids)
+/// Before anything is read. Where the rate is still to be found, at each that it can be. True: it
+/// went out.
+base::Result<bool> releaseAtOnce(Run& run, const std::vector<int>& ids)
 {
     const auto connection = run.connect();
     if (!connection)
@@ -187,13 +205,14 @@ base::Result<void> releaseAtOnce(Run& run, const std::vector<int>& ids)
                 device::releaseAtOnce(bus, ids, (*connection)->protocols());
         }
         if (const auto back = bus.setBaud(rate); !back)
-            return back;
+            return tl::unexpected(back.error());
     }
     device::releaseAtOnce(bus, ids, (*connection)->protocols());
-    if (!bus.lost())
-        run.console().remark(
-            translate("cli", "Torque off was sent (ID %1). Confirming …").arg(shownIds(ids)));
-    return {};
+    if (bus.lost())
+        return false;
+    run.console().remark(
+        translate("cli", "Torque off was sent (ID %1). Confirming …").arg(shownIds(ids)));
+    return true;
 }
 
 base::Result<Confirm> beginHalt(const device::Context& context, device::Servo servo)
@@ -204,9 +223,31 @@ base::Result<Confirm> beginHalt(const device::Context& context, device::Servo se
     });
 }
 
-/// Those that answer, then the silent ones: theirs are the tries that take long. A single one
-/// delays no other, and before the rate is found no servo can be heard.
-base::Result<std::vector<std::vector<int>>> bySilence(Run& run, const std::vector<int>& ids)
+/// Those that answer are commanded and confirmed before the silent ones get the tries that take
+/// long. A reply may be lost, and the servo be one that turns: each is asked twice.
+void serveAnsweringFirst(Run& run, const device::Context& context, std::vector<int> ids,
+                         const std::vector<base::Protocol>& protocols, Round& round)
+{
+    bool answered = false;
+    for (int asked = 0; asked < 2 && !ids.empty(); ++asked) {
+        const auto answering = device::answeringAmong(context, ids, protocols);
+        answered = answered || !answering.empty();
+        round.command(answering);
+        std::erase_if(ids, [&](int id) {
+            return std::find(answering.begin(), answering.end(), id) != answering.end();
+        });
+    }
+    if (answered && !ids.empty() && !run.stop().requested() && !context.bus.lost())
+        run.console().remark(
+            translate("cli", "No answer yet (ID %1): tried again after the others.")
+                .arg(shownIds(ids)));
+    round.confirm();
+    round.command(ids);
+    round.confirm();
+}
+
+/// A single one delays no other, and before the rate is found no servo can be heard.
+base::Result<Exit> answeringFirst(Run& run, const std::vector<int>& ids, const Task& task)
 {
     const auto connection = run.connect();
     const auto context = run.context();
@@ -214,27 +255,9 @@ base::Result<std::vector<std::vector<int>>> bySilence(Run& run, const std::vecto
         return tl::unexpected(!connection ? connection.error() : context.error());
     const bool rateUnknown = run.globals().searchBaud && context->bus.hasBaud();
     if (ids.size() == 1 || rateUnknown)
-        return std::vector<std::vector<int>>{ids};
-    const auto answering = device::answeringAmong(*context, ids, (*connection)->protocols());
-    std::vector<int> silent;
-    std::copy_if(ids.begin(), ids.end(), std::back_inserter(silent), [&](int id) {
-        return std::find(answering.begin(), answering.end(), id) == answering.end();
-    });
-    if (!silent.empty())
-        run.console().remark(
-            translate("cli", "No answer yet (ID %1): tried again after the others.")
-                .arg(shownIds(silent)));
-    return std::vector<std::vector<int>>{answering, silent};
-}
-
-base::Result<Exit> answeringFirst(Run& run, const std::vector<int>& ids, const Task& task)
-{
-    const auto groups = bySilence(run, ids);
-    if (!groups)
-        return tl::unexpected(groups.error());
+        return doAll(run, ids, task);
     Round round(run, task);
-    for (const std::vector<int>& group : *groups)
-        round.serve(group);
+    serveAnsweringFirst(run, *context, ids, (*connection)->protocols(), round);
     return round.show(ids);
 }
 
@@ -250,10 +273,9 @@ base::Result<Exit> runTorque(Run& run, const Values& values)
     if (const auto connection = run.connect(); !connection)
         return tl::unexpected(connection.error());
     const bool off = state->torque == device::Torque::Off;
-    if (off) {
-        if (const auto sent = releaseAtOnce(run, *ids); !sent)
-            return tl::unexpected(sent.error());
-    }
+    const auto sent = off ? releaseAtOnce(run, *ids) : base::Result<bool>(false);
+    if (!sent)
+        return tl::unexpected(sent.error());
     const Task task{
         "torque",
         QString::fromLatin1(state->word),
@@ -262,7 +284,7 @@ base::Result<Exit> runTorque(Run& run, const Values& values)
             return device::setTorque(context, servo, torque).map([] { return Confirm(); });
         },
         off,
-        off};
+        *sent};
     return off ? answeringFirst(run, *ids, task) : doAll(run, *ids, task);
 }
 

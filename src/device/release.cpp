@@ -97,6 +97,11 @@ base::Error sentUnproven(base::Error why)
     return why;
 }
 
+bool isSentUnproven(const base::Error& error)
+{
+    return error.operation == sentOperation;
+}
+
 base::Error releaseUnidentified(const Context& context, int id,
                                 const std::vector<Protocol>& protocols, base::Error why)
 {

@@ -27,6 +27,7 @@ base::Result<void> releaseAnyway(const Context& context, Servo& servo, base::Err
 
 /// The same error, telling that torque off was sent although nothing proves it.
 base::Error sentUnproven(base::Error why);
+bool isSentUnproven(const base::Error& error);
 
 /// The same for an ID that could not be identified, in each of these protocols. Proves nothing.
 base::Error releaseUnidentified(const Context& context, int id,

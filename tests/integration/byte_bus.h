@@ -55,6 +55,12 @@ public:
         const std::lock_guard lock(m_mutex);
         m_lost[{id, address}] = count;
     }
+    /// The next `count` PINGs are lost on their way to the servo.
+    void losePings(int id, int count)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_lostPings[id] = count;
+    }
     int writes() const { return m_writes; }
     /// What the host has sent, in order.
     std::vector<QByteArray> frames()
@@ -140,7 +146,10 @@ private:
             return;
         switch (at(4)) {
         case 0x01:
-            reply(id, {});
+            if (m_lostPings[id] > 0)
+                --m_lostPings[id];
+            else
+                reply(id, {});
             break;
         case 0x02: {
             QByteArray data;
@@ -204,6 +213,7 @@ private:
     std::map<int, Table> m_servos;
     std::vector<QByteArray> m_frames;
     std::map<std::pair<int, int>, int> m_lost;                      ///< WRITEs by ID and address
+    std::map<int, int> m_lostPings;                                 ///< by ID
     std::deque<std::pair<Clock::time_point, QByteArray>> m_replies; ///< the thread's
     std::atomic<int> m_writes{0};
     std::atomic<int> m_restarts{0};

@@ -91,8 +91,10 @@ private Q_SLOTS:
     void manyServosShareNoPacketThatIsTooLong();
     void whatWasConfirmedBeforeCtrlCIsSaid_data();
     void whatWasConfirmedBeforeCtrlCIsSaid();
+    void whatWasNotBegunAtCtrlCIsSaid();
     void unknownRateDoesNotDelayTorqueOff();
     void silentServosDoNotDelayAStop();
+    void aLostReplyDelaysNoStop();
     void allAreStoppedBeforeOneIsConfirmed_data();
     void allAreStoppedBeforeOneIsConfirmed();
 };
@@ -198,6 +200,25 @@ void TestCliRelease::whatWasConfirmedBeforeCtrlCIsSaid()
     QVERIFY2(!ran.err.contains(QStringLiteral("stopped")), qPrintable(ran.err));
 }
 
+void TestCliRelease::whatWasNotBegunAtCtrlCIsSaid()
+{
+    bytes::Bus bus({1}, 1ms);
+    CliProgram cli;
+    cli.setPort(bus.port());
+    cli.start(support::words("torque 1 30-49 on --protocol feetech"));
+    const auto isAsked = [&] {
+        const Frames frames = bus.frames();
+        return firstRead(frames, 30) < frames.size();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isAsked(), 60'000);
+    cli.signal(SIGINT);
+    const Ran ran = cli.finish();
+    QVERIFY2(ran.out.contains(QStringLiteral("Servo 1: torque on")), qPrintable(ran.out));
+    QVERIFY2(ran.err.contains(QRegularExpression(QStringLiteral("sent \\(ID [^)]*49\\)"))),
+             qPrintable(ran.err));
+    QVERIFY2(!ran.err.contains(QStringLiteral("may still have torque")), qPrintable(ran.err));
+}
+
 /// A pseudo-terminal carries bytes at any rate.
 void TestCliRelease::unknownRateDoesNotDelayTorqueOff()
 {
@@ -229,6 +250,22 @@ void TestCliRelease::silentServosDoNotDelayAStop()
     }
     QCOMPARE(bus.byteAt(1, speedAddress), 0);
     QCOMPARE(bus.byteAt(1, torqueSwitch), 1);
+}
+
+/// One that did not hear the first PING is commanded with the others.
+void TestCliRelease::aLostReplyDelaysNoStop()
+{
+    bytes::Bus bus({1, 2}, 1ms);
+    turn(bus, {1, 2});
+    bus.losePings(1, 1);
+    CliProgram cli;
+    cli.setPort(bus.port());
+    const Ran ran = cli.run("stop 1 2 --protocol feetech");
+    QVERIFY2(ran.exit == 0, qPrintable(ran.err));
+    QVERIFY2(ran.err.contains(QStringLiteral("(ID 2, 1)")), qPrintable(ran.err)); // confirming both
+    QVERIFY2(!ran.err.contains(QStringLiteral("No answer yet")), qPrintable(ran.err));
+    for (const int id : {1, 2})
+        QCOMPARE(bus.byteAt(id, speedAddress), 0);
 }
 
 void TestCliRelease::allAreStoppedBeforeOneIsConfirmed_data()
