@@ -41,6 +41,7 @@ void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction
                 QLatin1Char('\n');
     Json document = Json::object().add("intents", std::move(intents));
     elsewhere.addTo(document, "elsewhere");
+    addAdvice(document, elsewhere);
     run.finish(std::move(document), text + elsewhere.text(elsewhereTitle()));
 }
 
@@ -49,7 +50,7 @@ base::Result<Exit> showWithoutPort(Run& run, const std::vector<base::Intent>& op
                                    const base::Error& why)
 {
     const UncheckedChanges elsewhere{jobs::begunElsewhere(open, run.portName()), {}};
-    UncheckedChanges own{{}, run.portName()};
+    UncheckedChanges own{{}, run.portName(), false};
     std::copy_if(open.begin(), open.end(), std::back_inserter(own.intents),
                  [&](const base::Intent& intent) { return intent.servo.port == own.port; });
     if (elsewhere.intents.empty() && own.intents.empty())
@@ -62,6 +63,7 @@ base::Result<Exit> showWithoutPort(Run& run, const std::vector<base::Intent>& op
     Json document = Json::object();
     own.addTo(document, "here");
     elsewhere.addTo(document, "elsewhere");
+    addAdvice(document, own, elsewhere);
     run.finish(std::move(document.add("error", jsonError(why))), {});
     return exitCode(why.code);
 }

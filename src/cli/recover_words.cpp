@@ -273,11 +273,15 @@ Json UncheckedChanges::json() const
 
 void UncheckedChanges::addTo(Json& document, const char* name) const
 {
-    if (intents.empty())
-        return;
-    document.add(name, json());
-    if (!command().isEmpty())
-        document.add("try", command());
+    if (!intents.empty())
+        document.add(name, json());
+}
+
+void addAdvice(Json& document, const UncheckedChanges& first, const UncheckedChanges& second)
+{
+    const QString command = first.command().isEmpty() ? second.command() : first.command();
+    if (!command.isEmpty())
+        document.add("try", command);
 }
 
 QString UncheckedChanges::advice() const

@@ -24,9 +24,13 @@ QString userSaidSo(const jobs::Recovered& one, const QString& port);
 /// Changes that were not compared with a servo, and how to get at each.
 struct UncheckedChanges {
     std::vector<base::Intent> intents{};
-    QString port{}; ///< of this run; empty where none was opened
+    QString port{};     ///< of this run; empty where none was named
+    bool isOpen = true; ///< that port
 
-    bool hasRealPort() const { return !port.isEmpty() && !port.startsWith(QLatin1String("sim:")); }
+    bool hasRealPort() const
+    {
+        return isOpen && !port.isEmpty() && !port.startsWith(QLatin1String("sim:"));
+    }
     /// On this port: the adapter may only have another name now.
     QString commandHere() const
     {
@@ -35,10 +39,12 @@ struct UncheckedChanges {
     }
     QString command() const;
     Json json() const;
-    void addTo(Json& document, const char* name) const;
+    void addTo(Json& document, const char* name) const; ///< the changes only, if there are any
     QString advice() const;
     QString text(const QString& title) const;
 };
+/// What to type, of the first of them that has something.
+void addAdvice(Json& document, const UncheckedChanges& first, const UncheckedChanges& second = {});
 
 QString elsewhereTitle();
 } // namespace cli

@@ -67,6 +67,7 @@ private Q_SLOTS:
 
     void anAdapterUnderAnotherNameHidesNothing();
     void withoutAPortOpenChangesAreNamed();
+    void aPortThatIsGoneIsNotAdvised();
     void aSimulatedBusSaysNothingOfARealOne();
     void aChangeUnderWayIsNotGivenUp();
     void aTwinOnAnotherPortIsLeftAlone();
@@ -165,6 +166,34 @@ void TestCliRecover::withoutAPortOpenChangesAreNamed()
     const Ran text = cli.run("recover");
     QCOMPARE(text.exit, 3);
     QVERIFY2(text.out.contains(sim.port()), qPrintable(text.out));
+}
+
+/// What to type never names the port that is gone, and stands in the document once.
+void TestCliRecover::aPortThatIsGoneIsNotAdvised()
+{
+    const QTemporaryDir folder;
+    const QString gone = folder.filePath(QStringLiteral("adapter"));
+    CliProgram cli;
+    {
+        SimProgram sim(words("--servos sts3215@1 --latency-ms 60 --link") << gone);
+        SimProgram other(words("--servos sts3215@1 --latency-ms 60"));
+        for (const QString& port : {gone, other.port()}) {
+            cli.setPort(port);
+            killDuringWrite(cli);
+            if (QTest::currentTestFailed())
+                return;
+        }
+    }
+    QVERIFY(!QFile::exists(gone));
+    cli.setPort(gone);
+    const Ran ran = cli.json("recover");
+    QCOMPARE(ran.exit, 3);
+    QCOMPARE(ran.out.count(QStringLiteral("\n  \"try\"")), 1);
+    QCOMPARE(ran.json()[QLatin1String("try")].toString(),
+             QStringLiteral("servodesk-cli recover --any-port --port PORT"));
+    const Ran text = cli.run("recover");
+    QVERIFY2(text.out.contains(QStringLiteral("--port PORT")), qPrintable(text.out));
+    QVERIFY2(!text.out.contains(QStringLiteral("--port ") + gone), qPrintable(text.out));
 }
 
 void TestCliRecover::aSimulatedBusSaysNothingOfARealOne()
