@@ -4560,11 +4560,11 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
     <message>
         <source>Ended by you before anything was sent (ID %1).</source>
-        <translation>在发送任何命令之前被您中断（ID %1）。</translation>
+        <translation>尚未发送任何命令即被您中止（ID %1）。</translation>
     </message>
     <message>
         <source>Ended by you before it was confirmed (ID %1): the torque of these servos may have been switched.</source>
-        <translation>在确认之前被您中断（ID %1）：这些舵机的扭矩可能已切换。</translation>
+        <translation>尚未确认即被您中止（ID %1）：这些舵机的扭矩可能已切换。</translation>
     </message>
 </context>
 <context>

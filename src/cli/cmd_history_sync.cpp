@@ -40,6 +40,15 @@ base::Result<SendProgress> send(Run& run, const session::HistoryServerChoice& ch
     return answer.get();
 }
 
+QString rememberedText(const session::HistoryServerChoice& choice)
+{
+    return (choice.fixed ? translate("cli", "The name of the bench was stored; the server is set "
+                                            "by SERVODESK_HISTORY_SERVER")
+                         : translate("cli", "Server and name of the bench were stored; the window "
+                                            "uses them too")) +
+           QLatin1Char('\n');
+}
+
 base::Result<Exit> runSync(Run& run, const Values& values)
 {
     session::Settings settings;
@@ -71,12 +80,7 @@ base::Result<Exit> runSync(Run& run, const Values& values)
                         .arg(qint64(sent->sent)) +
                     QLatin1Char('\n');
     if (remember)
-        words += (choice.fixed
-                      ? translate("cli", "The name of the bench was stored; the server is set by "
-                                         "SERVODESK_HISTORY_SERVER")
-                      : translate("cli", "Server and name of the bench were stored; the window "
-                                         "uses them too")) +
-                 QLatin1Char('\n');
+        words += rememberedText(choice);
     run.finish(Json::object()
                    .add("server", address->shown())
                    .add("bench", choice.bench)

@@ -127,6 +127,17 @@ base::Error underWay(const base::Intent& intent)
             intent.servo.id};
 }
 
+Recovered leftAlone(const base::Intent& intent, RecoverAction action)
+{
+    Recovered recovered;
+    recovered.action = action;
+    recovered.before.intent = intent;
+    recovered.before.finding = Finding::UnderWay;
+    if (action != RecoverAction::Look)
+        recovered.error = underWay(intent);
+    return recovered;
+}
+
 /// What a later write has replaced is not this change's any more.
 base::Intent withoutReplaced(const OpenIntent& open)
 {
@@ -201,15 +212,10 @@ void endSettled(const device::Context& context, const device::Servo& servo, cons
 base::Result<Recovered> recoverOne(const device::Context& context, const base::Intent& intent,
                                    RecoverAction action, const BeforeWrite& beforeWrite)
 {
+    if (intent.underWayElsewhere)
+        return leftAlone(intent, action);
     Recovered recovered;
     recovered.action = action;
-    if (intent.underWayElsewhere) {
-        recovered.before.intent = intent;
-        recovered.before.finding = Finding::UnderWay;
-        if (action != RecoverAction::Look)
-            recovered.error = underWay(intent);
-        return recovered;
-    }
     device::Servo servo;
     const auto before = look(context, intent, servo);
     if (!before)
