@@ -254,8 +254,11 @@ void SweepRunner::step(int number)
 void SweepRunner::wave(int number)
 {
     const Duration half = m_run.spec.period / 2;
-    if (number == 1)
+    if (number == 1) {
+        if (!confirmHeld()) // it has rested at the start
+            return;
         m_waveStart = now();
+    }
     const Duration end = m_waveStart + number * half;
     begin(number, now());
     for (Track& track : m_tracks) {
@@ -320,7 +323,8 @@ void SweepRunner::close()
         if (m_watch.onLeg)
             m_watch.onLeg(i, leg);
     }
-    m_legInDoubt = m_askTorque || m_run.end == SweepEnd::TorqueLost;
+    m_legInDoubt =
+        m_askTorque || m_run.spec.shape != SweepShape::Sine || m_run.end == SweepEnd::TorqueLost;
     for (Track& track : m_tracks)
         track.meter.reset();
     m_legAt = Duration::max(); // what comes now belongs to none

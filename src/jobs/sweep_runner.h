@@ -51,6 +51,7 @@ private:
     void close();
     base::Result<void> send(std::vector<double> targets);
     base::Result<bool> stillHeld();
+    bool confirmHeld();
     bool canRetry(const base::Error& error);
     bool silent() const; ///< somebody is
     bool sendOrEnd(const std::vector<double>& targets);

@@ -100,7 +100,7 @@ void SweepRunner::watchLine()
         endRun(SweepEnd::Emergency);
     for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
         if (now() - m_tracks[i].heardAt > mostSilence)
-            endRun(SweepEnd::LinkLost, int(i));
+            endRun(SweepEnd::LinkLost, m_context.bus.away() ? -1 : int(i)); // a plug is of no servo
     }
 }
 } // namespace jobs

@@ -13,6 +13,9 @@ using record::SweepEnd;
 base::Result<void> SweepRunner::send(std::vector<double> targets)
 {
     for (;;) {
+        // A servo that rests at its target shows no sign of torque that was switched off. Goals of
+        // a sine follow each other too closely to ask before each of them.
+        m_askTorque |= m_run.spec.shape != record::SweepShape::Sine;
         const auto held = stillHeld();
         if (held && !*held)
             return {};
@@ -39,6 +42,7 @@ bool SweepRunner::canRetry(const base::Error& error)
     case ErrorCode::WrongAnswer:
     case ErrorCode::LineBusy:
     case ErrorCode::Uncertain: // a place to go to may be named twice
+        m_askTorque = true;
         read(now() + gapFrom, [] { return false; });
         return !ended();
     case ErrorCode::Stopped:
@@ -82,6 +86,20 @@ base::Result<bool> SweepRunner::stillHeld()
     m_askTorque = false;
     return std::none_of(m_tracks.begin(), m_tracks.end(),
                         [](const Track& track) { return track.lostTorque; });
+}
+
+/// Asks every servo; a silence is waited out. False: the run has ended.
+bool SweepRunner::confirmHeld()
+{
+    while (!ended()) {
+        m_askTorque = true;
+        const auto held = stillHeld();
+        if (held)
+            return *held;
+        if (!canRetry(held.error()))
+            endRun(SweepEnd::Refused);
+    }
+    return false;
 }
 
 bool SweepRunner::silent() const
