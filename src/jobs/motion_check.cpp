@@ -6,6 +6,8 @@
 #include "device/reader.h"
 #include "device/write_check.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace jobs {
@@ -41,6 +43,35 @@ base::Result<Motion> comparePlaces(const device::Context& context, device::Servo
     const bool moved = before && after && std::abs(*after - *before) > 1;
     return moved ? Motion::ToGoal : Motion::Rest;
 }
+
+/// Together with the position, or later.
+bool loadRead(const device::Servo& servo)
+{
+    constexpr base::Duration together = std::chrono::seconds(1);
+    const auto readAt = [&](Role role) {
+        const catalog::Register* reg = servo.profile->byRole(role);
+        return reg != nullptr ? servo.image.readAt(reg->offset) : std::nullopt;
+    };
+    const auto load = readAt(Role::PresentLoad);
+    const auto position = readAt(Role::PresentPosition);
+    return load && position && *load >= *position - together;
+}
+
+/// P alone, at half its usual value, gives a quarter of the full load 1/64 turn away from the goal.
+/// Where torque or current is limited, the limit is all a servo can give.
+bool pushes(const device::Servo& servo)
+{
+    constexpr double pushing = 20; // %
+    constexpr double shareOfLimit = 0.5;
+    const auto magnitude = [&](Role role) { return std::abs(servo.physical(role).value_or(0)); };
+    const double load = magnitude(Role::PresentLoad);
+    const double most =
+        servo.physical(Role::TorqueLimit).value_or(servo.physical(Role::MaxTorque).value_or(100));
+    if (load > 0 && load >= std::min(pushing, most * shareOfLimit))
+        return true;
+    const double mostCurrent = magnitude(Role::GoalCurrent);
+    return mostCurrent > 0 && magnitude(Role::PresentCurrent) >= mostCurrent * shareOfLimit;
+}
 } // namespace
 
 Motion lastKnownMotion(const device::Servo& servo)
@@ -56,7 +87,7 @@ Motion lastKnownMotion(const device::Servo& servo)
     return servo.raw(Role::Moving).value_or(0) != 0 ? Motion::ToGoal : Motion::Rest;
 }
 
-bool isJammed(const device::Servo& servo)
+bool isJammed(const device::Servo& servo, bool ownGoal)
 {
     if (!servo.profile || servo.raw(Role::TorqueSwitch) != torqueIsOn)
         return false;
@@ -64,9 +95,10 @@ bool isJammed(const device::Servo& servo)
         return true;
     const catalog::Mode* mode = servo.mode();
     const auto goal = servo.raw(Role::GoalPosition);
-    if (mode == nullptr || mode->command != Role::GoalPosition || !goal)
+    if (mode == nullptr || mode->command != Role::GoalPosition || !goal ||
+        !device::missesGoal(servo, *goal, device::isRelative(*mode)))
         return false;
-    return device::missesGoal(servo, *goal, device::isRelative(*mode)).has_value();
+    return loadRead(servo) ? pushes(servo) : ownGoal;
 }
 
 base::Result<Motion> readMotion(const device::Context& context, device::Servo& servo)

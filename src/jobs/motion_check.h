@@ -19,7 +19,10 @@ base::Result<Motion> readMotion(const device::Context& context, device::Servo& s
 /// where the servo has a moving flag.
 Motion lastKnownMotion(const device::Servo& servo);
 
-/// Torque is on and something is in the way: the servo stands away from its position goal, or
-/// reports an overload or overcurrent. As of the latest readings.
-bool isJammed(const device::Servo& servo);
+/// Torque is on and the servo pushes against something: it reports an overload or overcurrent, or
+/// stands away from its position goal with a load or current that is more than holding takes. As of
+/// the latest readings. Standing away alone proves nothing, since a servo may hold where its torque
+/// was switched on; it counts only where this program gave the goal (`ownGoal`) and no load has
+/// been read with the position.
+bool isJammed(const device::Servo& servo, bool ownGoal);
 } // namespace jobs

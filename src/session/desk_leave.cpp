@@ -68,7 +68,7 @@ bool mayMove(const ServoEntry& known, base::Duration now)
     if (servo.raw(catalog::Role::TorqueSwitch) == 0 &&
         readSince(catalog::Role::TorqueSwitch, known.drivenAt))
         return false;
-    if (jobs::lastKnownMotion(servo) != Motion::Rest || jobs::isJammed(servo))
+    if (jobs::lastKnownMotion(servo) != Motion::Rest || jobs::isJammed(servo, true))
         return true;
     if (servo.profile->byRole(catalog::Role::Moving) == nullptr)
         return now - known.drivenAt < longestMove;
@@ -88,11 +88,12 @@ bool seenMoving(const ServoEntry& known, base::Duration now)
         return true;
     const catalog::Register* place = servo.profile->byRole(catalog::Role::PresentPosition);
     const auto at = place != nullptr ? servo.image.readAt(place->offset) : std::nullopt;
-    return at && now - *at <= saysNow && (motion != Motion::Rest || jobs::isJammed(servo));
+    return at && now - *at <= saysNow && (motion != Motion::Rest || jobs::isJammed(servo, false));
 }
 } // namespace
 
-/// Servos that this program has moved or energised; a lasting test ends its own ones.
+/// Servos that this program has moved or energised, and not halted since; a lasting test ends its
+/// own ones.
 std::vector<ServoRef> Desk::driven() const
 {
     std::vector<ServoRef> refs;
@@ -118,13 +119,19 @@ bool Desk::driving() const
     });
 }
 
+/// What was halted holds where it is, also where its goal register still has the old goal (LX).
+/// Halts before the port closes come in two halves and are followed by leave().
 void Desk::noteDriven(const Work& ended)
 {
-    if (ended.task.effect == Effect::None)
+    const bool halted =
+        ended.task.name == QLatin1StringView("halt") && !ended.finishes && !ended.error;
+    if (ended.task.effect == Effect::None && !halted)
         return;
     for (const ServoRef ref : ended.refs()) {
-        if (ServoEntry* known = entry(ref))
+        if (ServoEntry* known = entry(ref)) {
+            known->driven = !halted;
             known->drivenAt = now();
+        }
     }
 }
 

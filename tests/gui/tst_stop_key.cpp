@@ -224,6 +224,62 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.desk().driving());
     }
 
+    /// A servo that holds away from what its goal register says pushes against nothing.
+    void theFirstEscLeavesAServoThatHoldsWhereItWasHalted()
+    {
+        gui::WindowBench bench;
+        bench.page = QStringLiteral("operate");
+        QVERIFY(bench.ready(5, QStringLiteral("sim:lx")));
+        Stops stops(bench.desk());
+        session::Drive& drive = bench.bench.drive;
+        drive.setServos({bench.selection().current()});
+        const auto raw = [&](catalog::Role role) { return bench.entry().servo.raw(role); };
+        const auto idle = [&] { return bench.settled() && !drive.busy(); };
+        drive.setTorque(device::Torque::On);
+        QTRY_VERIFY(idle());
+        const auto start = raw(catalog::Role::PresentPosition);
+        QVERIFY(start);
+        const std::int64_t goal = *start > 500 ? 50 : 950;
+        drive.move({.goal = QString::number(goal), .time = QStringLiteral("20000")});
+        QTRY_VERIFY(idle());
+        QTRY_VERIFY(raw(catalog::Role::PresentPosition) != start);
+        QVERIFY(bench.desk().driving());
+        drive.halt();
+        QTRY_VERIFY(idle());
+        QTRY_VERIFY(std::abs(raw(catalog::Role::PresentPosition).value_or(goal) - goal) > 100);
+        QCOMPARE(raw(catalog::Role::TorqueSwitch), std::int64_t(1));
+        QVERIFY(!bench.desk().driving());
+        const QPointer<QWidget> open = openOver(bench, true);
+        QVERIFY(open != nullptr);
+        QTest::keyClick(open, Qt::Key_Escape);
+        QCOMPARE(stops.count, 0);
+        drive.move({.goal = QString::number(goal), .time = QStringLiteral("20000")});
+        QTRY_VERIFY(idle());
+        QVERIFY(bench.desk().driving());
+    }
+
+    /// Another program has switched its torque on and given it no goal.
+    void theFirstEscLeavesAServoThatHoldsWithoutAGoal()
+    {
+        gui::WindowBench bench;
+        bench.page = QStringLiteral("operate");
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        Stops stops(bench.desk());
+        bench.desk().connection()->simulation()->with(
+            [](sim::VirtualBus& bus) { bus.servo(1)->poke(QStringLiteral("torque_switch"), 1); });
+        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(1));
+        QTRY_COMPARE(bench.raw("moving"), std::int64_t(0));
+        const auto away =
+            bench.raw("present_position").value_or(0) - bench.raw("goal_position").value_or(0);
+        QVERIFY2(std::abs(away) > 200, qPrintable(QString::number(away)));
+        const QPointer<QWidget> open = openOver(bench, true);
+        QVERIFY(open != nullptr);
+        QTRY_VERIFY(!bench.desk().driving());
+        QTest::keyClick(open, Qt::Key_Escape);
+        QCOMPARE(stops.count, 0);
+        QCOMPARE(bench.raw("torque_switch"), std::int64_t(1));
+    }
+
     /// Another program has set it turning.
     void escStopsAServoThatIsSeenTurning()
     {
