@@ -420,7 +420,7 @@ void SweepRunner::work(std::size_t i, const bus::Statistics& statistics)
                     after.late - before.late};
     servo.metrics = sweepMetrics(servo.legs, servo.errors, m_tracks[i].startCelsius,
                                  followedPath(m_run.spec, servo.axis));
-    servo.lines = record::judge(servo.metrics, servo.limits, m_run.spec.shape);
+    servo.lines = record::judge(servo, servo.metrics, m_run.spec.shape);
 }
 
 void SweepRunner::finish()

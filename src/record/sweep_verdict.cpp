@@ -58,8 +58,9 @@ NoVerdict lacks(const SweepServo& servo, QLatin1StringView key)
         if (line.limit.metric != key)
             continue;
         any = true;
+        // What was measured has a grade, unless judge() left a failure open.
         if (line.grade == Grade::NotMeasured)
-            return NoVerdict::NotMeasured;
+            return line.value ? NoVerdict::SlowLink : NoVerdict::NotMeasured;
     }
     return any ? NoVerdict::None : NoVerdict::NoLimit;
 }
@@ -85,6 +86,26 @@ NoVerdict lackOfSine(const SweepRun& run, const SweepServo& servo)
             return NoVerdict::NotMeasured;
     }
     return NoVerdict::None;
+}
+
+/// How far a leg of a sine is behind, as the figure over the run counts it.
+std::optional<double> lagOf(const SweepLeg& leg, const SweepServo& servo, const QString& metric)
+{
+    if (metric == phaseLag)
+        return leg.phaseLag ? std::optional(std::abs(*leg.phaseLag)) : std::nullopt;
+    const auto scale = followingScale(SweepShape::Sine, servo.axis);
+    return leg.followingError && scale ? std::optional(*leg.followingError / *scale * 100)
+                                       : std::nullopt;
+}
+
+/// A leg was behind by too much that was read too often for the delay of the link to explain it.
+/// What other legs lack says nothing against it.
+bool lagIsProven(const SweepServo& servo, const SweepLimit& limit)
+{
+    return std::any_of(servo.legs.begin(), servo.legs.end(), [&](const SweepLeg& leg) {
+        return leg.samples * legsPerPeriod >= readingsToFailSine &&
+               gradeOf(lagOf(leg, servo, limit.metric), limit) == Grade::Fail;
+    });
 }
 
 /// What less than half of the legs say anything about is not known of the run.
@@ -158,8 +179,9 @@ NoVerdict lackOf(const SweepRun& run, const SweepServo& servo)
 
 QString noVerdictName(NoVerdict reason)
 {
-    constexpr std::array names{"",         "ended",    "too-short",   "too-few-readings",
-                               "too-fast", "no-limit", "short-moves", "not-measured"};
+    constexpr std::array names{
+        "",         "ended",       "too-short", "too-few-readings", "too-fast",
+        "no-limit", "short-moves", "slow-link", "not-measured"};
     static_assert(names.size() == std::size_t(NoVerdict::NotMeasured) + 1);
     return QString::fromLatin1(names[std::size_t(reason)]);
 }
@@ -214,7 +236,7 @@ void giveVerdicts(SweepRun& run)
         servo.verdict = sweepVerdict(run, servo).grade;
 }
 
-std::vector<VerdictLine> judge(const std::vector<SweepMetric>& metrics, const SweepLimits& limits,
+std::vector<VerdictLine> judge(const SweepServo& servo, const std::vector<SweepMetric>& metrics,
                                SweepShape shape)
 {
     const auto valueOf = [&](const QString& key) {
@@ -222,16 +244,15 @@ std::vector<VerdictLine> judge(const std::vector<SweepMetric>& metrics, const Sw
                                         [&](const SweepMetric& one) { return one.key == key; });
         return found != metrics.end() ? found->value : std::nullopt;
     };
-    const bool linkMayLag =
-        shape == SweepShape::Sine && valueOf(readingsPerPeriod).value_or(0) < readingsToFailSine;
     std::vector<VerdictLine> lines;
-    for (const SweepLimit& limit : limits.lines) {
+    for (const SweepLimit& limit : servo.limits.lines) {
         if (!applies(limit.metric, shape))
             continue;
         const auto value = valueOf(limit.metric);
         const bool lags = limit.metric == relativeError || limit.metric == phaseLag;
         const Grade grade = gradeOf(value, limit);
-        const bool unproven = grade == Grade::Fail && lags && linkMayLag;
+        const bool unproven =
+            grade == Grade::Fail && shape == SweepShape::Sine && lags && !lagIsProven(servo, limit);
         lines.push_back({limit, value, unproven ? Grade::NotMeasured : grade});
     }
     return lines;

@@ -21,6 +21,7 @@ enum class NoVerdict : std::uint8_t {
     NoLimit,        ///< sine, random: no limit says how well goals must be followed or reached
     ShortMoves,     ///< paths with targets: most moves are no longer than a servo that stands still
                     ///< needs to be within tolerance, see provesArrival()
+    SlowLink,       ///< sine: too far behind, but only in legs with fewer than readingsToFailSine
     NotMeasured,    ///< nothing, or not what the path is judged by in most of its legs
 };
 QString noVerdictName(NoVerdict reason); ///< "ended", "too-short" …; None: empty
@@ -32,8 +33,8 @@ struct SweepVerdict {
 
 /// Fewer say nothing about how a sine is followed.
 inline constexpr int minReadingsPerPeriod = 20;
-/// With fewer, what a sine shows the servo to be behind by may be the delay of the link: that it is
-/// too much is not known then.
+/// With fewer in a leg (half a period), what a sine shows the servo to be behind by there may be
+/// the delay of the link: that it is too much is not known then.
 inline constexpr int readingsToFailSine = 40;
 
 /// A shorter move proves nothing: a servo that stands still between its ends is within tolerance of
@@ -57,8 +58,10 @@ bool canBeReference(SweepEnd end);
 
 /// A line a limit that applies to the path: Fail before Warn; exactly on the limit is still good; a
 /// limit without `fail` only warns. What was not measured is NotMeasured; a value that is not a
-/// number fails.
-std::vector<VerdictLine> judge(const std::vector<SweepMetric>& metrics, const SweepLimits& limits,
+/// number fails. How far behind a sine is fails only by a leg with readingsToFailSine, else that
+/// line is NotMeasured with its value. `metrics` are those of servo.legs, `servo.limits` the
+/// limits.
+std::vector<VerdictLine> judge(const SweepServo& servo, const std::vector<SweepMetric>& metrics,
                                SweepShape shape);
 /// Fail before Warn before Pass; NotMeasured when no line was measured.
 Grade worst(const std::vector<VerdictLine>& lines);

@@ -326,6 +326,13 @@ Text noVerdictWords(record::NoVerdict reason)
                     "still would pass, too. Move at least three times the tolerance.",
                     "无结论：相对于到位允差，行程太短，静止不动的舵机也会合格。行程至少应为允差的"
                     "三倍。");
+    case record::NoVerdict::SlowLink:
+        return both(
+            "No verdict: the servo lags too far behind, but the delay of the link may be the "
+            "cause. Read at least 40 times per period: use a longer period, fewer servos or "
+            "a faster adapter.",
+            "无结论：滞后超出限值，但可能是通信延迟所致。每周期至少需采样 40 次：请加长周期、"
+            "减少舵机或换用更快的适配器。");
     case record::NoVerdict::NotMeasured:
         break;
     }

@@ -54,22 +54,23 @@ std::vector<SweepLeg> legs(int from, int count)
     return many;
 }
 
-record::SweepLimits limits()
+record::SweepServo tested()
 {
-    record::SweepLimits all;
+    record::SweepServo servo;
+    record::SweepLimits& all = servo.limits;
     all.name = q("test");
     all.lines = {{q("steady_error"), q("step"), 2, 8, false},
                  {q("hysteresis"), q("step"), 4, 8, false},
                  {q("voltage_min"), q("V"), 7, 6.5, true},
                  {q("current_peak"), q("mA"), {}, 1500, false},
                  {q("overshoot"), q("%"), 2, 5, false}};
-    return all;
+    return servo;
 }
 
 struct Shown {
     explicit Shown(const std::vector<SweepLeg>& all)
         : metrics(jobs::sweepMetrics(all, {}, 25.0))
-        , lines(record::judge(metrics, limits(), record::SweepShape::Sweep))
+        , lines(record::judge(tested(), metrics, record::SweepShape::Sweep))
     {}
     std::vector<SweepMetric> metrics;
     std::vector<VerdictLine> lines;

@@ -52,6 +52,11 @@ public:
     }
 
     void keepTorque() { m_keepsTorque = true; }
+    void unplug(Duration from, Duration until)
+    {
+        m_awayFrom = from;
+        m_awayUntil = until;
+    }
 
     base::Result<void> write(base::ByteView bytes) override
     {
@@ -96,6 +101,8 @@ private:
     {
         if (frame[2] != m_memory[5])
             return; // not this one's, or everybody's
+        if (m_clock.now() >= m_awayFrom && m_clock.now() < m_awayUntil)
+            return;
         base::Bytes data;
         const int address = frame.size() > 6 ? frame[5] : 0;
         if (frame[4] == support::Read) {
@@ -125,6 +132,8 @@ private:
     Duration m_readyAt{};
     int m_baud = 1'000'000;
     bool m_keepsTorque = false;
+    Duration m_awayFrom{};
+    Duration m_awayUntil{};
 };
 
 record::SweepSpec sine(Duration period)
@@ -165,7 +174,8 @@ private:
                                             const ScriptedServo::Script& script,
                                             Duration latency = 200us,
                                             const jobs::SweepWatch& watch = {});
-    bool m_holdsTorque = false; ///< whatever it is told
+    bool m_holdsTorque = false;      ///< whatever it is told
+    ScriptedServo* m_wire = nullptr; ///< while a scripted run lasts
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
@@ -181,6 +191,8 @@ private Q_SLOTS:
     void tooFewReadingsAreNoVerdict();
     void aSlowAdapterCondemnsNoServo_data();
     void aSlowAdapterCondemnsNoServo();
+    void aLegThatWasNotSeenAbsolvesNoServo();
+    void aLagThatTheLinkMayCauseIsNoVerdict();
     void halfAPeriodIsNoVerdict();
     void limitsWithoutALineForSinesAreNoVerdict();
     void randomTargetsAreJudged();
@@ -202,6 +214,7 @@ base::Result<record::SweepRun> TestSweepVerdict::scripted(const record::SweepSpe
     auto wire = std::make_unique<ScriptedServo>(clock, like, script, latency);
     if (m_holdsTorque)
         wire->keepTorque();
+    m_wire = wire.get();
     bus::BusCore bus(std::move(wire), protocol::feetechCodec(), clock, bus::CoreOptions{});
     support::MemoryJournal journal;
     base::Stop stop;
@@ -410,6 +423,62 @@ void TestSweepVerdict::aSlowAdapterCondemnsNoServo()
              qPrintable(text("%1 %, %2°")
                             .arg(metric(done->servos[0], "following_error_relative").value_or(-1))
                             .arg(metric(done->servos[0], "phase_lag").value_or(-1))));
+}
+
+namespace {
+/// A servo that goes a third of the way.
+double lagging(Duration, double goal)
+{
+    return 1000 + 0.3 * (goal - 1000);
+}
+
+Grade gradeOf(const record::SweepServo& servo, const char* metric)
+{
+    for (const record::VerdictLine& line : servo.lines) {
+        if (line.limit.metric == QLatin1String(metric))
+            return line.grade;
+    }
+    return Grade::NotMeasured;
+}
+} // namespace
+
+/// The other legs show the lag, read often enough.
+void TestSweepVerdict::aLegThatWasNotSeenAbsolvesNoServo()
+{
+    jobs::SweepWatch watch;
+    watch.onGoal = [this](std::size_t, int leg, Duration at) {
+        if (leg == 1)
+            m_wire->unplug(at, at + 2s);
+    };
+    for (const bool stops : {false, true}) {
+        record::SweepSpec spec = sine(4s);
+        spec.cycles = 6;
+        spec.stopOnFailure = stops;
+        const auto done = scripted(spec, lagging, 200us, watch);
+        QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+        const record::SweepServo& servo = done->servos.front();
+        QCOMPARE(gradeOf(servo, "following_error_relative"), Grade::Fail);
+        QCOMPARE(servo.verdict, Grade::Fail);
+        QCOMPARE(reason(*done), NoVerdict::None);
+        QCOMPARE(done->end, stops ? SweepEnd::Failure : SweepEnd::Finished);
+        QVERIFY(*metric(servo, "readings_per_period") < record::readingsToFailSine);
+    }
+}
+
+void TestSweepVerdict::aLagThatTheLinkMayCauseIsNoVerdict()
+{
+    const auto done = scripted(sine(4s), lagging, 60ms);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(done->end, SweepEnd::Finished);
+    const record::SweepServo& servo = done->servos.front();
+    for (const record::SweepLeg& leg : servo.legs)
+        QVERIFY2(2 * leg.samples >= record::minReadingsPerPeriod &&
+                     2 * leg.samples < record::readingsToFailSine,
+                 qPrintable(QString::number(leg.samples)));
+    QVERIFY(*metric(servo, "following_error_relative") > 50);
+    QCOMPARE(gradeOf(servo, "following_error_relative"), Grade::NotMeasured);
+    QCOMPARE(servo.verdict, Grade::NotMeasured);
+    QCOMPARE(reason(*done), NoVerdict::SlowLink);
 }
 
 void TestSweepVerdict::halfAPeriodIsNoVerdict()

@@ -267,8 +267,7 @@ void SweepResults::showFigures()
 {
     if (const record::SweepServo* tested = servo()) {
         const auto metrics = m_test.figures(m_servo);
-        m_verdictModel.show(metrics,
-                            record::judge(metrics, tested->limits, m_test.run()->spec.shape));
+        m_verdictModel.show(metrics, record::judge(*tested, metrics, m_test.run()->spec.shape));
     }
     showVerdict();
 }

@@ -56,9 +56,9 @@ Grade grade(std::optional<double> value, const SweepLimit& by)
     SweepMetric one;
     one.key = by.metric;
     one.value = value;
-    SweepLimits limits;
-    limits.lines = {by};
-    const auto lines = record::judge({one}, limits, record::SweepShape::Sweep);
+    record::SweepServo servo;
+    servo.limits.lines = {by};
+    const auto lines = record::judge(servo, {one}, record::SweepShape::Sweep);
     return lines.size() == 1 && (lines[0].value == value || std::isnan(value.value_or(0)))
                ? lines[0].grade
                : Grade::NotMeasured;
@@ -300,10 +300,9 @@ void TestSweepMeter::limitsGrade()
     // Crossed limits (which no file may have): the worse one decides.
     QCOMPARE(grade(4, limit("overshoot", 5, 3)), Grade::Fail);
 
-    SweepLimits limits;
-    limits.lines = {limit("no_such", {}, 1)};
-    QCOMPARE(record::judge({}, limits, record::SweepShape::Sweep).front().grade,
-             Grade::NotMeasured);
+    record::SweepServo servo;
+    servo.limits.lines = {limit("no_such", {}, 1)};
+    QCOMPARE(record::judge(servo, {}, record::SweepShape::Sweep).front().grade, Grade::NotMeasured);
 }
 
 void TestSweepMeter::theWorstLineSays()
