@@ -62,6 +62,15 @@ base::Result<void> asResult(const device::WriteReport& report)
     return base::fail(ErrorCode::LockOpen, QStringLiteral("write"), {}, report.id);
 }
 
+/// The end of an intent of which nothing was written.
+base::IntentEnd notSent(const std::vector<base::JournalItem>& items)
+{
+    base::IntentEnd end{QStringLiteral("failed"), {}};
+    for (const base::JournalItem& item : items)
+        end.items.push_back({item.key, {}, QStringLiteral("not-sent")});
+    return end;
+}
+
 std::vector<device::WriteItem> before(const std::vector<base::JournalItem>& items)
 {
     std::vector<device::WriteItem> old;
@@ -169,7 +178,7 @@ base::Result<void> TemporarySettings::begin(const std::vector<device::WriteItem>
     if (begun)
         (void)putBack();
     else
-        (void)m_context.journal.end(std::exchange(m_uuid, {}), {QStringLiteral("failed"), {}});
+        (void)m_context.journal.end(std::exchange(m_uuid, {}), notSent(m_items));
     return written;
 }
 

@@ -4,6 +4,7 @@
 // recovery puts them back another day. The sweep test in a mode that is not the servo's own.
 #include "device/motion.h"
 #include "device/stop_frames.h"
+#include "device/temporary_values.h"
 #include "jobs/recover.h"
 #include "jobs/sweep.h"
 #include "jobs/temporary.h"
@@ -83,6 +84,7 @@ private Q_SLOTS:
     void anOpenLockIsClosedFirst();
     void whatIsSoAlreadyIsNotWritten();
     void whatIsAlwaysKeptIsRefused();
+    void whatIsRefusedLeavesNothingBehind();
     void aFullDiskForbidsIt();
     void stopDoesNotKeepThemFromGoingBack();
     void gainsGoBackAfterAnEmergencyStop();
@@ -168,6 +170,27 @@ void TestTemporary::whatIsAlwaysKeptIsRefused()
     QCOMPARE(trial.error().detail, text("always-kept"));
     QVERIFY(bench.onlyAsked());
     QCOMPARE(openIntents(bench), 0);
+}
+
+/// Neither in the servo nor in what is said of its values.
+void TestTemporary::whatIsRefusedLeavesNothingBehind()
+{
+    SimBench bench(text("sts3215@1"));
+    device::Servo servo = bench.servo(1);
+    const auto p = bench.raw(1, text("position_p"));
+    bench.forgetFrames();
+    QVERIFY(!TemporarySettings::set(bench.context(), servo, {{text("position_p"), 9999}}));
+    QCOMPARE(bench.frames(support::Write), 0);
+    QCOMPARE(bench.raw(1, text("position_p")), p);
+    QCOMPARE(openIntents(bench), 0);
+    const auto entries = bench.journal().entries();
+    QCOMPARE(entries->size(), std::size_t(1));
+    const base::IntentEnd& end = *entries->front().end;
+    QCOMPARE(end.outcome, text("failed"));
+    QCOMPARE(end.items.size(), std::size_t(1));
+    QCOMPARE(end.items.front().key, text("position_p"));
+    QCOMPARE(end.items.front().outcome, text("not-sent"));
+    QVERIFY(device::temporaryValues(bench.journal(), servo)->empty());
 }
 
 void TestTemporary::aFullDiskForbidsIt()

@@ -540,6 +540,12 @@ void TestHistoryLog::whatATableLeavesOutIsNamed()
     const auto now = [&] {
         return record::tableAt(history->file(), catalog, servo, pass()).value();
     };
+    record::HistoryJournal journal(m_path, program);
+    base::Intent trial = intentOf(1, "position_p", 32, 50, IntentKind::Trial);
+    trial.temporary = true;
+    QVERIFY(journal.end(journal.begin(trial).value(),
+                        {text("failed"), {}, {{text("position_p"), {}, text("not-sent")}}}));
+    QVERIFY(now().temporary.isEmpty());
     write(1, "position_p", 32, 50, "temporary");
     QCOMPARE(now().temporary, QStringList{text("position_p")});
     QVERIFY(!now().changedId);
