@@ -2162,6 +2162,18 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <source>It did not answer at the end and may have either ID: %1 or %2. Port → Interrupted writes looks for it at both; so does a search.</source>
         <translation>舵机最后没有应答，ID 可能是 %1 或 %2。“端口 → 中断的写入”会在这两个 ID 下查找，搜索也可以。</translation>
     </message>
+    <message>
+        <source>Another program that is still running is making these changes. They are left to it. If it ends before they are complete, they are offered here.</source>
+        <translation>另一个仍在运行的程序正在进行这些更改，本程序不会干预。如果该程序在完成前结束，这些更改会在此列出。</translation>
+    </message>
+    <message>
+        <source>A change that is still under way in another program is left to it.</source>
+        <translation>仍由另一个程序进行中的更改由该程序完成。</translation>
+    </message>
+    <message>
+        <source>The change stays open and is offered again.</source>
+        <translation>该更改仍未完成，之后会再次列出。</translation>
+    </message>
 </context>
 <context>
     <name>Trend</name>

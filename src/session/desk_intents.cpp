@@ -102,7 +102,8 @@ void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid, bool 
         return lookOrSettle(task.device, action, {ports, uuid, saveInto(*saved)})
             .map([&look](Look&& made) { *look = std::move(made); });
     };
-    work->merged = [this, look, saved, action](Work& ended) {
+    work->merged = [this, look, saved, settles = action != jobs::RecoverAction::Look,
+                    task = work->task.name](Work& ended) {
         for (const SavedTable& table : *saved) {
             const ServoRef ref = find(table.protocol, table.id);
             if (ServoEntry* known = entry(ref))
@@ -110,15 +111,17 @@ void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid, bool 
             tell({.kind = Event::Kind::TableSaved, .servo = ref, .path = table.path});
         }
         if (ended.error)
-            tell({.kind = Event::Kind::Failed, .error = ended.error});
+            tell({.kind = Event::Kind::Failed,
+                  .task = settles ? task : QString(),
+                  .error = ended.error});
         for (const base::Error& journal : record::takeUnreadableJournals())
             tell({.kind = Event::Kind::Failed, .error = journal});
-        if (ended.error && action == jobs::RecoverAction::Look) {
-            m_intentsLooked = false; // nobody knows whether there are none
+        if (ended.error) { // what is open is not known: not the same as nothing
+            m_intentsLooked = m_intentsLooked && settles;
             return;
         }
         for (const jobs::Recovered& one : look->found) {
-            if (action != jobs::RecoverAction::Look && one.error)
+            if (settles && one.error)
                 ended.error = one.error; // what was asked for has not been done
             coverRecovered(one);
             followRecovered(one);

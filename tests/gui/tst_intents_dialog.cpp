@@ -5,6 +5,7 @@
 #include "gui/tasks_bench.h"
 #include "session/paths.h"
 #include "support/cli_program.h"
+#include "support/cut_cable.h"
 #include "ui/app/event_words.h"
 #include "ui/dialogs/intents_dialog.h"
 
@@ -98,6 +99,8 @@ private Q_SLOTS:
     void anAdapterUnderAnotherNameIsLookedAt();
     void aPortThatIsThereIsNotLookedForHere();
     void whatIsUnderWayElsewhereIsLeftToIt();
+    void aSettlementThatBreaksOffSaysWhy_data();
+    void aSettlementThatBreaksOffSaysWhy();
     void whatCouldNotBeRecordedIsSaid();
     void theMarkOfARestartIsPutBack();
     void whatHasAnotherValueStaysAndIsSaid();
@@ -437,6 +440,9 @@ void TestIntentsDialog::whatIsUnderWayElsewhereIsLeftToIt()
     QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("still under way in another program"));
+    const auto explanation = [&] { return gui::textOf(dialog, "explanation"); };
+    QVERIFY2(explanation().contains(text("still running")), qPrintable(explanation()));
+    QVERIFY2(!explanation().contains(text("cable")), qPrintable(explanation()));
     for (const char* name : {"intentFinish", "intentUndo", "intentForget"})
         QVERIFY2(!gui::button(dialog, name)->isEnabled(), name);
     bench.desk.forgetIntent(*uuid);
@@ -446,6 +452,68 @@ void TestIntentsDialog::whatIsUnderWayElsewhereIsLeftToIt()
     bench.desk.lookForIntents();
     QTRY_COMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
     QVERIFY(gui::button(dialog, "intentUndo")->isEnabled());
+    QVERIFY2(explanation().contains(text("a cable was pulled")), qPrintable(explanation()));
+}
+
+void TestIntentsDialog::aSettlementThatBreaksOffSaysWhy_data()
+{
+    QTest::addColumn<bool>("cut"); ///< after the second of five values; or: a test is running
+    QTest::newRow("cable cut") << true;
+    QTest::newRow("test running") << false;
+}
+
+/// Not that nothing was written, and a list that could not be read is not an empty one.
+void TestIntentsDialog::aSettlementThatBreaksOffSaysWhy()
+{
+    QFETCH(bool, cut);
+    support::SimProgram simulator(support::words("--servos sts3215@1 --baud 1000000"));
+    support::CutCable cable(simulator.port(), false);
+    TasksBench bench;
+    QVERIFY(bench.ready(qPrintable(cable.port()), 1, 1, 1));
+    base::Intent intent;
+    intent.kind = base::IntentKind::Write;
+    intent.servo = bench.entry().servo.identity();
+    for (const device::WriteItem& item : gui::fiveRows().items) {
+        const catalog::Register* reg = bench.entry().servo.profile->find(item.key);
+        intent.items.push_back(
+            {item.key, reg->offset, bench.entry().servo.raw(*reg).value_or(0), item.raw});
+    }
+    const auto uuid = bench.session.journal().begin(intent);
+    QVERIFY(uuid);
+    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(dialog);
+    QTRY_COMPARE(table(dialog)->model()->rowCount(), 1);
+    constexpr int unlockAndTwo = 3;
+    const int before = cable.writes();
+    if (cut) {
+        cable.cutAtWrite(unlockAndTwo + 1);
+    } else {
+        session::Task test;
+        test.name = text("sweep");
+        test.lasting = true;
+        test.work = [](session::TaskContext& context) -> base::Result<void> {
+            while (!context.stop.requested())
+                QThread::msleep(5);
+            return {};
+        };
+        bench.desk.perform(bench.selection.current(), test);
+        QTRY_VERIFY(bench.desk.testing());
+    }
+    QSignalSpy found(&bench.desk, &session::Desk::openIntents);
+    gui::click(dialog, "intentFinish");
+    QTRY_VERIFY_WITH_TIMEOUT(gui::resultOf(dialog).startsWith(QStringLiteral("✗")), 30'000);
+    bench.desk.stopTest();
+    QVERIFY(bench.settled());
+    const QString said = gui::resultOf(dialog);
+    QVERIFY2(said.startsWith(QStringLiteral("✗")), qPrintable(said));
+    QVERIFY2(!said.contains(text("Nothing was written")), qPrintable(said));
+    QVERIFY2(said.contains(text("stays open")), qPrintable(said));
+    QCOMPARE(cable.writes() - before >= unlockAndTwo, cut);
+    QCOMPARE(found.size(), 0);
+    QCOMPARE(table(dialog)->model()->rowCount(), 1);
+    const auto open = bench.session.journal().open();
+    QVERIFY(std::any_of(open->begin(), open->end(),
+                        [&](const base::Intent& one) { return one.uuid == *uuid; }));
 }
 
 void TestIntentsDialog::whatCouldNotBeRecordedIsSaid()

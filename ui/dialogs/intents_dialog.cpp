@@ -103,7 +103,7 @@ IntentsDialog::IntentsDialog(Desk& desk, const std::vector<Recovered>& intents,
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     connect(&desk, &Desk::openIntents, this, &IntentsDialog::found);
-    connect(&desk, &Desk::happened, this, &IntentsDialog::happened);
+    connect(&desk, &Desk::happened, this, &IntentsDialog::settlingFailed);
     connect(&desk, &Desk::linkChanged, this, &IntentsDialog::updateButtons);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &IntentsDialog::updateButtons);
@@ -172,21 +172,39 @@ void IntentsDialog::say(QPushButton* button, const QString& text, const QString&
     button->setToolTip(tip);
 }
 
+/// What is under way in another program was not interrupted.
+QString IntentsDialog::explanation() const
+{
+    const int rows = m_model->rowCount();
+    int underWay = 0;
+    for (int row = 0; row < rows; ++row)
+        underWay += m_model->at(row)->before.finding == Finding::UnderWay ? 1 : 0;
+    if (rows == 0)
+        return translate("ServoTasks",
+                         "Changes that were begun and have no end in the journal, because a cable "
+                         "was pulled, power failed, or the program was ended, are listed here.");
+    if (underWay == rows)
+        return translate("ServoTasks",
+                         "Another program that is still running is making these changes. They are "
+                         "left to it. If it ends before they are complete, they are offered here.");
+    const QString interrupted = translate(
+        "ServoTasks", "These changes were begun and have no end in the journal: a cable was "
+                      "pulled, power failed, or the program was ended. Looking at them wrote "
+                      "nothing. Choose what to do with each; what is left for later is offered "
+                      "again at the next connection.");
+    if (underWay == 0)
+        return interrupted;
+    return interrupted + QLatin1Char(' ') +
+           translate("ServoTasks", "A change that is still under way in another program is left "
+                                   "to it.");
+}
+
 void IntentsDialog::retranslate()
 {
     setWindowTitle(translate("ServoTasks", "Interrupted writes"));
     setAccessibleName(windowTitle());
     const bool none = m_model->rowCount() == 0;
-    m_explanation->setText(
-        none ? translate("ServoTasks",
-                         "Changes that were begun and have no end in the journal, because a cable "
-                         "was pulled, power failed, or the program was ended, are listed here.")
-             : translate(
-                   "ServoTasks",
-                   "These changes were begun and have no end in the journal: a cable was pulled, "
-                   "power failed, or the program was ended. Looking at them wrote nothing. Choose "
-                   "what to do with each; what is left for later is offered again at the next "
-                   "connection."));
+    m_explanation->setText(explanation());
     nameFinish();
     say(m_undo, translate("ServoTasks", "Undo"),
         translate("ServoTasks", "Put the old values back, prove them, and close the lock"));
@@ -295,8 +313,13 @@ void IntentsDialog::settled(const std::vector<Recovered>& one)
         });
     if (!one.empty() && one.front().done)
         m_model->remove(uuid);
+    lookAgain();
+}
+
+/// What is open now is a matter of looking.
+void IntentsDialog::lookAgain()
+{
     retranslate();
-    // What else is open now is a matter of looking.
     m_desk.lookForIntents(m_anyPort);
     updateButtons();
 }
@@ -328,11 +351,20 @@ void IntentsDialog::nameElsewhere()
     m_lookHere->setEnabled(mayBeHere && m_desk.state() == session::LinkState::Open);
 }
 
-void IntentsDialog::happened(const Event& event)
+/// It broke off, perhaps between two writes, or never began.
+void IntentsDialog::settlingFailed(const Event& event)
 {
-    if (event.kind != Event::Kind::Failed || !event.error || m_settling.isEmpty())
+    const bool failed = event.kind == Event::Kind::Failed && event.error &&
+                        event.task == QLatin1StringView("recover");
+    if (!failed || m_settling.isEmpty())
         return;
-    m_result->tell([error = *event.error] { return errorWords(error); });
+    m_settling.clear();
+    m_result->tell([error = *event.error] {
+        TaskWords words = errorWords(error);
+        words.more << translate("ServoTasks", "The change stays open and is offered again.");
+        return words;
+    });
+    lookAgain();
 }
 
 void IntentsDialog::changeEvent(QEvent* event)

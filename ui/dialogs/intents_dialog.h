@@ -29,6 +29,7 @@ protected:
 
 private:
     void build();
+    QString explanation() const;
     void retranslate();
     static void say(QPushButton* button, const QString& text, const QString& tip);
     void nameFinish();
@@ -39,7 +40,8 @@ private:
     void found(const std::vector<jobs::Recovered>& all, const std::vector<base::Intent>& elsewhere);
     void nameElsewhere();
     void settled(const std::vector<jobs::Recovered>& one);
-    void happened(const session::Event& event);
+    void settlingFailed(const session::Event& event);
+    void lookAgain();
 
     session::Desk& m_desk;
     IntentsModel* m_model;
