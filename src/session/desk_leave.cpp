@@ -6,6 +6,7 @@
 #include "device/writer.h"
 #include "jobs/motion_check.h"
 #include "session/desk_work.h"
+#include "session/reading_age.h"
 
 #include <algorithm>
 
@@ -79,7 +80,6 @@ bool mayMove(const ServoEntry& known, base::Duration now)
 /// while it is seen.
 bool seenMoving(const ServoEntry& known, base::Duration now)
 {
-    constexpr base::Duration saysNow = std::chrono::seconds(5);
     const device::Servo& servo = known.servo;
     if (!servo.profile || known.stopped)
         return false;
@@ -88,7 +88,8 @@ bool seenMoving(const ServoEntry& known, base::Duration now)
         return true;
     const catalog::Register* place = servo.profile->byRole(catalog::Role::PresentPosition);
     const auto at = place != nullptr ? servo.image.readAt(place->offset) : std::nullopt;
-    return at && now - *at <= saysNow && (motion != Motion::Rest || jobs::isJammed(servo, false));
+    return at && now - *at <= maxReadingAge &&
+           (motion != Motion::Rest || jobs::isJammed(servo, false));
 }
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "ui/models/servo_row.h"
 
 #include "device/alarms.h"
+#include "session/reading_age.h"
 #include "text/language.h"
 #include "text/notice_words.h"
 #include "text/translate.h"
@@ -37,9 +38,6 @@ QString shortLine(catalog::Line line)
     }
     return {};
 }
-
-/// An answer older than this does not say how the servo is now.
-constexpr base::Duration saysNow = std::chrono::seconds(5);
 
 struct State {
     QString alarm;
@@ -142,7 +140,7 @@ ServoRow servoRow(const session::ServoEntry& entry,
     }
     const State state = stateOf(entry);
     row.alarm = state.alarm;
-    const bool old = now - entry.lastSeen > saysNow;
+    const bool old = now - entry.lastSeen > session::maxReadingAge;
     row.alarmTone = state.tone == Tone::Good && old ? Tone::Quiet : state.tone;
     row.lastSeen = agoWords(now - entry.lastSeen);
     row.remarks = remarksOf(entry, newer);

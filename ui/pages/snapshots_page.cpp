@@ -4,6 +4,7 @@
 #include "ui/pages/snapshots_page.h"
 
 #include "record/factory_snapshot.h"
+#include "session/reading_age.h"
 #include "ui/dialogs/task_words.h"
 #include "ui/models/servo_row.h"
 #include "ui/pages/snapshot_pane.h"
@@ -24,8 +25,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr base::Duration readEvery = 500ms;
-/// What is older than this does not say how the servo is set now.
-constexpr base::Duration saysNow = 5s;
 
 /// The settings that it answers to; the whole table has shown which.
 QStringList settingsOf(const session::ServoEntry& entry)
@@ -51,7 +50,7 @@ base::Duration tableAge(const session::ServoEntry& entry, base::Duration now)
 
 bool isCurrent(const session::ServoEntry& entry, base::Duration now)
 {
-    return entry.tableRead && !entry.silent && tableAge(entry, now) <= saysNow;
+    return entry.tableRead && !entry.silent && tableAge(entry, now) <= session::maxReadingAge;
 }
 
 bool sameParts(const std::vector<session::FeedPart>& one,
