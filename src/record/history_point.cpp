@@ -5,9 +5,13 @@
 #include "record/history_query.h"
 
 #include <algorithm>
+#include <iterator>
+#include <tuple>
 
 namespace record {
 namespace {
+const QLatin1String idKey("id");
+
 /// One register of one write that may have changed it after the snapshot.
 struct Step {
     QString key;
@@ -18,7 +22,19 @@ struct Step {
     base::IntentKind kind = base::IntentKind::Write;
     bool temporary = false;
     bool valuesKnown = true; ///< beforehand: some row of its intent was to change
+    std::int64_t began = 0;  ///< ms
+    std::int64_t number = 0; ///< of the write, among those of one moment
     std::int64_t ended = 0;  ///< ms; where no end is known, its begin
+
+    bool isBefore(const Step& other) const
+    {
+        return std::tie(began, number) < std::tie(other.began, other.number);
+    }
+    bool wasKept() const
+    {
+        return !temporary && (outcome == QLatin1String("kept") || outcome == QLatin1String("done"));
+    }
+    bool isNewId() const { return key == idKey && wasKept() && newRaw != oldRaw; }
 };
 
 Step stepFrom(const QVariantList& row, std::int64_t until)
@@ -30,7 +46,9 @@ Step stepFrom(const QVariantList& row, std::int64_t until)
     step.kind = base::intentKindFromName(row.value(6).toString()).value_or(base::IntentKind::Write);
     step.temporary = row.value(7).toBool();
     step.valuesKnown = row.value(8).toBool();
-    step.ended = row.value(row.value(9).isNull() ? 10 : 9).toLongLong();
+    step.began = row.value(10).toLongLong();
+    step.number = row.value(11).toLongLong();
+    step.ended = row.value(9).isNull() ? step.began : row.value(9).toLongLong();
     // How a later recovery ended it was not so yet, and the servo may have had either value.
     if (step.ended > until)
         return step;
@@ -49,22 +67,103 @@ base::Result<std::vector<Step>> stepsBetween(const HistoryFile& file, std::int64
 {
     const qint64 first = from.toMSecsSinceEpoch();
     const qint64 last = until.toMSecsSinceEpoch();
-    const auto rows =
-        file.run(QStringLiteral("SELECT w.\"key\", w.old, w.new, w.read_back, w.outcome, "
-                                "i.outcome, i.kind, i.temporary, EXISTS (SELECT 1 FROM writes o "
-                                "WHERE o.intent = w.intent AND o.old <> o.new), i.ended, w.at "
-                                "FROM writes w JOIN intents i ON i.number = w.intent "
-                                "WHERE w.servo = ? AND w.at <= ? AND (w.at >= ? OR "
-                                "(i.ended > ? AND i.ended <= ? AND i.outcome <> 'abandoned' AND "
-                                "NOT EXISTS (SELECT 1 FROM writes o WHERE o.servo = w.servo AND "
-                                "o.\"key\" = w.\"key\" AND o.at > w.at AND o.at < ?))) "
-                                "ORDER BY w.at, w.number"),
-                 {qint64(servo), last, first, first, last, first});
+    const auto rows = file.run(
+        QStringLiteral("SELECT w.\"key\", w.old, w.new, w.read_back, w.outcome, "
+                       "i.outcome, i.kind, i.temporary, EXISTS (SELECT 1 FROM writes o "
+                       "WHERE o.intent = w.intent AND o.old <> o.new), i.ended, w.at, w.number "
+                       "FROM writes w JOIN intents i ON i.number = w.intent "
+                       "WHERE w.servo = ? AND w.at <= ? AND (w.at >= ? OR "
+                       "(i.ended > ? AND i.ended <= ? AND i.outcome <> 'abandoned' AND "
+                       "NOT EXISTS (SELECT 1 FROM writes o WHERE o.servo = w.servo AND "
+                       "o.\"key\" = w.\"key\" AND o.at > w.at AND o.at < ?))) "
+                       "ORDER BY w.at, w.number"),
+        {qint64(servo), last, first, first, last, first});
     if (!rows)
         return tl::unexpected(rows.error());
     std::vector<Step> steps;
     for (const QVariantList& row : rows->rows)
         steps.push_back(stepFrom(row, last));
+    return steps;
+}
+
+/// The next change of the ID that a servo of this kind was given by `from`, in whose history that
+/// stands. A label follows a servo to its new ID, but may have been given later.
+struct NextId {
+    std::int64_t servo = 0; ///< has that ID
+    Step change;
+};
+base::Result<std::optional<NextId>> nextId(const HistoryFile& file, std::int64_t servo,
+                                           const Step& from, const QDateTime& until)
+{
+    const auto rows = file.run(
+        QStringLiteral(
+            "SELECT w.servo, w.at, w.number, w.new FROM writes w "
+            "JOIN intents i ON i.number = w.intent JOIN servos t ON t.number = w.servo "
+            "JOIN servos s ON s.number = ? WHERE w.\"key\" = 'id' AND w.old <> w.new AND "
+            "t.id = ? AND t.simulated = s.simulated AND t.protocol = s.protocol AND "
+            "t.model_major = s.model_major AND t.model_minor = s.model_minor AND "
+            "t.firmware_major = s.firmware_major AND t.firmware_minor = s.firmware_minor AND "
+            "t.map = s.map AND (t.label = s.label OR t.label = '') AND i.temporary = 0 AND "
+            "COALESCE(NULLIF(w.outcome, ''), i.outcome) IN ('kept', 'done') AND i.ended <= ? AND "
+            "(w.at > ? OR (w.at = ? AND w.number > ?)) ORDER BY w.at, w.number LIMIT 1"),
+        {qint64(servo), qint64(from.newRaw), until.toMSecsSinceEpoch(), qint64(from.began),
+         qint64(from.began), qint64(from.number)});
+    if (!rows)
+        return tl::unexpected(rows.error());
+    if (rows->rows.empty())
+        return std::nullopt;
+    const QVariantList& row = rows->rows.front();
+    NextId next{row.value(0).toLongLong(), {}};
+    next.change.began = row.value(1).toLongLong();
+    next.change.number = row.value(2).toLongLong();
+    next.change.newRaw = row.value(3).toLongLong();
+    return next;
+}
+
+/// What was written to a servo under other IDs since `away`, until it came back to `ownId`. If it
+/// has not come back, only which IDs it had: the rest is in the history of those.
+base::Result<std::vector<Step>> stepsElsewhere(const HistoryFile& file, std::int64_t servo,
+                                               int ownId, const Step& away, const QDateTime& until)
+{
+    std::vector<Step> steps;
+    Step from = away;
+    while (from.newRaw != ownId) {
+        const auto next = nextId(file, servo, from, until);
+        if (!next)
+            return tl::unexpected(next.error());
+        if (!*next) {
+            std::erase_if(steps, [](const Step& step) { return !step.isNewId(); });
+            return steps;
+        }
+        const Step& last = (*next)->change;
+        const auto there = stepsBetween(file, (*next)->servo,
+                                        QDateTime::fromMSecsSinceEpoch(from.began, Qt::UTC), until);
+        if (!there)
+            return tl::unexpected(there.error());
+        std::copy_if(there->begin(), there->end(), std::back_inserter(steps),
+                     [&](const Step& step) { return from.isBefore(step) && !last.isBefore(step); });
+        from = last;
+    }
+    return steps;
+}
+
+/// With those under other IDs, in the order in which they began.
+base::Result<std::vector<Step>> allSteps(const HistoryFile& file, const HistoryServo& servo,
+                                         const QDateTime& from, const QDateTime& until)
+{
+    auto steps = stepsBetween(file, servo.number, from, until);
+    if (!steps)
+        return steps;
+    for (const Step& step : std::vector(*steps)) {
+        if (!step.isNewId() || step.newRaw == servo.who.id)
+            continue;
+        const auto more = stepsElsewhere(file, servo.number, servo.who.id, step, until);
+        if (!more)
+            return more;
+        steps->insert(steps->end(), more->begin(), more->end());
+    }
+    std::stable_sort(steps->begin(), steps->end(),
+                     [](const Step& a, const Step& b) { return a.isBefore(b); });
     return steps;
 }
 
@@ -89,12 +188,10 @@ public:
         const bool measured = step.kind == base::IntentKind::Calibrate; // by the servo itself
         if (step.kind == base::IntentKind::Restore && !step.valuesKnown) {
             forgetSettings();
-        } else if (!measured && (step.outcome == QLatin1String("kept") ||
-                                 step.outcome == QLatin1String("done"))) {
+        } else if (!measured && step.wasKept()) {
             set(step.key, step.readBack.value_or(step.newRaw));
-            if (step.key == QLatin1String("id") && step.newRaw != m_point.table.servo.id)
-                m_point.changedId = {int(step.newRaw),
-                                     QDateTime::fromMSecsSinceEpoch(step.ended, Qt::UTC)};
+            if (step.isNewId())
+                noteId(step);
         } else if (!measured && step.outcome == QLatin1String("undone")) {
             set(step.key, step.oldRaw);
         } else {
@@ -109,6 +206,13 @@ private:
             std::find_if(m_point.table.registers.begin(), m_point.table.registers.end(),
                          [&](const SnapshotRegister& one) { return one.key == key; });
         return row == m_point.table.registers.end() ? nullptr : &*row;
+    }
+    void noteId(const Step& step)
+    {
+        m_point.changedId.reset();
+        if (step.newRaw != m_point.table.servo.id)
+            m_point.changedId = {int(step.newRaw),
+                                 QDateTime::fromMSecsSinceEpoch(step.ended, Qt::UTC)};
     }
     /// Until power-off the servo has another value than the one it stores.
     void leaveOut(const Step& step)
@@ -203,7 +307,7 @@ base::Result<TablePoint> tableAt(const HistoryFile& file, const catalog::Catalog
     const auto table = log.snapshot(last->front().number);
     if (!table)
         return tl::unexpected(table.error());
-    const auto steps = stepsBetween(file, servo, last->front().at, at);
+    const auto steps = allSteps(file, *who, last->front().at, at);
     if (!steps)
         return tl::unexpected(steps.error());
     TablePoint point{*table, last->front()};

@@ -9,7 +9,9 @@
 #include "record/history_log.h"
 
 namespace record {
-/// A change of ID that the servo took: what is written to it later is another servo's past.
+/// The ID that the servo had at the moment, and since when: what was written to it under that ID is
+/// in the history of the servo with that ID. A servo that had come back to its own ID by then has
+/// none, and what was written to it in between is in its table.
 struct ChangedId {
     int id = -1;
     QDateTime at{};

@@ -137,6 +137,7 @@ private Q_SLOTS:
     void whatNobodyRecordedHasNoValue();
     void thePastStaysAsItWas();
     void whatATableLeavesOutIsNamed();
+    void aServoThatIsBackAtItsIdHasKeptIt();
     void theChangesForACopy();
     void nothingIsMissedByACopyMeanwhile();
     void exportedAsCsv();
@@ -555,6 +556,45 @@ void TestHistoryLog::whatATableLeavesOutIsNamed()
     QVERIFY(now().changedId.has_value());
     QCOMPARE(now().changedId->id, 7);
     QCOMPARE(rowOf(now().table, "id").raw, std::int64_t(7));
+}
+
+void TestHistoryLog::aServoThatIsBackAtItsIdHasKeptIt()
+{
+    const auto catalog = catalog::Catalog::load().catalog;
+    const auto history = open();
+    const auto log = history->log();
+    log.addSnapshot(snapshotOf(1), SnapshotReason::Automatic).value();
+    const auto servo = log.of(someServo(1)).value()->number;
+    const auto at = [&](const QDateTime& when) {
+        return record::tableAt(history->file(), catalog, servo, when).value();
+    };
+    pass();
+    write(5, "position_p", 32, 90); // another servo's
+    write(1, "id", 1, 5, "kept", IntentKind::SetId);
+    const QDateTime away = pass();
+    write(5, "position_p", 32, 48);
+    write(5, "id", 5, 7, "kept", IntentKind::SetId);
+    const QDateTime further = pass();
+    write(7, "min_angle_limit", 0, 1024);
+    write(7, "id", 7, 1, "mismatch", IntentKind::SetId);
+    const QDateTime stillThere = pass();
+    write(7, "id", 7, 1, "kept", IntentKind::SetId);
+    write(7, "position_p", 32, 91); // another servo's
+    const QDateTime back = pass();
+    write(1, "position_p", 48, 60);
+
+    QCOMPARE(at(away).changedId->id, 5);
+    QCOMPARE(at(further).changedId->id, 7);
+    QCOMPARE(rowOf(at(further).table, "id").raw, std::int64_t(7));
+    QCOMPARE(rowOf(at(further).table, "position_p").raw, std::int64_t(32));
+    QCOMPARE(at(stillThere).changedId->id, 7);
+    QVERIFY(!at(back).changedId);
+    QCOMPARE(rowOf(at(back).table, "id").raw, std::int64_t(1));
+    QCOMPARE(rowOf(at(back).table, "position_p").raw, std::int64_t(48));
+    QCOMPARE(rowOf(at(back).table, "min_angle_limit").raw, std::int64_t(1024));
+    QVERIFY(at(back).unknown.isEmpty());
+    QCOMPARE(rowOf(at(pass()).table, "position_p").raw, std::int64_t(60));
+    QVERIFY(!at(pass()).changedId);
 }
 
 void TestHistoryLog::theChangesForACopy()
