@@ -323,8 +323,7 @@ void SweepRunner::close()
         if (m_watch.onLeg)
             m_watch.onLeg(i, leg);
     }
-    m_legInDoubt =
-        m_askTorque || m_run.spec.shape != SweepShape::Sine || m_run.end == SweepEnd::TorqueLost;
+    m_legInDoubt = m_askTorque || m_run.end == SweepEnd::TorqueLost;
     for (Track& track : m_tracks)
         track.meter.reset();
     m_legAt = Duration::max(); // what comes now belongs to none

@@ -13,12 +13,15 @@ using record::SweepEnd;
 base::Result<void> SweepRunner::send(std::vector<double> targets)
 {
     for (;;) {
+        const bool anySign = m_askTorque || silent();
         // A servo that rests at its target shows no sign of torque that was switched off. Goals of
         // a sine follow each other too closely to ask before each of them.
         m_askTorque |= m_run.spec.shape != record::SweepShape::Sine;
         const auto held = stillHeld();
-        if (held && !*held)
+        if (held && !*held) {
+            m_legInDoubt |= !anySign; // torque may have gone before that leg was over
             return {};
+        }
         const auto sent = held ? sendSweepGoals(m_context, m_servos, m_run.spec, targets)
                                : base::Result<void>(tl::unexpected(held.error()));
         if (sent) {
