@@ -189,23 +189,29 @@ private Q_SLOTS:
     {
         QTest::addColumn<bool>("menu");
         QTest::addColumn<bool>("overloaded"); ///< its protection has tripped
-        QTest::newRow("menu") << true << false;
-        QTest::newRow("question") << false << false;
-        QTest::newRow("question, overload") << false << true;
+        QTest::addColumn<int>("limit");       ///< of its torque, 0.1 %
+        QTest::newRow("menu") << true << false << 1000;
+        QTest::newRow("menu, low torque limit") << true << false << 150;
+        QTest::newRow("question") << false << false << 1000;
+        QTest::newRow("question, overload") << false << true << 1000;
     }
     void escStopsAJammedServoFromAMenuOrAQuestion()
     {
         QFETCH(bool, menu);
         QFETCH(bool, overloaded);
+        QFETCH(int, limit);
         gui::WindowBench bench;
         bench.page = QStringLiteral("operate");
         QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1+stop=200")));
         Stops stops(bench.desk());
         session::Drive& drive = bench.bench.drive;
         drive.setServos({bench.selection().current()});
+        drive.setTorqueLimit(limit);
+        QTRY_VERIFY(bench.settled() && !drive.busy());
         drive.setTorque(device::Torque::On);
         QTRY_VERIFY(bench.settled() && !drive.busy());
         QTRY_VERIFY(!bench.desk().driving()); // it holds
+        QCOMPARE(bench.raw("torque_limit"), std::int64_t(limit));
         const device::Servo& servo = bench.entry().servo;
         drive.move({.goal = device::exactText(3000, servo.meaning(*device::goalRegister(servo)))});
         QTRY_VERIFY(bench.settled() && !drive.busy());
@@ -240,7 +246,7 @@ private Q_SLOTS:
         const auto start = raw(catalog::Role::PresentPosition);
         QVERIFY(start);
         const std::int64_t goal = *start > 500 ? 50 : 950;
-        drive.move({.goal = QString::number(goal), .time = QStringLiteral("20000")});
+        drive.move({.goal = QString::number(goal), .time = QStringLiteral("30000")});
         QTRY_VERIFY(idle());
         QTRY_VERIFY(raw(catalog::Role::PresentPosition) != start);
         QVERIFY(bench.desk().driving());
@@ -253,7 +259,7 @@ private Q_SLOTS:
         QVERIFY(open != nullptr);
         QTest::keyClick(open, Qt::Key_Escape);
         QCOMPARE(stops.count, 0);
-        drive.move({.goal = QString::number(goal), .time = QStringLiteral("20000")});
+        drive.move({.goal = QString::number(goal), .time = QStringLiteral("30000")});
         QTRY_VERIFY(idle());
         QVERIFY(bench.desk().driving());
     }
