@@ -482,7 +482,12 @@ void TestIntentsDialog::aSettlementThatBreaksOffSaysWhy()
     QVERIFY(uuid);
     QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
-    QTRY_COMPARE(table(dialog)->model()->rowCount(), 1);
+    const auto offered = [&] { // a busy machine may make the servo's answers late
+        if (!bench.desk.busy() && !gui::button(dialog, "intentFinish")->isEnabled())
+            bench.desk.lookForIntents();
+        return !bench.desk.busy() && gui::button(dialog, "intentFinish")->isEnabled();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(offered(), 30'000);
     constexpr int unlockAndTwo = 3;
     const int before = cable.writes();
     if (cut) {
@@ -501,7 +506,8 @@ void TestIntentsDialog::aSettlementThatBreaksOffSaysWhy()
     }
     QSignalSpy found(&bench.desk, &session::Desk::openIntents);
     gui::click(dialog, "intentFinish");
-    QTRY_VERIFY_WITH_TIMEOUT(gui::resultOf(dialog).startsWith(QStringLiteral("✗")), 30'000);
+    const auto working = [&] { return gui::resultOf(dialog).contains(text("Working")); };
+    QTRY_VERIFY_WITH_TIMEOUT(!working(), 60'000);
     bench.desk.stopTest();
     QVERIFY(bench.settled());
     const QString said = gui::resultOf(dialog);
