@@ -87,6 +87,7 @@ private Q_SLOTS:
     void aPlugPutBackBeforeItIsMeasuredCostsNothing();
     void whoLosesTorqueOnItsWayIsNotJammed_data();
     void whoLosesTorqueOnItsWayIsNotJammed();
+    void whoLosesTorqueAtTheStartOfASineIsLeftOff();
     void whoHadNoTorqueAtTheBeginningIsSwitchedOn();
     void aStopWhileThePlugIsOutIsTheFirstWord();
     void theUserStops();
@@ -798,6 +799,30 @@ void TestSweep::whoLosesTorqueOnItsWayIsNotJammed()
     QCOMPARE(done->verdict(), Grade::NotMeasured);
     QCOMPARE(bench.raw(1, text("torque_switch")), 0);       // no goal has switched it on again
     QVERIFY(int(done->servos.front().legs.size()) < inLeg); // torque may have been off in that leg
+}
+
+void TestSweep::whoLosesTorqueAtTheStartOfASineIsLeftOff()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    record::SweepSpec spec = sweepSpec();
+    spec.shape = SweepShape::Sine;
+    spec.period = 4s;
+    bool off = false;
+    jobs::SweepWatch watch;
+    watch.onProgress = [&](const jobs::SweepProgress& progress) {
+        const auto away = std::abs(bench.raw(1, text("present_position")) - 1000);
+        if (off || !progress.warmingUp || away > 3)
+            return;
+        off = true;
+        bench.poke(1, text("torque_switch"), 0);
+    };
+    const auto done = run(bench.context(), servos, spec, watch);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QVERIFY(off);
+    QCOMPARE(done->end, SweepEnd::TorqueLost);
+    QVERIFY(done->servos.front().legs.empty());
+    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
 }
 
 void TestSweep::whoHadNoTorqueAtTheBeginningIsSwitchedOn()
