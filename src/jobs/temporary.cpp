@@ -62,6 +62,16 @@ base::Result<void> asResult(const device::WriteReport& report)
     return base::fail(ErrorCode::LockOpen, QStringLiteral("write"), {}, report.id);
 }
 
+base::Intent intentFor(const device::Servo& servo, const std::vector<base::JournalItem>& items)
+{
+    base::Intent intent;
+    intent.kind = base::IntentKind::Trial;
+    intent.temporary = true;
+    intent.servo = servo.identity();
+    intent.items = items;
+    return intent;
+}
+
 /// The end of an intent of which nothing was written.
 base::IntentEnd notSent(const std::vector<base::JournalItem>& items)
 {
@@ -159,12 +169,7 @@ base::Result<void> TemporarySettings::begin(const std::vector<device::WriteItem>
     }
     if (m_items.empty())
         return {};
-    base::Intent intent;
-    intent.kind = base::IntentKind::Trial;
-    intent.temporary = true;
-    intent.servo = m_servo.identity();
-    intent.items = m_items;
-    const auto uuid = m_context.journal.begin(intent);
+    const auto uuid = m_context.journal.begin(intentFor(m_servo, m_items));
     if (!uuid)
         return tl::unexpected(uuid.error());
     m_uuid = *uuid;
