@@ -7944,6 +7944,10 @@ Asked more than once: %9</source>
         <source>Async</source>
         <translation>异步写</translation>
     </message>
+    <message>
+        <source>Stopped, but torque is on. Press Esc to switch it off.</source>
+        <translation>已急停，但扭矩仍为开启。按 Esc 卸力。</translation>
+    </message>
 </context>
 <context>
     <name>ui::ControlTorque</name>

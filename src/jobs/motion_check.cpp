@@ -23,15 +23,6 @@ bool hasFlag(const device::Servo& servo)
     return servo.profile->byRole(Role::Moving) != nullptr;
 }
 
-/// By its flag, or its speed where it has none: the command 0 alone does not stop every servo.
-bool turns(const device::Servo& servo)
-{
-    constexpr std::int64_t movingBit = 1; // HLS: bit 1 only tells that the goal was not reached
-    if (hasFlag(servo))
-        return (servo.raw(Role::Moving).value_or(0) & movingBit) != 0;
-    return servo.raw(Role::PresentSpeed).value_or(0) != 0;
-}
-
 /// Without a flag two places tell. The last step of the encoder comes and goes.
 base::Result<Motion> comparePlaces(const device::Context& context, device::Servo& servo)
 {
@@ -73,6 +64,14 @@ bool pushes(const device::Servo& servo)
     return mostCurrent > 0 && magnitude(Role::PresentCurrent) >= mostCurrent * shareOfLimit;
 }
 } // namespace
+
+bool turns(const device::Servo& servo)
+{
+    constexpr std::int64_t movingBit = 1; // HLS: bit 1 only tells that the goal was not reached
+    if (hasFlag(servo))
+        return (servo.raw(Role::Moving).value_or(0) & movingBit) != 0;
+    return servo.raw(Role::PresentSpeed).value_or(0) != 0;
+}
 
 Motion lastKnownMotion(const device::Servo& servo)
 {

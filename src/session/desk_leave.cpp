@@ -59,7 +59,7 @@ constexpr base::Duration longestMove = std::chrono::seconds(30);
 bool mayMove(const ServoEntry& known, base::Duration now)
 {
     const device::Servo& servo = known.servo;
-    if (!servo.profile || known.stopped)
+    if (!servo.profile)
         return false;
     const auto readSince = [&](catalog::Role role, base::Duration instant) {
         const catalog::Register* reg = servo.profile->byRole(role);
@@ -81,14 +81,21 @@ bool mayMove(const ServoEntry& known, base::Duration now)
 bool seenMoving(const ServoEntry& known, base::Duration now)
 {
     const device::Servo& servo = known.servo;
-    if (!servo.profile || known.stopped)
+    if (!servo.profile)
         return false;
     const Motion motion = jobs::lastKnownMotion(servo);
     if (motion == Motion::Endless)
         return true;
-    const catalog::Register* place = servo.profile->byRole(catalog::Role::PresentPosition);
-    const auto at = place != nullptr ? servo.image.readAt(place->offset) : std::nullopt;
-    return at && now - *at <= maxReadingAge &&
+    const auto isCurrent = [&](catalog::Role role) {
+        const catalog::Register* reg = servo.profile->byRole(role);
+        const auto at = reg != nullptr ? servo.image.readAt(reg->offset) : std::nullopt;
+        return at && now - *at <= maxReadingAge;
+    };
+    // Of a servo that is not chosen only the feedback is read.
+    if (!isCurrent(catalog::Role::TorqueSwitch) && isCurrent(catalog::Role::Moving) &&
+        jobs::turns(servo))
+        return true;
+    return isCurrent(catalog::Role::PresentPosition) &&
            (motion != Motion::Rest || jobs::isJammed(servo, false));
 }
 } // namespace

@@ -21,8 +21,10 @@ void Desk::emergencyStop()
     if (m_running)
         m_running->stop.request(); // it may be between two requests, where nothing is preempted
     dropQueue(base::ErrorCode::Preempted);
-    for (auto& [ref, known] : m_servos)
+    for (auto& [ref, known] : m_servos) {
         known.stopped = true;
+        known.stoppedAt = now();
+    }
     mark(record::MarkKind::Stop, nullptr, QStringLiteral("torque off"));
     // A search at other rates puts the rate back when it has ended; who is asked must be known
     // then.
@@ -107,7 +109,8 @@ void Desk::reportUnconfirmed()
     if (m_connection->bus().away()) // has been said: it is still owed
         return;
     StopCheck told;
-    told.silent = check->unread;
+    told.silent = check->told.silent;
+    told.silent.insert(told.silent.end(), check->unread.begin(), check->unread.end());
     tell({.kind = Event::Kind::StopUnconfirmed, .stop = told});
 }
 

@@ -45,6 +45,7 @@ struct ServoEntry {
     device::TurnCounter turns;
     /// By an emergency stop: nothing may move it until torque is switched on again.
     bool stopped = false;
+    base::Duration stoppedAt{};
     bool driven = false;       ///< moved or energised by this program, and not halted since
     base::Duration drivenAt{}; ///< the latest time
 

@@ -33,6 +33,17 @@ struct Stops {
     QObject guard;
     int count = 0;
 };
+
+/// By another program.
+void setTurning(gui::WindowBench& bench, int id)
+{
+    bench.desk().connection()->simulation()->with([id](sim::VirtualBus& bus) {
+        bus.servo(id)->poke(QStringLiteral("operating_mode"), 1);
+        bus.servo(id)->poke(QStringLiteral("torque_switch"), 1);
+        bus.servo(id)->poke(QStringLiteral("goal_speed"), 800);
+    });
+}
+
 /// A menu, or a question; null: it did not open.
 QWidget* openOver(gui::WindowBench& bench, bool menu)
 {
@@ -292,11 +303,7 @@ private Q_SLOTS:
         gui::WindowBench bench;
         QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
         Stops stops(bench.desk());
-        bench.desk().connection()->simulation()->with([](sim::VirtualBus& bus) {
-            bus.servo(1)->poke(QStringLiteral("operating_mode"), 1);
-            bus.servo(1)->poke(QStringLiteral("torque_switch"), 1);
-            bus.servo(1)->poke(QStringLiteral("goal_speed"), 800);
-        });
+        setTurning(bench, 1);
         bench.desk().readTable(bench.selection().current());
         QVERIFY(bench.settled());
         QTRY_COMPARE(bench.raw("goal_speed"), std::int64_t(800));
@@ -307,6 +314,70 @@ private Q_SLOTS:
         QCOMPARE(stops.count, 1);
         QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(0));
         QTRY_VERIFY(!bench.desk().driving());
+    }
+
+    /// Another program has set it turning before it was found; only its feedback is read.
+    void escStopsATurningServoThatIsNotChosen()
+    {
+        gui::WindowBench bench;
+        bench.page = QStringLiteral("operate");
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2")));
+        Stops stops(bench.desk());
+        setTurning(bench, 2);
+        QTRY_VERIFY(bench.desk().driving());
+        QWidget* menu = openOver(bench, true);
+        QVERIFY(menu != nullptr);
+        QTest::keyClick(menu, Qt::Key_Escape);
+        QCOMPARE(stops.count, 1);
+        QTRY_VERIFY(!bench.desk().driving());
+    }
+
+    /// It turns on: no servo has heard the stop, or another program switched it on again.
+    void escStopsAgainWhereTheServoStillTurns_data()
+    {
+        QTest::addColumn<bool>("lost");
+        QTest::newRow("stop lost") << true;
+        QTest::newRow("switched on by another program") << false;
+    }
+    void escStopsAgainWhereTheServoStillTurns()
+    {
+        QFETCH(bool, lost);
+        gui::WindowBench bench;
+        bench.page = QStringLiteral("operate");
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        Stops stops(bench.desk());
+        QSignalSpy checked(&bench.desk(), &session::Desk::happened);
+        const auto isChecked = [&] {
+            return std::any_of(checked.begin(), checked.end(), [](const auto& one) {
+                return one.front().template value<session::Event>().kind ==
+                       session::Event::Kind::StopChecked;
+            });
+        };
+        const auto loseRequests = [&](double part) {
+            bench.desk().connection()->simulation()->with(
+                [part](sim::VirtualBus& bus) { bus.config().faults.dropRequest = part; });
+        };
+        setTurning(bench, 1);
+        QTRY_VERIFY(bench.desk().driving());
+        if (lost)
+            loseRequests(1);
+        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        QCOMPARE(stops.count, 1);
+        QTRY_VERIFY_WITH_TIMEOUT(isChecked(), 30'000);
+        if (lost)
+            loseRequests(0);
+        else
+            setTurning(bench, 1);
+        QTRY_COMPARE(bench.raw("moving"), std::int64_t(1));
+        auto* stopped = bench.find<QLabel>("controlStopped");
+        QTRY_VERIFY(stopped->text().contains(QLatin1String("torque is on")));
+        QWidget* menu = openOver(bench, true);
+        QVERIFY(menu != nullptr);
+        QTest::keyClick(menu, Qt::Key_Escape);
+        QCOMPARE(stops.count, 2);
+        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(0));
+        QTRY_VERIFY(!bench.desk().driving());
+        QTRY_VERIFY(!stopped->text().contains(QLatin1String("torque is on")));
     }
 
     void theFirstEscInAListOfChoicesClosesIt()

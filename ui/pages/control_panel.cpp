@@ -20,6 +20,17 @@ namespace ui {
 using device::GoalKind;
 using device::MoveHow;
 
+namespace {
+/// The stop did not reach it, or another program has switched it on again.
+bool isOnSinceStop(const session::ServoEntry& known)
+{
+    const catalog::Register* torque =
+        known.servo.profile ? known.servo.profile->byRole(catalog::Role::TorqueSwitch) : nullptr;
+    const auto at = torque != nullptr ? known.servo.image.readAt(torque->offset) : std::nullopt;
+    return at && *at > known.stoppedAt && known.servo.raw(*torque) == 1;
+}
+} // namespace
+
 const session::ServoEntry* ControlPanel::entry() const
 {
     return m_desk.servo(m_selection.current());
@@ -139,6 +150,10 @@ void ControlPanel::showStopped()
 {
     const bool stopped = m_drive.stopped() && entry() != nullptr;
     m_stopped->setVisible(stopped);
+    const bool stillOn = stopped && isOnSinceStop(*entry());
+    m_stopped->setText(QStringLiteral("■ ") +
+                       (stillOn ? tr("Stopped, but torque is on. Press Esc to switch it off.")
+                                : tr("Stopped. Switch torque on to go on.")));
     QPalette colours = palette();
     colours.setColor(QPalette::WindowText, tone(Tone::Warn, palette()));
     m_stopped->setPalette(colours);
@@ -218,7 +233,7 @@ bool ControlPanel::goalMovable() const
 void ControlPanel::retranslate()
 {
     setAccessibleName(tr("Control"));
-    m_stopped->setText(QStringLiteral("■ ") + tr("Stopped. Switch torque on to go on."));
+    showStopped();
     static const std::array words{
         std::pair{QT_TR_NOOP("Write"), QT_TR_NOOP("One servo after the other, each acknowledged")},
         std::pair{QT_TR_NOOP("Sync"),

@@ -138,6 +138,21 @@ private Q_SLOTS:
         QCOMPARE(bench.unconfirmed.size(), std::size_t(1));
     }
 
+    /// Also those whose check has ended already without an answer.
+    void aStopInSilenceNamesEveryServo()
+    {
+        StopBench bench(QStringLiteral("sim:sts3215@1,sts3215@2"));
+        QVERIFY(bench.search());
+        QVERIFY(bench.settle());
+        bench.desk.connection()->simulation()->with(
+            [](sim::VirtualBus& bus) { bus.config().faults.dropRequest = 1; });
+        bench.desk.emergencyStop();
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.checks.empty(), 60000);
+        QCOMPARE(bench.checks.back().stop.silent.size(), std::size_t(2));
+        for (const Event& event : bench.unconfirmed)
+            QCOMPARE(event.stop.silent.size(), std::size_t(2));
+    }
+
     /// Whose answers are lost is not shown as answering.
     void whoFallsSilentWithTheStopIsShownAsSilent()
     {
