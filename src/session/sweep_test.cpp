@@ -62,8 +62,10 @@ struct SweepTest::Ending {
 SweepTest::SweepTest(Desk& desk, QObject* parent)
     : QObject(parent)
     , m_desk(desk)
+    , m_left(desk, QStringLiteral("sweep-left"))
     , m_store(storeBudget)
 {
+    connect(&m_left, &TestLeft::changed, this, &SweepTest::leftChanged);
     m_drainTimer.setInterval(drainEvery);
     connect(&m_drainTimer, &QTimer::timeout, this, &SweepTest::drain);
     m_writer.moveToThread(&m_files);
@@ -151,8 +153,7 @@ bool SweepTest::start(const SweepTestOrder& order)
     m_running = true;
     ++m_looks; // what is still being looked at does not matter any more
     m_progress = {};
-    m_torqueLeft.clear();
-    m_settingsLeft.clear();
+    m_left.forget();
     m_live = std::make_shared<Live>();
     m_live->servos = order.servos;
     const auto live = m_live;
@@ -293,11 +294,7 @@ void SweepTest::finish(Ending& ending, const TaskEnd& end)
     m_drainTimer.stop();
     m_live.reset();
     m_running = false;
-    m_torqueLeft = std::move(ending.torqueLeft);
-    std::copy_if(end.notices.begin(), end.notices.end(), std::back_inserter(m_settingsLeft),
-                 [](const device::Notice& notice) {
-                     return notice.code == device::NoticeCode::SettingNotPutBack;
-                 });
+    m_left.take(std::move(ending.torqueLeft), end.notices);
     if (ending.recording) // else the test before is still here to be saved
         m_recording = ending.recording;
     if (ending.run) {

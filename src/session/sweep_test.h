@@ -8,7 +8,7 @@
 #include "jobs/sweep.h"
 #include "jobs/sweep_proposal.h"
 #include "jobs/sweep_recording.h"
-#include "session/desk.h"
+#include "session/test_left.h"
 
 #include <QThread>
 
@@ -49,9 +49,9 @@ public:
     const std::vector<ServoRef>& servos() const { return m_servos; } ///< of run(), in its order
     const jobs::SweepProgress& progress() const { return m_progress; }
     /// Of the test that has ended: servos that could not be left as they were to be.
-    const std::vector<jobs::TorqueLeft>& torqueLeft() const { return m_torqueLeft; }
+    const std::vector<jobs::TorqueLeft>& torqueLeft() const { return m_left.torque(); }
     /// Of that test: what it has set and could not put back (NoticeCode::SettingNotPutBack).
-    const device::Notices& settingsLeft() const { return m_settingsLeft; }
+    const device::Notices& settingsLeft() const { return m_left.settings(); }
     /// Worked out anew from the legs while it runs; the final ones afterwards.
     std::vector<record::SweepMetric> figures(std::size_t servo) const;
 
@@ -75,6 +75,7 @@ Q_SIGNALS:
     void grown();  ///< new readings, about 30 times a second
     void legged(); ///< new legs; at most as often
     void ended();
+    void leftChanged(); ///< of torqueLeft() and settingsLeft() something is proved over
     void failed(const base::Error& error); ///< nothing has moved, or it could not come to the start
     void saved(const QString& path);
     void saveFailed(const base::Error& error);
@@ -92,8 +93,7 @@ private:
     std::optional<record::SweepRun> m_run;
     std::vector<ServoRef> m_servos;
     jobs::SweepProgress m_progress;
-    std::vector<jobs::TorqueLeft> m_torqueLeft;
-    device::Notices m_settingsLeft;
+    TestLeft m_left;
     record::SampleStore m_store;
     std::vector<Curves> m_curves;
     base::Duration m_startedAt{};

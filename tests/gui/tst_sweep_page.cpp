@@ -372,6 +372,32 @@ private Q_SLOTS:
         QCOMPARE(bench.find<QLineEdit>("sweepStart")->text(), QStringLiteral("1800"));
     }
 
+    /// Torque is switched off first, then the mode put back where interrupted writes are settled.
+    static void isNotNamedOnceItIsPutBack(SweepBench& bench)
+    {
+        auto* banner = bench.find<QWidget>("sweepBanner");
+        const auto says = [banner](const char* words) {
+            return gui::labelsOf(banner).contains(QLatin1String(words));
+        };
+        QVERIFY(banner->isVisible() && says("Torque could not be switched off"));
+        QString uuid;
+        QObject::connect(&bench.desk(), &session::Desk::openIntents, banner,
+                         [&uuid](const std::vector<jobs::Recovered>& found) {
+                             if (!found.empty())
+                                 uuid = found.front().before.intent.uuid;
+                         });
+        bench.desk().connection()->simulation()->with([](sim::VirtualBus& bus) {
+            bus.config().faults.dropRequest = 0;
+            bus.servo(1)->poke(QStringLiteral("torque_switch"), 0);
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(!says("Torque could not be switched off"), testTime);
+        QVERIFY(banner->isVisible() && says("Settings of the test still in the servo"));
+        bench.desk().lookForIntents();
+        QTRY_VERIFY_WITH_TIMEOUT(!uuid.isEmpty(), testTime);
+        bench.desk().settleIntent(uuid, jobs::RecoverAction::Undo);
+        QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), testTime);
+    }
+
     /// The test had switched the mode, and the link is lost before it could be put back.
     void aModeThatIsNotPutBackIsNamed()
     {
@@ -398,6 +424,7 @@ private Q_SLOTS:
         for (const char* part : {"Settings of the test still in the servo: ID 1: ", "(own value 1)",
                                  "Interrupted writes", "Torque could not be switched off: ID 1"})
             QVERIFY2(said.contains(QLatin1String(part)), qPrintable(said));
+        isNotNamedOnceItIsPutBack(bench);
     }
 
     /// However often its servos are read meanwhile, and also if nothing reads them.

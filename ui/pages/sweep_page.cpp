@@ -187,6 +187,7 @@ void SweepPage::connectAll()
     });
     connect(&m_archive, &session::Archive::keepFailed, this,
             [this](const base::Error& error, const QString& file) {
+                m_leftShown = false; // one message at a time
                 m_banner->present([error, file] {
                     const text::Description words = text::describe(error);
                     return BannerWords{Tone::Bad, tr("The test is not in the history."), words.what,
@@ -202,6 +203,8 @@ void SweepPage::connectAll()
     });
     connect(&m_test, &session::SweepTest::progressed, this, &SweepPage::showProgress);
     connect(&m_test, &session::SweepTest::ended, this, &SweepPage::ended);
+    connect(&m_test, &session::SweepTest::leftChanged, this, &SweepPage::showLess);
+    connect(m_banner, &Banner::dismissed, this, [this] { m_leftShown = false; });
     connect(&m_test, &session::SweepTest::failed, this, &SweepPage::failed);
     for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
                               &session::Desk::servosCleared, &session::Desk::taskChanged})

@@ -64,6 +64,7 @@ private:
     void start();
     QString settingsLeftText() const;
     void showLeft(const std::optional<base::Error>& error);
+    void showLess();
     void ended();
     void keep();
     void showReference();
@@ -83,6 +84,8 @@ private:
     session::Archive& m_archive;
 
     Banner* m_banner = nullptr;
+    bool m_leftShown = false;             ///< in it: what the test has left in its servos
+    std::optional<base::Error> m_failure; ///< likewise, beside it
     QScrollArea* m_scroll = nullptr;
     SweepForm* m_form = nullptr;
     SweepServos* m_servos = nullptr;

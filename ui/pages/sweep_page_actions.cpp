@@ -87,6 +87,7 @@ QString SweepPage::torqueAfterwards(const Consent& consent)
 void SweepPage::start()
 {
     m_banner->clear();
+    m_leftShown = false;
     m_references.clear();
     m_form->remember();
     m_lookTimer.stop();
@@ -131,30 +132,39 @@ QString SweepPage::settingsLeftText() const
 /// All that a test has left in its servos, and why it failed, if it did.
 void SweepPage::showLeft(const std::optional<base::Error>& error)
 {
-    const bool settings = !m_test.settingsLeft().empty();
-    const bool torque = !m_test.torqueLeft().empty();
-    if (!settings && !torque) {
+    m_failure = error;
+    m_leftShown = !m_test.settingsLeft().empty() || !m_test.torqueLeft().empty();
+    if (!m_leftShown) {
         if (error && error->code != base::ErrorCode::Stopped)
             m_banner->present(*error);
         return;
     }
-    m_banner->present([this, error, settings, torque, left = m_test.torqueLeft()] {
+    m_banner->present([this] {
         QStringList what;
         QStringList remedies;
-        if (torque) {
-            what << torqueLeftText(left);
+        if (const auto& torque = m_test.torqueLeft(); !torque.empty()) {
+            what << torqueLeftText(torque);
             remedies << torqueLeftRemedy();
         }
-        if (settings) {
+        if (!m_test.settingsLeft().empty()) {
             what << tr("Settings of the test still in the servo: %1.").arg(settingsLeftText());
             remedies << settingsLeftRemedy();
         }
-        if (error)
-            what.prepend(text::describe(*error).what);
-        const QString first = what.takeFirst();
+        if (m_failure)
+            what.prepend(text::describe(*m_failure).what);
+        const QString first = what.isEmpty() ? QString() : what.takeFirst();
         return BannerWords{Tone::Bad, first, what.join(QLatin1Char(' ')),
                            remedies.join(QLatin1Char(' '))};
     });
+}
+
+/// Something of it is over: it must not be said any longer.
+void SweepPage::showLess()
+{
+    if (!m_leftShown)
+        return;
+    m_banner->clear();
+    showLeft(m_failure);
 }
 
 /// Of the latest test, in the table of servos.
