@@ -92,8 +92,6 @@ base::Result<void> requireAlone(const Context& outer, const Servo& servo, const 
     return base::fail(ErrorCode::SeveralServos, operation, wordOf(*found), servo.id);
 }
 
-namespace {
-/// A servo can be exchanged on the open line, and no byte of the next write would show it.
 base::Result<void> requireSame(const Context& context, const Servo& servo, const QString& operation)
 {
     if (servo.protocol == base::Protocol::Lx)
@@ -107,7 +105,6 @@ base::Result<void> requireSame(const Context& context, const Servo& servo, const
     const QString model = now->profile->modelName;
     return base::fail(ErrorCode::IdentityDiffers, operation, model, servo.id);
 }
-} // namespace
 
 base::Result<void> beginWriting(const Context& context, const Servo& servo,
                                 const QString& operation)

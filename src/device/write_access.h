@@ -20,6 +20,11 @@ std::optional<base::Error> writeBar(const Servo& servo);
 base::Result<void> requireAlone(const Context& context, const Servo& servo,
                                 const QString& operation);
 
+/// Asks the servo who it is, by one short read: a servo can be exchanged on the open line, and no
+/// byte of the next write would show it. IdentityDiffers as below; errors of reading besides.
+base::Result<void> requireSame(const Context& context, const Servo& servo,
+                               const QString& operation);
+
 /// The above, and asks the servo who it is: one that was exchanged since it was identified is
 /// IdentityDiffers, with the model found as detail (an LX servo tells nothing to compare). Where
 /// this connection has not written to the servo before: looks whether a second one answers under

@@ -2,6 +2,7 @@
 #include "jobs/sweep_drive.h"
 
 #include "device/move_limits.h"
+#include "device/talk.h"
 #include "jobs/link_return.h"
 #include "jobs/sweep_axis.h"
 
@@ -42,20 +43,37 @@ base::Result<void> sendSweepGoals(const device::Context& context,
 }
 
 namespace {
+/// A goal may have reached it before it was known as another one.
+base::Result<void> releaseStranger(const device::Context& context, device::Servo& servo)
+{
+    const catalog::Register* torque = servo.profile->byRole(catalog::Role::TorqueSwitch);
+    if (torque == nullptr)
+        return {};
+    const auto isOff = [&] { return device::readRegister(context, servo, *torque) == 0; };
+    if (isOff())
+        return {};
+    const auto sent = device::setTorque(context, servo, device::Torque::Off);
+    return isOff() ? base::Result<void>{} : sent;
+}
+
 /// What could not be proved. All are told to stop before the first one is watched.
 std::vector<TorqueLeft> leave(const device::Context& context, std::vector<device::Servo>& servos,
-                              const record::SweepRun& run, int atFault)
+                              const record::SweepRun& run, const std::vector<Leaving>& how)
 {
     std::vector<TorqueLeft> left;
-    const auto release = [&](device::Servo& servo) {
-        if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
+    const auto note = [&](const device::Servo& servo, const base::Result<void>& off) {
+        if (!off)
             left.push_back({servo.id, false, off.error()});
+    };
+    const auto release = [&](device::Servo& servo) {
+        note(servo, device::setTorque(context, servo, device::Torque::Off));
     };
     std::vector<device::Servo*> others;
     for (std::size_t i = 0; i < servos.size(); ++i) {
-        // Neither heat nor a jammed lever gets better by pushing on.
-        if (int(i) == atFault)
+        if (how[i] == Leaving::Released)
             release(servos[i]);
+        else if (how[i] == Leaving::Alone)
+            note(servos[i], releaseStranger(context, servos[i]));
         else
             others.push_back(&servos[i]);
     }
@@ -75,7 +93,8 @@ std::vector<TorqueLeft> leave(const device::Context& context, std::vector<device
 } // namespace
 
 void leaveSafe(const device::Context& context, std::vector<device::Servo>& servos,
-               const record::SweepRun& run, int atFault, const SweepWatch& watch)
+               const record::SweepRun& run, const std::vector<Leaving>& how,
+               const SweepWatch& watch)
 {
     if (run.end == SweepEnd::Emergency)
         return;
@@ -86,7 +105,7 @@ void leaveSafe(const device::Context& context, std::vector<device::Servo>& servo
     std::vector<TorqueLeft> left;
     do {
         waitWhileAway(context.bus);
-        left = leave(last, servos, run, atFault);
+        left = leave(last, servos, run, how);
     } while (context.bus.away()); // pulled in the middle of it
     for (const TorqueLeft& one : left) {
         if (watch.onTorqueLeft)

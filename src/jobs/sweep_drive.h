@@ -11,8 +11,16 @@ base::Result<void> sendSweepGoals(const device::Context& context,
                                   std::vector<device::Servo>& servos, const record::SweepSpec& spec,
                                   std::vector<double>& targets);
 
-/// After the last leg or an early end; `atFault`: place of the servo that ended it, -1: none. Does
-/// what it can when servos do not answer, and tells SweepWatch::onTorqueLeft of the rest.
+/// How a servo is left.
+enum class Leaving : std::uint8_t {
+    AsOrdered, ///< holding, or without torque, as the order says
+    Released,  ///< without torque: it is what ended the test
+    Alone,     ///< it is another one: not written to, but for torque that a goal has given it
+};
+
+/// After the last leg or an early end; `how`: one a servo. Does what it can when servos do not
+/// answer, and tells SweepWatch::onTorqueLeft of the rest.
 void leaveSafe(const device::Context& context, std::vector<device::Servo>& servos,
-               const record::SweepRun& run, int atFault, const SweepWatch& watch);
+               const record::SweepRun& run, const std::vector<Leaving>& how,
+               const SweepWatch& watch);
 } // namespace jobs

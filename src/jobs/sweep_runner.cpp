@@ -75,7 +75,7 @@ base::Result<record::SweepRun> SweepRunner::run()
     m_context.bus.stopPoll(m_poll);
     m_toldAt = {};
     tellProgress();
-    leaveSafe(m_context, m_servos, m_run, m_fault, m_watch);
+    leaveSafe(m_context, m_servos, m_run, leaving(), m_watch);
     if (!moved)
         return tl::unexpected(moved.error());
     return std::move(m_run);
@@ -93,20 +93,20 @@ base::Result<void> SweepRunner::goThrough()
     if (!ended()) {
         measure();
         confirmEnd();
-        forgetLegsWithoutTorque();
+        forgetLegsInDoubt();
         finish();
     }
     return {};
 }
 
-/// Finished is only a test whose servos have all answered after their last leg and still have
-/// torque. A silence is waited out here as in any leg.
+/// Finished is only a test whose servos have all answered after their last leg, still have
+/// torque and are the ones that were tested. A silence is waited out here as in any leg.
 void SweepRunner::confirmEnd()
 {
     if (ended())
         return;
     const Duration over = now();
-    m_askTorque = true;
+    m_askHeld = true;
     m_legInDoubt = true;
     const auto answered = [over](const Track& track) { return track.heardAt >= over; };
     for (;;) {
@@ -123,14 +123,14 @@ void SweepRunner::confirmEnd()
     endRun(SweepEnd::Refused);
 }
 
-/// When in its latest leg a servo has lost its torque is not known.
-void SweepRunner::forgetLegsWithoutTorque()
+/// When in its latest leg a servo has lost its torque, or was exchanged, is not known.
+void SweepRunner::forgetLegsInDoubt()
 {
     if (!m_legInDoubt)
         return;
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
         std::vector<record::SweepLeg>& legs = m_run.servos[i].legs;
-        if (m_tracks[i].lostTorque && !legs.empty())
+        if (!m_tracks[i].held() && !legs.empty())
             legs.pop_back();
     }
 }
@@ -177,7 +177,7 @@ base::Result<void> SweepRunner::approach()
 /// Who has lost its torque on the way is not to blame for that.
 base::Result<void> SweepRunner::notAtStart(std::size_t i)
 {
-    m_askTorque = true;
+    m_askHeld = true;
     if (const auto held = stillHeld(); held && !*held)
         return {};
     endRun(SweepEnd::Stall, int(i));
@@ -323,7 +323,9 @@ void SweepRunner::close()
         if (m_watch.onLeg)
             m_watch.onLeg(i, leg);
     }
-    m_legInDoubt = m_askTorque || m_run.end == SweepEnd::TorqueLost;
+    const bool lost = std::any_of(m_tracks.begin(), m_tracks.end(),
+                                  [](const Track& track) { return !track.held(); });
+    m_legInDoubt = m_askHeld || lost;
     for (Track& track : m_tracks)
         track.meter.reset();
     m_legAt = Duration::max(); // what comes now belongs to none
@@ -337,6 +339,20 @@ void SweepRunner::endRun(SweepEnd end, int servo)
     m_fault = servo;
     m_run.end = end;
     m_run.endedBy = servo < 0 ? -1 : m_servos[std::size_t(servo)].id;
+}
+
+/// Neither heat nor a jammed lever gets better by pushing on; a servo that has come in another
+/// one's place is none of the test's.
+std::vector<Leaving> SweepRunner::leaving() const
+{
+    std::vector<Leaving> all(m_tracks.size(), Leaving::AsOrdered);
+    if (m_fault >= 0)
+        all[std::size_t(m_fault)] = Leaving::Released;
+    for (std::size_t i = 0; i < m_tracks.size(); ++i) {
+        if (m_tracks[i].exchanged)
+            all[i] = Leaving::Alone;
+    }
+    return all;
 }
 
 bool SweepRunner::arrived(Duration rest) const
@@ -399,8 +415,12 @@ void SweepRunner::judgeCycle(int number)
     const bus::Statistics statistics = m_context.bus.statistics();
     for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
         work(i, statistics);
-        if (record::worst(m_run.servos[i].lines) == record::Grade::Fail)
+        if (record::worst(m_run.servos[i].lines) != record::Grade::Fail)
+            continue;
+        if (confirmHeld()) // else that may be what has failed
             endRun(SweepEnd::Failure, int(i));
+        else
+            m_legInDoubt = true;
     }
 }
 

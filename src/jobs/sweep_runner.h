@@ -35,6 +35,8 @@ private:
         bool gapInLeg = false;
         int lostInARow = 0;
         bool lostTorque = false;
+        bool exchanged = false; ///< another servo answers in its place
+        bool held() const { return !lostTorque && !exchanged; }
         std::uint64_t answered = 0;
     };
 
@@ -44,13 +46,14 @@ private:
     void warmUp();
     void measure();
     void confirmEnd();
-    void forgetLegsWithoutTorque();
+    void forgetLegsInDoubt();
     void step(int number);
     void wave(int number);
     void begin(int number, base::Duration at);
     void close();
     base::Result<void> send(std::vector<double> targets);
     base::Result<bool> stillHeld();
+    base::Result<void> findExchanged();
     bool confirmHeld();
     bool canRetry(const base::Error& error);
     bool silent() const; ///< somebody is
@@ -62,9 +65,12 @@ private:
     void take(std::size_t i, const SweepSample& sample);
     void noteGap(base::Duration from, base::Duration span);
     void watchLine();
+    void blameAlarm(std::size_t i);
     void blameStall(std::size_t i);
 
     void endRun(record::SweepEnd end, int servo = -1);
+    void endExchanged(int servo);
+    std::vector<Leaving> leaving() const;
     bool ended() const { return m_ended; }
     bool over(int number) const;
     bool arrived(base::Duration rest) const;
@@ -96,8 +102,8 @@ private:
     bool m_measuring = false;
     int m_leg = 0;
     base::Duration m_legAt{};  ///< its goal had been sent
-    bool m_legInDoubt = false; ///< in the latest leg torque may have been lost
-    bool m_askTorque = false;  ///< a servo may have lost it since that was asked last
+    bool m_legInDoubt = false; ///< in the latest leg a servo may have ceased to be held
+    bool m_askHeld = false;    ///< that may have happened since it was asked last
     int m_fault = -1;          ///< place of the servo that ended it
     bool m_ended = false;
 };

@@ -46,7 +46,7 @@ void SweepRunner::take(std::size_t i, const SweepSample& sample)
         const Duration silence = sample.at - track.heardAt;
         if (m_measuring && silence >= gapFrom)
             noteGap(track.heardAt - m_start, silence);
-        m_askTorque |= silence >= gapFrom;
+        m_askHeld |= silence >= gapFrom;
         track.gapInLeg |= silence >= gapFrom;
         track.heardAt = sample.at;
         track.lostInARow = 0;
@@ -56,16 +56,25 @@ void SweepRunner::take(std::size_t i, const SweepSample& sample)
         if (!track.startCelsius || !m_measuring)
             track.startCelsius = sample.temperature ? sample.temperature : track.startCelsius;
     } else {
-        m_askTorque |= ++track.lostInARow >= lostInRestart;
+        m_askHeld |= ++track.lostInARow >= lostInRestart;
     }
     if (track.meter)
         track.meter->add(sample);
     if (m_watch.onSample)
         m_watch.onSample(i, sample, track.goal, sample.at < m_legAt ? 0 : m_leg);
     if (m_run.spec.stopOnAlarm && sample.answered && sample.status != 0)
-        endRun(SweepEnd::Alarm, int(i));
+        blameAlarm(i);
     if (m_run.spec.stopOnStall && track.meter && track.meter->stalled(stallTime))
         blameStall(i);
+}
+
+/// A servo that came in another one's place may bring an alarm along.
+void SweepRunner::blameAlarm(std::size_t i)
+{
+    if (ended())
+        return;
+    (void)findExchanged();
+    endRun(SweepEnd::Alarm, int(i));
 }
 
 /// Only who has torque can be jammed.
@@ -73,7 +82,7 @@ void SweepRunner::blameStall(std::size_t i)
 {
     if (ended())
         return;
-    m_askTorque = true;
+    m_askHeld = true;
     const auto held = stillHeld();
     if (held && *held)
         endRun(SweepEnd::Stall, int(i));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Goals of a sweep test on their way, and whether they may go.
 #include "device/talk.h"
+#include "device/write_access.h"
 #include "jobs/sweep_runner.h"
 
 #include <algorithm>
@@ -13,13 +14,13 @@ using record::SweepEnd;
 base::Result<void> SweepRunner::send(std::vector<double> targets)
 {
     for (;;) {
-        const bool anySign = m_askTorque || silent();
-        // A servo that rests at its target shows no sign of torque that was switched off. Goals of
-        // a sine follow each other too closely to ask before each of them.
-        m_askTorque |= m_run.spec.shape != record::SweepShape::Sine;
+        const bool anySign = m_askHeld || silent();
+        // A servo that rests at its target shows no sign of torque that was switched off, nor of an
+        // exchange. Goals of a sine follow each other too closely to ask before each of them.
+        m_askHeld |= m_run.spec.shape != record::SweepShape::Sine || !m_drives;
         const auto held = stillHeld();
         if (held && !*held) {
-            m_legInDoubt |= !anySign; // torque may have gone before that leg was over
+            m_legInDoubt |= !anySign; // that may have been before that leg was over
             return {};
         }
         const auto sent = held ? sendSweepGoals(m_context, m_servos, m_run.spec, targets)
@@ -45,7 +46,7 @@ bool SweepRunner::canRetry(const base::Error& error)
     case ErrorCode::WrongAnswer:
     case ErrorCode::LineBusy:
     case ErrorCode::Uncertain: // a place to go to may be named twice
-        m_askTorque = true;
+        m_askHeld = true;
         read(now() + gapFrom, [] { return false; });
         return !ended();
     case ErrorCode::Stopped:
@@ -57,25 +58,29 @@ bool SweepRunner::canRetry(const base::Error& error)
     case ErrorCode::LinkLost:
         endRun(SweepEnd::LinkLost);
         return false;
+    case ErrorCode::IdentityDiffers:
+        endExchanged(placeOf(error.id));
+        return false;
     default:
         return false;
     }
 }
 
 /// A servo that has restarted, or was switched off by another program, has no torque, and a goal
-/// would switch it on by surprise, from wherever it has sunk to. Then the run ends, and this is
-/// false. Before the first goal torque may be off by right: that goal is to switch it on.
+/// would switch it on by surprise, from wherever it has sunk to; one that came in its place has
+/// other limits. Then the run ends, and this is false. Before the first goal torque may be off by
+/// right: that goal is to switch it on.
 base::Result<bool> SweepRunner::stillHeld()
 {
-    if (!m_drives)
+    m_askHeld |= silent();
+    if (!m_askHeld)
         return true;
-    m_askTorque |= silent();
-    if (!m_askTorque)
-        return true;
-    for (std::size_t i = 0; i < m_servos.size(); ++i) {
+    if (const auto asked = findExchanged(); !asked)
+        return tl::unexpected(asked.error());
+    for (std::size_t i = 0; m_drives && i < m_servos.size(); ++i) {
         device::Servo& servo = m_servos[i];
         const catalog::Register* torque = servo.profile->byRole(catalog::Role::TorqueSwitch);
-        if (torque == nullptr)
+        if (torque == nullptr || m_tracks[i].exchanged)
             continue;
         const auto raw = device::readRegister(m_context, servo, *torque);
         if (!raw && ended())
@@ -86,16 +91,36 @@ base::Result<bool> SweepRunner::stillHeld()
         if (*raw == 0)
             endRun(SweepEnd::TorqueLost, int(i));
     }
-    m_askTorque = false;
-    return std::none_of(m_tracks.begin(), m_tracks.end(),
-                        [](const Track& track) { return track.lostTorque; });
+    m_askHeld = false;
+    return std::all_of(m_tracks.begin(), m_tracks.end(),
+                       [](const Track& track) { return track.held(); });
+}
+
+/// A servo can be exchanged for another one of its ID, with or without a silence in between.
+base::Result<void> SweepRunner::findExchanged()
+{
+    for (std::size_t i = 0; i < m_servos.size(); ++i) {
+        const auto same = device::requireSame(m_context, m_servos[i], QStringLiteral("sweep"));
+        if (!same && same.error().code == ErrorCode::IdentityDiffers)
+            endExchanged(int(i));
+        else if (!same && !ended())
+            return same;
+    }
+    return {};
+}
+
+void SweepRunner::endExchanged(int servo)
+{
+    if (servo >= 0)
+        m_tracks[std::size_t(servo)].exchanged = true;
+    endRun(SweepEnd::Exchanged, servo);
 }
 
 /// Asks every servo; a silence is waited out. False: the run has ended.
 bool SweepRunner::confirmHeld()
 {
     while (!ended()) {
-        m_askTorque = true;
+        m_askHeld = true;
         const auto held = stillHeld();
         if (held)
             return *held;

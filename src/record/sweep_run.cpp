@@ -24,7 +24,7 @@ constexpr Names<Grade, 4> grades{{
     {Grade::Fail, "fail"},
     {Grade::NotMeasured, "not-measured"},
 }};
-constexpr Names<SweepEnd, 9> ends{{
+constexpr Names<SweepEnd, 10> ends{{
     {SweepEnd::Finished, "finished"},
     {SweepEnd::Stopped, "stopped"},
     {SweepEnd::Emergency, "emergency"},
@@ -34,6 +34,7 @@ constexpr Names<SweepEnd, 9> ends{{
     {SweepEnd::LinkLost, "link-lost"},
     {SweepEnd::Refused, "refused"},
     {SweepEnd::TorqueLost, "torque-lost"},
+    {SweepEnd::Exchanged, "exchanged"},
 }};
 
 template <typename Word, std::size_t Count>
@@ -71,6 +72,7 @@ Grade gradeOf(SweepEnd end)
     case SweepEnd::LinkLost:
     case SweepEnd::Refused:
     case SweepEnd::TorqueLost:
+    case SweepEnd::Exchanged:
         break;
     }
     return Grade::NotMeasured;

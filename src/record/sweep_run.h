@@ -75,6 +75,7 @@ enum class SweepEnd : std::uint8_t {
     LinkLost,
     Refused,    ///< a servo no longer took a goal: its limits or its mode have changed
     TorqueLost, ///< a servo had no torque any more (a restart, another program), and is left so
+    Exchanged,  ///< another servo answers under the ID of one of them, and is left alone
 };
 QString sweepEndName(SweepEnd end);
 std::optional<SweepEnd> sweepEndFromName(const QString& name);

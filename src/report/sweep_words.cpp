@@ -368,6 +368,9 @@ Text endWords(record::SweepEnd end)
         return both("Ended early: a servo had no torque any more: it has restarted, or another "
                     "program switched it off. It was not switched on again.",
                     "提前结束：舵机已无扭矩输出（已重启，或被其他程序关闭），未再次使能。");
+    case record::SweepEnd::Exchanged:
+        return both("Ended early: another servo answers under this ID than the one being tested.",
+                    "提前结束：应答此 ID 的已不是被测舵机，而是另一个舵机。");
     case record::SweepEnd::LinkLost:
         break;
     }

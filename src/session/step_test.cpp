@@ -117,6 +117,9 @@ bool StepTest::start(const StepTestOrder& order)
             return tl::unexpected(run.error());
         live->advice = jobs::adviseStep(*run, *context.servo.profile);
         live->run = std::move(*run);
+        if (live->run->end == record::SweepEnd::Exchanged) // the list is to learn it
+            return base::fail(ErrorCode::IdentityDiffers, QStringLiteral("step"), {},
+                              context.servo.id);
         return {};
     };
     task.guard = this;

@@ -142,6 +142,14 @@ base::Result<record::SweepRun> drive(TaskContext& context, const jobs::SweepOrde
         *all[i] = std::move(servos[i]);
     return run;
 }
+
+/// For the list of servos: IdentityDiffers of the one that was found exchanged.
+base::Result<void> exchangeIn(const record::SweepRun& run)
+{
+    if (run.end != record::SweepEnd::Exchanged)
+        return {};
+    return base::fail(ErrorCode::IdentityDiffers, QStringLiteral("sweep"), {}, run.endedBy);
+}
 } // namespace
 
 bool SweepTest::start(const SweepTestOrder& order)
@@ -213,7 +221,7 @@ bool SweepTest::start(const SweepTestOrder& order)
         if (!run)
             return tl::unexpected(run.error());
         ending->run = std::move(*run);
-        return {};
+        return exchangeIn(*ending->run);
     };
     task.guard = this;
     task.done = [this, ending](const TaskEnd& end) { finish(*ending, end); };

@@ -88,6 +88,10 @@ private Q_SLOTS:
     void whoLosesTorqueOnItsWayIsNotJammed_data();
     void whoLosesTorqueOnItsWayIsNotJammed();
     void whoLosesTorqueAtTheStartOfASineIsLeftOff();
+    void whoIsExchangedEndsTheTest_data();
+    void whoIsExchangedEndsTheTest();
+    void theAlarmOfAnExchangedServoIsNotTheTestedOnes();
+    void whatAnExchangedServoMissesIsNoFailure();
     void whoHadNoTorqueAtTheBeginningIsSwitchedOn();
     void aStopWhileThePlugIsOutIsTheFirstWord();
     void theUserStops();
@@ -823,6 +827,141 @@ void TestSweep::whoLosesTorqueAtTheStartOfASineIsLeftOff()
     QCOMPARE(done->end, SweepEnd::TorqueLost);
     QVERIFY(done->servos.front().legs.empty());
     QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+}
+
+namespace {
+/// An STS3215 that is exchanged for an STS3250 with its ID.
+struct ExchangeBench : SimBench {
+    ExchangeBench()
+        : SimBench(text("sts3215@1,sts3250@1"))
+    {
+        withWire([](sim::VirtualBus& wire) { wire.unplug(1); });
+        servos = {servo(1)};
+        tap().onWait = [this] { step(); };
+    }
+    /// `silence` long nobody is on the line.
+    void exchange(base::Duration at, base::Duration silence)
+    {
+        outAt = at;
+        inAt = at + silence;
+    }
+    void step()
+    {
+        if (clock().now() >= outAt) {
+            outAt = base::Duration::max();
+            withWire([](sim::VirtualBus& wire) { wire.unplug(0); });
+        }
+        if (outAt == base::Duration::max() && clock().now() >= inAt) {
+            inAt = base::Duration::max();
+            withWire([this](sim::VirtualBus& wire) {
+                wire.plug(1);
+                if (onPlug)
+                    onPlug(*wire.servos()[1]);
+            });
+        }
+    }
+    std::int64_t torqueOfNewcomer()
+    {
+        return withWire(
+            [](sim::VirtualBus& wire) { return wire.servos()[1]->raw(text("torque_switch")); });
+    }
+
+    std::vector<device::Servo> servos;
+    std::function<void(sim::VirtualServo&)> onPlug{};
+    base::Duration outAt = base::Duration::max();
+    base::Duration inAt = base::Duration::max();
+};
+} // namespace
+
+void TestSweep::whoIsExchangedEndsTheTest_data()
+{
+    QTest::addColumn<int>("inLeg"); ///< 0: before the first goal
+    QTest::addColumn<int>("afterMs");
+    QTest::addColumn<int>("silenceMs");
+    QTest::addColumn<bool>("sine");
+    for (const int silence : {0, 60, 1500}) {
+        QTest::addRow("before the first goal, %d ms", silence) << 0 << 0 << silence << false;
+        QTest::addRow("on its way, %d ms", silence) << 3 << 50 << silence << false;
+        QTest::addRow("at rest, %d ms", silence) << 3 << 1900 << silence << false;
+        QTest::addRow("at the end, %d ms", silence) << 6 << 1900 << silence << false;
+    }
+    QTest::newRow("in a sine, 200 ms") << 3 << 400 << 200 << true;
+    QTest::newRow("in a sine, 1500 ms") << 3 << 400 << 1500 << true;
+    QTest::newRow("in the last leg of a sine") << 6 << 400 << 0 << true;
+}
+
+void TestSweep::whoIsExchangedEndsTheTest()
+{
+    QFETCH(int, inLeg);
+    QFETCH(int, afterMs);
+    QFETCH(int, silenceMs);
+    QFETCH(bool, sine);
+    ExchangeBench bench;
+    const auto exchangeAt = [&](base::Duration at) {
+        bench.exchange(at + std::chrono::milliseconds(afterMs),
+                       std::chrono::milliseconds(silenceMs));
+    };
+    jobs::SweepWatch watch;
+    watch.onBegin = [&](const record::SweepRun&) -> std::optional<base::Error> {
+        if (inLeg == 0)
+            exchangeAt(bench.clock().now());
+        bench.step();
+        return {};
+    };
+    watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
+        if (leg == inLeg)
+            exchangeAt(at);
+    };
+    std::vector<int> left;
+    watch.onTorqueLeft = [&](const jobs::TorqueLeft& one) { left.push_back(one.id); };
+    record::SweepSpec spec = sweepSpec();
+    spec.shape = sine ? SweepShape::Sine : SweepShape::Sweep;
+    spec.period = 4s;
+    const auto done = run(bench.context(), bench.servos, spec, watch);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(bench.inAt, base::Duration::max()); // it has happened
+    QCOMPARE(record::sweepEndName(done->end), text("exchanged"));
+    QCOMPARE(done->endedBy, 1);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+    QCOMPARE(bench.torqueOfNewcomer(), 0);
+    QCOMPARE(left, std::vector<int>{});
+    QVERIFY(inLeg == 0 || int(done->servos.front().legs.size()) < inLeg);
+}
+
+void TestSweep::theAlarmOfAnExchangedServoIsNotTheTestedOnes()
+{
+    ExchangeBench bench;
+    bench.onPlug = [](sim::VirtualServo& servo) {
+        servo.poke(text("max_voltage"), 50); // less than its supply
+    };
+    jobs::SweepWatch watch;
+    watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
+        if (leg == 3)
+            bench.exchange(at + 100ms, 100ms);
+    };
+    const auto done = run(bench.context(), bench.servos, sweepSpec(), watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Exchanged);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+}
+
+/// In a test that is to end at the first failure.
+void TestSweep::whatAnExchangedServoMissesIsNoFailure()
+{
+    ExchangeBench bench;
+    jobs::SweepWatch watch;
+    watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
+        if (leg == 4)
+            bench.exchange(at + 20ms, 20ms);
+    };
+    record::SweepSpec spec = sweepSpec();
+    spec.stopOnFailure = true;
+    spec.stopOnStall = false;
+    const auto done = run(bench.context(), bench.servos, spec, watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Exchanged);
+    QCOMPARE(done->verdict(), Grade::NotMeasured);
+    QCOMPARE(done->servos.front().legs.size(), std::size_t(3));
 }
 
 void TestSweep::whoHadNoTorqueAtTheBeginningIsSwitchedOn()

@@ -90,6 +90,7 @@ void TestStoredVerdict::theEndDecides_data()
     row("link lost by it", SweepEnd::LinkLost, 5, Grade::NotMeasured);
     row("refused", SweepEnd::Refused, 5, Grade::NotMeasured);
     row("torque lost", SweepEnd::TorqueLost, 5, Grade::NotMeasured);
+    row("exchanged", SweepEnd::Exchanged, 5, Grade::NotMeasured);
     row("its alarm", SweepEnd::Alarm, 5, Grade::Fail);
     row("another's alarm", SweepEnd::Alarm, 6, Grade::NotMeasured);
     row("its stall", SweepEnd::Stall, 5, Grade::Fail);

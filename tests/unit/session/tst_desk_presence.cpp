@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A servo that is exchanged on the open line, that falls silent, or that somebody else writes to:
 // the list never shows one servo for another, and no write reaches the wrong one.
+#include "session/sweep_test.h"
+
 #include <QSignalSpy>
 
 #include "session_bench.h"
@@ -138,6 +140,30 @@ private Q_SLOTS:
         bench.exchange();
         QTRY_COMPARE(bench.model(), QStringLiteral("SCS15"));
         QVERIFY(bench.desk.servo(old) == nullptr);
+    }
+
+    /// It knows the servo longer than anything else that runs.
+    void anExchangeThatATestFindsShowsInTheList()
+    {
+        SpareBench bench;
+        QVERIFY(bench.search());
+        session::SweepTest test(bench.desk);
+        session::SweepTestOrder order;
+        order.servos = {bench.at(1)};
+        order.limits = {record::builtInSweepLimits(QStringLiteral("STS3215"), {})};
+        order.spec.range = {QStringLiteral("1900"), QStringLiteral("2100")};
+        order.spec.pause = std::chrono::milliseconds(700);
+        order.spec.cycles = 500;
+        QVERIFY(test.start(order));
+        QTRY_VERIFY_WITH_TIMEOUT(test.run() && !test.run()->servos.front().legs.empty(), 20'000);
+        bench.exchange();
+        QTRY_VERIFY_WITH_TIMEOUT(!test.running(), 20'000);
+        QCOMPARE(record::sweepEndName(test.run()->end), QStringLiteral("exchanged"));
+        QCOMPARE(test.run()->verdict(), record::Grade::NotMeasured);
+        QVERIFY(test.torqueLeft().empty());
+        QCOMPARE(bench.inside(1, QStringLiteral("torque_switch")), 0);
+        QTRY_COMPARE(bench.model(), QStringLiteral("SCS15"));
+        QCOMPARE(bench.count(Event::Kind::Exchanged), 1);
     }
 
     void readingATableFindsAnotherServo()
