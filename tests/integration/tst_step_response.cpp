@@ -154,6 +154,7 @@ private Q_SLOTS:
     void aPlugPulledAndPutBackCostsOneResponse();
     void whoRestartedWithThePlugStaysOffAndHasItsOwnGains_data();
     void whoRestartedWithThePlugStaysOffAndHasItsOwnGains();
+    void nothingIsPutBackIntoAnExchangedServo();
     void aStopWhileThePlugIsOutPutsGainsBackAfterIt();
     void aPlugPulledWhileGainsAreSetLeavesNothingBehind();
     void gainsThatWereLostBeforeTheFirstStepAreNoTrial();
@@ -551,6 +552,41 @@ void TestStepResponse::whoRestartedWithThePlugStaysOffAndHasItsOwnGains()
     const auto stands = bench.raw(1, text("present_position"));
     bench.letTimePass(2s);
     QVERIFY(std::abs(bench.raw(1, text("present_position")) - stands) < 3);
+}
+
+/// Gains, speed and acceleration are noted for the servo that was there before.
+void TestStepResponse::nothingIsPutBackIntoAnExchangedServo()
+{
+    SimBench bench(text("sts3215@1,sts3250@1"));
+    bench.withWire([](sim::VirtualBus& wire) { wire.unplug(1); });
+    std::optional<base::Duration> swapAt;
+    bench.tap().onWait = [&] {
+        if (!swapAt || bench.clock().now() < *swapAt)
+            return;
+        swapAt.reset();
+        bench.withWire([](sim::VirtualBus& wire) {
+            wire.unplug(0);
+            wire.plug(1);
+            wire.servos()[1]->poke(text("acceleration"), 17);
+        });
+    };
+    const auto newcomer = [&bench](const char* key) {
+        return bench.withWire([&](sim::VirtualBus& w) { return w.servos()[1]->raw(text(key)); });
+    };
+    const std::int64_t gain = newcomer("position_p");
+    jobs::StepWatch watch;
+    watch.onResponse = [&](const record::StepResponse& one) {
+        if (one.number == 2)
+            swapAt = bench.clock().now() + 300ms;
+    };
+    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(record::sweepEndName(done->end), text("exchanged"));
+    QVERIFY(!done->putBack);
+    QCOMPARE(newcomer("torque_switch"), 0);
+    QCOMPARE(newcomer("acceleration"), 17);
+    QCOMPARE(newcomer("position_p"), gain);
+    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
 }
 
 namespace {
