@@ -73,6 +73,7 @@ struct HistorySnapshot {
     int baud = 0;
     QString file{};    ///< where it was written to besides; empty: nowhere
     int registers = 0; ///< with a value
+    bool operator==(const HistorySnapshot&) const = default;
 };
 
 struct HistoryAlarm {
@@ -111,6 +112,7 @@ struct HistoryRecording {
 struct PageMark {
     QDateTime at{};
     std::int64_t number = 0;
+    bool operator==(const PageMark&) const = default;
 };
 
 /// Empty members do not choose; from inclusive, until exclusive. Newest first, always.
@@ -126,5 +128,6 @@ struct HistoryFilter {
     std::optional<SnapshotReason> reason{};
     std::optional<PageMark> after{};
     int most = 200;
+    bool operator==(const HistoryFilter&) const = default;
 };
 } // namespace record

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/archive.h"
 
+#include "session/history_watch.h"
+
 namespace session {
 using record::History;
 
@@ -61,7 +63,10 @@ Archive::Archive(QString path, QObject* parent)
     , m_post(std::make_shared<LoosePost>(m_inbox))
     , m_thread(std::make_shared<JobThread>())
     , m_source(std::make_unique<FileSource>(m_path, m_thread))
-{}
+    , m_watch(std::make_unique<HistoryWatch>(m_path, *m_thread, m_post))
+{
+    connect(m_watch.get(), &HistoryWatch::changed, this, &Archive::changed);
+}
 
 Archive::Archive(std::unique_ptr<ArchiveSource> source, QObject* parent)
     : QObject(parent)
@@ -76,6 +81,7 @@ Archive::~Archive()
     m_post->close();
     m_source.reset();
     m_thread.reset();
+    m_watch.reset();
     while (!m_pending.empty())
         keepNext();
 }
@@ -128,6 +134,12 @@ void Archive::keep(SharedStep run, const QStringList& files)
     keepLater([run = std::move(run), files](const QString& path) {
         return record::keepRun(path, *run, files);
     });
+}
+
+void Archive::setViewed(QObject* viewer, bool viewed)
+{
+    if (m_watch)
+        m_watch->setViewed(viewer, viewed);
 }
 
 void Archive::change(std::function<base::Result<void>(History&)> deed)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The history for the window: asked on a thread of its own, answered on the main thread; never
 // waits, but that the destructor writes down what keep() was given. Beside Desk, in no need of it.
-// Other programs may change the history at any time; whoever shows a list asks again at changed().
+// Other programs may change the history at any time; whoever shows a list is its viewer meanwhile
+// and asks again at changed().
 // Answers to a `context` that has gone are dropped.
 #pragma once
 
@@ -19,6 +20,7 @@
 #include <QPointer>
 
 namespace session {
+class HistoryWatch;
 using SharedRun = std::shared_ptr<const record::SweepRun>;
 using SharedStep = std::shared_ptr<const record::StepRun>;
 using SharedSnapshot = std::shared_ptr<const record::Snapshot>;
@@ -111,6 +113,10 @@ public:
     void removeSnapshots(const std::vector<std::int64_t>& numbers);
     void removeRecordings(const std::vector<std::int64_t>& numbers);
 
+    /// While there is a viewer, changed() also follows what other programs and connections write
+    /// to the file. A server is not watched.
+    void setViewed(QObject* viewer, bool viewed);
+
     /// Something slow that touches no history, such as saving a report, in the same order.
     void work(std::function<base::Result<void>()> job, QObject* context, Answer<void> answer);
 
@@ -137,6 +143,7 @@ private:
     std::shared_ptr<LoosePost> m_post;
     std::shared_ptr<JobThread> m_thread; ///< shared with the source, where that is the file
     std::unique_ptr<ArchiveSource> m_source;
+    std::unique_ptr<HistoryWatch> m_watch; ///< null over a server
 };
 
 template <typename T>

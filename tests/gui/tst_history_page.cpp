@@ -4,6 +4,7 @@
 #include "gui/window_bench.h"
 #include "record/history.h"
 #include "session/paths.h"
+#include "support/history_example.h"
 #include "ui/models/compare_model.h"
 #include "ui/pages/history_page.h"
 #include "ui/pages/snapshots_page.h"
@@ -17,6 +18,7 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTreeWidget>
@@ -208,6 +210,78 @@ private Q_SLOTS:
         const auto there =
             record::History::open(session::historyFile()).value()->log().of(next).value();
         QVERIFY(there && there->label.isEmpty());
+    }
+
+    /// As by servodesk-cli, with another connection: the page shows it by itself, and what was
+    /// selected and scrolled to stays.
+    void whatAnotherProgramWritesIsShown()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        const QAbstractItemModelTester tester(bench.table()->model());
+        QTRY_COMPARE(bench.find<QLabel>("historyCount")->text(), QStringLiteral("Nothing"));
+        record::HistoryJournal other(session::historyFile(), QStringLiteral("servodesk-cli"));
+        history_example::write(other, 4, 0);
+        QTRY_COMPARE(bench.rows(), 2); // it writes two registers at once
+        QTRY_COMPARE(bench.find<QLabel>("historyCount")->text(), QStringLiteral("2 rows"));
+        for (int i = 1; i < 40; ++i)
+            history_example::write(other, 4, i);
+        QTRY_COMPARE(bench.rows(), 80);
+        bench.table()->selectRow(41);
+        auto* bar = bench.table()->verticalScrollBar();
+        bar->setValue(bar->maximum() / 2);
+        QVERIFY(bar->value() > 0);
+        const auto top = [&] {
+            const int row = bench.table()->rowAt(0);
+            return bench.cell(row, 2) + bench.cell(row, 4);
+        };
+        const QString before = top();
+        const QString selected = bench.cell(41, 2) + bench.cell(41, 4);
+        history_example::write(other, 5, 1000);
+        QTRY_COMPARE(bench.rows(), 82);
+        const QModelIndexList rows = bench.table()->selectionModel()->selectedRows();
+        QCOMPARE(rows.size(), 1);
+        QCOMPARE(bench.cell(rows[0].row(), 2) + bench.cell(rows[0].row(), 4), selected);
+        QCOMPARE(top(), before);
+    }
+
+    /// What ended elsewhere meanwhile gets its outcome, what was deleted goes.
+    void whatAnotherProgramChangesIsShownInPlace()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        record::HistoryJournal other(session::historyFile(), QStringLiteral("servodesk-cli"));
+        const QString open = history_example::write(other, 4, 7, "");
+        QTRY_COMPARE(bench.rows(), 2);
+        bench.table()->selectRow(0);
+        const QString unfinished = bench.cell(0, 5);
+        history_example::must(other.end(open, {QStringLiteral("done"), QString()}));
+        QTRY_VERIFY(bench.cell(0, 5) != unfinished);
+        QCOMPARE(bench.table()->selectionModel()->selectedRows().size(), 1);
+        bench.choose("historyKind", QStringLiteral("Snapshots"));
+        QTRY_COMPARE(bench.rows(), 0);
+        const auto history = record::History::open(session::historyFile()).value();
+        const auto number =
+            history->log()
+                .addSnapshot(history_example::snapshot(4, "one"), record::SnapshotReason::Asked)
+                .value();
+        QTRY_COMPARE(bench.rows(), 1);
+        history_example::must(history->log().removeSnapshot(number));
+        QTRY_COMPARE(bench.rows(), 0);
+    }
+
+    void aPageShownAgainIsUpToDate()
+    {
+        HistoryBench bench;
+        QVERIFY(bench.ready(1, two));
+        QTRY_COMPARE(bench.find<QLabel>("historyCount")->text(), QStringLiteral("Nothing"));
+        bench.action(ui::Command::PageMemory)->trigger();
+        QTRY_VERIFY(!bench.table()->isVisible());
+        record::HistoryJournal other(session::historyFile(), QStringLiteral("servodesk-cli"));
+        history_example::write(other, 4, 7);
+        bench.action(ui::Command::PageHistory)->trigger();
+        QTRY_VERIFY(bench.table()->isVisible());
+        QTRY_COMPARE(bench.rows(), 2);
     }
 
     void filteredByServoRegisterAndTime()

@@ -5,7 +5,9 @@
 #include "gui/window_bench.h"
 #include "record/bundle.h"
 #include "record/snapshot_template.h"
+#include "session/paths.h"
 #include "sim/sim_link.h"
+#include "support/history_example.h"
 #include "ui/models/compare_model.h"
 #include "ui/pages/snapshots_page.h"
 #include "ui/widgets/banner.h"
@@ -659,6 +661,36 @@ private Q_SLOTS:
         QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 1);
         bench.find<QLineEdit>("shelfSearch")->setText(QStringLiteral("nothing like it"));
         QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 0);
+    }
+
+    /// As by servodesk-cli, with another connection; what is selected stays.
+    void whatAnotherProgramKeepsIsListed()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1, two));
+        QVERIFY(bench.taken());
+        bench.find<QComboBox>("shelfWhose")->setCurrentIndex(1); // of all servos
+        const auto history = record::History::open(session::historyFile()).value();
+        const auto keep = [&](int id) {
+            (void)history->log()
+                .addSnapshot(history_example::snapshot(id, "one"), record::SnapshotReason::Asked)
+                .value();
+        };
+        keep(7);
+        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 2);
+        bench.shelf()->selectAll();
+        bench.shelf()->setCurrentItem(bench.shelf()->topLevelItem(1), 0,
+                                      QItemSelectionModel::NoUpdate);
+        const QString current = bench.shelf()->currentItem()->text(0);
+        keep(8);
+        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 3);
+        QCOMPARE(bench.shelf()->selectedItems().size(), 2);
+        QCOMPARE(bench.shelf()->currentItem()->text(0), current);
+        bench.action(ui::Command::PageMemory)->trigger();
+        QTRY_VERIFY(!bench.shelf()->isVisible());
+        keep(9);
+        bench.action(ui::Command::PageSnapshots)->trigger();
+        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 4);
     }
 
     void itSpeaksChinese()

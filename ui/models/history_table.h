@@ -17,7 +17,9 @@ public:
 
     explicit HistoryTable(const catalog::Catalog& catalog, QObject* parent = nullptr);
 
-    /// Asks the archive for the first page; null: an empty list.
+    /// Asks the archive for the first page; null: an empty list. The same question again keeps
+    /// the rows until the answer comes, and those that are still there after it: a selection and
+    /// the place scrolled to stay.
     void ask(session::Archive* archive, record::HistoryKind kind,
              const record::HistoryFilter& filter);
     void retranslate(); ///< asks again: words are made with the rows
@@ -39,11 +41,19 @@ Q_SIGNALS:
     void failed(const base::Error& error);
 
 private:
+    void begin(session::Archive* archive, record::HistoryKind kind,
+               const record::HistoryFilter& filter);
+    void askAgain();
     void askServos();
     void askPage();
     template <typename Row>
     std::function<void(const base::Result<std::vector<Row>>&)> taker();
+    void take(std::vector<HistoryLine> lines, bool last);
     void add(std::vector<HistoryLine> lines, bool last);
+    void renew(std::vector<HistoryLine> lines, bool last);
+    void merge(std::vector<HistoryLine> lines);
+    void markEnd();
+    void fail(const base::Error& error);
 
     session::Archive* m_archive = nullptr;
     record::HistoryKind m_kind = record::HistoryKind::Writes;
@@ -53,5 +63,7 @@ private:
     int m_question = 0; ///< only answers to the latest count
     bool m_asking = false;
     bool m_complete = true;
+    bool m_renewing = false; ///< the answer takes the place of the rows
+    bool m_askAgain = false; ///< when the present answer has come
 };
 } // namespace ui

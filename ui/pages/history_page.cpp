@@ -16,6 +16,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTableView>
 
 #include <algorithm>
@@ -34,9 +35,21 @@ bool sameLabelled(const record::HistoryServo& one, const record::HistoryServo& o
     return !one.label.isEmpty() && one.label == other.label && one.who.sameKind(other.who);
 }
 
-/// Fills a list of choices and keeps what was chosen, where it is still there.
+bool hasItems(const QComboBox* box, const std::vector<std::pair<QString, QVariant>>& items)
+{
+    bool same = box->count() == int(items.size());
+    for (int i = 0; same && i < box->count(); ++i)
+        same = box->itemText(i) == items[std::size_t(i)].first &&
+               box->itemData(i) == items[std::size_t(i)].second;
+    return same;
+}
+
+/// Fills a list of choices and keeps what was chosen, where it is still there. One that is open is
+/// disturbed only by a change.
 void refill(QComboBox* box, const std::vector<std::pair<QString, QVariant>>& items)
 {
+    if (hasItems(box, items))
+        return;
     const QVariant chosen = box->currentData();
     const QSignalBlocker quiet(box);
     box->clear();
@@ -50,6 +63,7 @@ HistoryPage::HistoryPage(Bench& bench, session::Settings& settings, QWidget* par
     : QWidget(parent)
     , m_desk(bench.desk)
     , m_local(bench.archive)
+    , m_localLives(&bench.archive)
     , m_sender(bench.sender)
     , m_settings(settings)
     , m_catalog(bench.desk.catalog())
@@ -90,13 +104,20 @@ void HistoryPage::sourceChosen()
         m_server->chooseBench(bench == everyBench ? std::nullopt
                                                   : std::optional<std::int64_t>(bench));
     }
+    setViewing(isVisible());
     askChoices();
     ask();
 }
 
+void HistoryPage::setViewing(bool viewing)
+{
+    if (m_localLives)
+        m_local.setViewed(this, viewing && !remote());
+}
+
+/// A hidden page asks when it is shown.
 void HistoryPage::askSoon()
 {
-    m_stale = true;
     if (isVisible())
         m_ask.start();
 }
@@ -131,7 +152,6 @@ record::HistoryFilter HistoryPage::filter() const
 void HistoryPage::ask()
 {
     m_ask.stop();
-    m_stale = false;
     const auto kind = HistoryKind(m_kind->currentData().toInt());
     m_register->setVisible(kind == HistoryKind::Writes);
     m_trouble->setVisible(kind == HistoryKind::Writes || kind == HistoryKind::Alarms);
@@ -199,8 +219,28 @@ std::optional<int> HistoryPage::current() const
     return rows.size() == 1 ? std::optional<int>(rows.front().row()) : std::nullopt;
 }
 
+/// New rows come in at the top; who has scrolled goes on reading where they were.
+void HistoryPage::keepTopRow(int changedFrom)
+{
+    const QModelIndex top = m_view->indexAt(QPoint(0, 0));
+    if (!m_top.isValid() && m_view->verticalScrollBar()->value() > 0 && changedFrom <= top.row())
+        m_top = top;
+}
+
+void HistoryPage::restoreTopRow()
+{
+    if (!m_top.isValid())
+        return;
+    const int across = m_view->horizontalScrollBar()->value();
+    m_view->doItemsLayout();
+    m_view->scrollTo(m_top, QAbstractItemView::PositionAtTop);
+    m_view->horizontalScrollBar()->setValue(across);
+    m_top = QPersistentModelIndex();
+}
+
 void HistoryPage::showState()
 {
+    restoreTopRow();
     if (std::exchange(m_unsized, m_table.rowCount() == 0) && m_table.rowCount() > 0)
         m_columns->fit();
     const HistoryKind kind = m_table.kind();
@@ -276,7 +316,13 @@ void HistoryPage::changeEvent(QEvent* event)
 void HistoryPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    if (m_stale)
-        ask();
+    setViewing(true); // first, so that nothing comes unseen in between
+    ask();
+}
+
+void HistoryPage::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    setViewing(false);
 }
 } // namespace ui

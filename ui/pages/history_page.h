@@ -9,6 +9,8 @@
 #include "ui/app/bench.h"
 #include "ui/models/history_table.h"
 
+#include <QPersistentModelIndex>
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 
@@ -38,6 +40,7 @@ Q_SIGNALS:
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     // history_page_build.cpp
@@ -51,11 +54,14 @@ private:
     session::Archive& archive() const;
     bool remote() const;
     void sourceChosen();
+    void setViewing(bool viewing); ///< only this computer's history is watched for changes
     void askSoon();
     void ask();
     void askChoices();
     record::HistoryFilter filter() const;
     std::optional<int> current() const; ///< the row; none
+    void keepTopRow(int changedFrom);
+    void restoreTopRow();
     void showState();
     void showServer();
     static QString troubleWords(const session::SendState& state);
@@ -71,6 +77,7 @@ private:
 
     session::Desk& m_desk;
     session::Archive& m_local;
+    QPointer<session::Archive> m_localLives; ///< a window may hide its pages on its way out
     session::HistorySender& m_sender;
     session::Settings& m_settings;
     const catalog::Catalog& m_catalog;
@@ -94,8 +101,8 @@ private:
     QPushButton* m_label = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_serverSet = nullptr;
-    QTimer m_ask; ///< several changes, one question
-    bool m_stale = true;
-    bool m_unsized = true; ///< the columns; until there are rows
+    QTimer m_ask;                ///< several changes, one question
+    QPersistentModelIndex m_top; ///< the row to keep at the top; none: the list is at its top
+    bool m_unsized = true;       ///< the columns; until there are rows
 };
 } // namespace ui

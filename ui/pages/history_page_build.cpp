@@ -140,6 +140,10 @@ void HistoryPage::connectAll()
     });
     connect(&m_local, &session::Archive::failed, this, &HistoryPage::fail);
     connect(&m_table, &HistoryTable::changed, this, &HistoryPage::showState);
+    connect(&m_table, &HistoryTable::rowsAboutToBeInserted, this,
+            [this](const QModelIndex&, int first) { keepTopRow(first); });
+    connect(&m_table, &HistoryTable::rowsAboutToBeRemoved, this,
+            [this](const QModelIndex&, int first) { keepTopRow(first); });
     connect(&m_table, &HistoryTable::failed, this, &HistoryPage::fail);
     connect(m_source, &QComboBox::activated, this, &HistoryPage::sourceChosen);
     for (QComboBox* one : {m_kind, m_servo, m_register, m_period})

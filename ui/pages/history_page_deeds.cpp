@@ -142,6 +142,7 @@ void HistoryPage::setServer()
     auto* dialog = new HistoryServerDialog(m_settings, m_sender, this);
     connect(dialog, &HistoryServerDialog::accepted, this, [this] {
         m_server.reset(); // another one perhaps
+        setViewing(isVisible());
         askChoices();
         ask();
     });

@@ -9,11 +9,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QScrollBar>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <map>
 
 namespace ui {
 namespace {
@@ -92,6 +92,7 @@ SnapshotShelf::SnapshotShelf(session::Desk& desk, session::Archive& archive, Sel
     : QWidget(parent)
     , m_desk(desk)
     , m_archive(archive)
+    , m_archiveLives(&archive)
     , m_selection(selection)
 {
     build();
@@ -248,15 +249,60 @@ bool fits(const QStringList& words, const record::HistorySnapshot& row)
 }
 } // namespace
 
-/// Opened files stay on top; what was selected of the history stays selected while it is there.
-void SnapshotShelf::fill(const std::vector<record::HistorySnapshot>& rows)
+/// The rows of the history as they are in the list.
+bool SnapshotShelf::shows(const std::vector<record::HistorySnapshot>& rows) const
 {
+    std::size_t found = 0;
+    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
+        const Item* item = itemOf(m_tree->topLevelItem(i));
+        if (!item->kept)
+            continue;
+        if (found >= rows.size() || !(rows[found] == *item->kept))
+            return false;
+        ++found;
+    }
+    return found == rows.size();
+}
+
+/// Of the row the list was scrolled to; 0: it is at its top, or that row is a file.
+std::int64_t SnapshotShelf::topNumber() const
+{
+    const Item* item =
+        m_tree->verticalScrollBar()->value() > 0 ? itemOf(m_tree->itemAt(QPoint(0, 0))) : nullptr;
+    return item != nullptr && item->kept ? item->kept->number : 0;
+}
+
+void SnapshotShelf::scrollToTop(std::int64_t number)
+{
+    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
+        const Item* item = itemOf(m_tree->topLevelItem(i));
+        if (item->kept && item->kept->number == number)
+            m_tree->scrollToItem(m_tree->topLevelItem(i), QAbstractItemView::PositionAtTop);
+    }
+}
+
+/// Opened files stay on top; what was selected of the history stays selected while it is there.
+void SnapshotShelf::fill(const std::vector<record::HistorySnapshot>& all)
+{
+    const QStringList words = m_search->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    std::vector<record::HistorySnapshot> rows;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(rows),
+                 [&](const record::HistorySnapshot& row) { return fits(words, row); });
+    if (m_wanted == 0 && shows(rows)) {
+        selectionChanged();
+        return;
+    }
     m_filling = true;
-    const Item* current = itemOf(m_tree->currentItem());
-    const std::int64_t wanted = m_wanted != 0              ? m_wanted
-                                : current && current->kept ? current->kept->number
-                                                           : 0;
-    const std::vector<std::int64_t> selected = chosenNumbers();
+    putKept(rows);
+    m_wanted = 0;
+    m_nothing->setVisible(m_tree->topLevelItemCount() == 0);
+    m_filling = false;
+    selectionChanged();
+}
+
+/// What was loaded of them.
+std::map<std::int64_t, session::SharedSnapshot> SnapshotShelf::takeKept()
+{
     std::map<std::int64_t, session::SharedSnapshot> loaded;
     for (int i = m_tree->topLevelItemCount(); i-- > 0;) {
         const Item* item = itemOf(m_tree->topLevelItem(i));
@@ -265,10 +311,24 @@ void SnapshotShelf::fill(const std::vector<record::HistorySnapshot>& rows)
         loaded[item->kept->number] = item->snapshot;
         delete m_tree->takeTopLevelItem(i);
     }
-    const QStringList words = m_search->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    return loaded;
+}
+
+/// In place of those that are there: the list stays where it was, with what was selected.
+void SnapshotShelf::putKept(const std::vector<record::HistorySnapshot>& rows)
+{
+    const bool chosen = m_wanted != 0;
+    const std::int64_t top = chosen ? 0 : topNumber();
+    const Item* current = itemOf(m_tree->currentItem());
+    const std::int64_t wanted = chosen                     ? m_wanted
+                                : current && current->kept ? current->kept->number
+                                                           : 0;
+    const std::vector<std::int64_t> selected =
+        chosen ? std::vector<std::int64_t>{m_wanted} : chosenNumbers();
+    if (chosen)
+        m_tree->clearSelection();
+    const auto loaded = takeKept();
     for (const record::HistorySnapshot& row : rows) {
-        if (!fits(words, row))
-            continue;
         auto item = std::make_shared<Item>();
         item->kept = row;
         if (const auto known = loaded.find(row.number); known != loaded.end())
@@ -277,14 +337,12 @@ void SnapshotShelf::fill(const std::vector<record::HistorySnapshot>& rows)
         m_tree->addTopLevelItem(line);
         write(line);
         if (row.number == wanted)
-            m_tree->setCurrentItem(line);
+            m_tree->setCurrentItem(line, 0, QItemSelectionModel::NoUpdate);
         if (std::find(selected.begin(), selected.end(), row.number) != selected.end())
             line->setSelected(true);
     }
-    m_wanted = 0;
-    m_nothing->setVisible(m_tree->topLevelItemCount() == 0);
-    m_filling = false;
-    selectionChanged();
+    if (top != 0)
+        scrollToTop(top);
 }
 
 void SnapshotShelf::add(const session::OpenedFile& file)
@@ -436,6 +494,21 @@ std::vector<std::int64_t> SnapshotShelf::chosenNumbers() const
             numbers.push_back(item->kept->number);
     }
     return numbers;
+}
+
+void SnapshotShelf::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (m_archiveLives)
+        m_archive.setViewed(this, true);
+    m_ask.start();
+}
+
+void SnapshotShelf::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    if (m_archiveLives)
+        m_archive.setViewed(this, false);
 }
 
 void SnapshotShelf::changeEvent(QEvent* event)

@@ -8,8 +8,11 @@
 #include "session/snapshots.h"
 #include "ui/app/selection.h"
 
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
+
+#include <map>
 
 class QComboBox;
 class QLabel;
@@ -56,6 +59,8 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     struct Item;
@@ -63,7 +68,12 @@ private:
     void build();
     void retranslate();
     void ask();
-    void fill(const std::vector<record::HistorySnapshot>& rows);
+    void fill(const std::vector<record::HistorySnapshot>& all);
+    std::map<std::int64_t, session::SharedSnapshot> takeKept();
+    void putKept(const std::vector<record::HistorySnapshot>& rows);
+    bool shows(const std::vector<record::HistorySnapshot>& rows) const;
+    std::int64_t topNumber() const;
+    void scrollToTop(std::int64_t number);
     void addFile(const session::OpenedFile& file, const QString& title);
     void write(QTreeWidgetItem* row) const; ///< its words
     void load(const std::shared_ptr<Item>& item);
@@ -72,6 +82,7 @@ private:
 
     session::Desk& m_desk;
     session::Archive& m_archive;
+    QPointer<session::Archive> m_archiveLives; ///< a window may hide its pages on its way out
     Selection& m_selection;
     QLabel* m_title = nullptr;
     QComboBox* m_whose = nullptr;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The history behind the window: answers come to the main thread, in order; what was to be kept is
 // kept even if the program ends at once; whoever has gone is told nothing.
+#include "record/history_change_detector.h"
 #include "record/sweep_json.h"
 #include "session/archive.h"
-#include "unit/record/sweep_example.h"
+#include "support/history_example.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -49,6 +50,9 @@ private Q_SLOTS:
     void aRunIsHeldAgainstItsReference();
     void anUnusableHistoryIsToldWithThePlaceOfTheRun();
     void workAnswersToo();
+    void aViewerHearsOfOtherWriters();
+    void aReplacedFileIsNoticed();
+    void theDetectorAnswersOncePerChange();
 };
 
 void TestArchive::whatIsKeptIsListedAndLoaded()
@@ -182,6 +186,69 @@ void TestArchive::workAnswersToo()
                  [&](const base::Result<void>& done) { fine = bool(done); });
     QTRY_VERIFY(fine);
     QCOMPARE(code, base::ErrorCode::DiskFull);
+}
+
+void TestArchive::aViewerHearsOfOtherWriters()
+{
+    Archive archive(m_path);
+    QSignalSpy changed(&archive, &Archive::changed);
+    auto viewer = std::make_unique<QObject>();
+    archive.setViewed(viewer.get(), true); // there is no history yet
+    record::HistoryJournal other(m_path, text("servodesk-cli"));
+    history_example::write(other, 1, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
+    // What comes from now on is told each time.
+    for (int i = 0; i < 3; ++i) {
+        changed.clear();
+        history_example::write(other, 1, i);
+        QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
+    }
+    viewer.reset(); // one that went without a word is none
+    archive.setViewed(this, true);
+    changed.clear();
+    history_example::write(other, 1, 9);
+    QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
+    archive.setViewed(this, false);
+}
+
+void TestArchive::aReplacedFileIsNoticed()
+{
+    {
+        record::HistoryJournal old(m_path, text("servodesk-cli"));
+        history_example::write(old, 1, 1);
+    }
+    Archive archive(m_path);
+    QSignalSpy changed(&archive, &Archive::changed);
+    archive.setViewed(this, true);
+    {
+        record::HistoryJournal other(m_path, text("servodesk-cli"));
+        history_example::write(other, 1, 2);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
+    const history_example::Bench another;
+    QVERIFY(another.open());
+    changed.clear();
+    for (const char* part : {"", "-wal", "-shm"})
+        QFile::remove(m_path + text(part));
+    QVERIFY(QFile::copy(another.path, m_path));
+    QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
+    archive.setViewed(this, false);
+}
+
+void TestArchive::theDetectorAnswersOncePerChange()
+{
+    record::HistoryChangeDetector detector(m_path);
+    QVERIFY(!detector.hasChanged());
+    QVERIFY(!QFile::exists(m_path)); // asking makes no file
+    record::HistoryJournal other(m_path, text("servodesk-cli"));
+    history_example::write(other, 1, 1);
+    QVERIFY(detector.hasChanged());
+    QVERIFY(!detector.hasChanged());
+    history_example::write(other, 1, 2);
+    QVERIFY(detector.hasChanged());
+    detector.close();
+    history_example::write(other, 1, 3);
+    QVERIFY(!detector.hasChanged()); // a beginning tells nothing
 }
 
 QTEST_GUILESS_MAIN(TestArchive)

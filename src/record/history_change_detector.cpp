@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "record/history_change_detector.h"
+
+#include "record/history_patience.h"
+
+namespace record {
+/// A connection that has the file to itself, as on a full disk, would lock other programs out.
+bool HistoryChangeDetector::open()
+{
+    auto opened = HistoryFile::open(m_path, historyPatience);
+    if (!opened)
+        return false;
+    const auto mode = (*opened)->run(QStringLiteral("PRAGMA locking_mode"));
+    if (!mode || mode->rows.empty() ||
+        mode->rows.front().value(0).toString() != QLatin1StringView("normal"))
+        return false;
+    m_file = std::move(*opened);
+    return true;
+}
+
+/// SQLite counts the commits of all other connections, per connection.
+std::optional<qint64> HistoryChangeDetector::version()
+{
+    const auto there = FileHandle::infoOf(m_path);
+    if (!there)
+        return std::nullopt;
+    if (m_file && !(there->mark == m_mark)) {
+        m_file.reset();
+        m_lost = true;
+    }
+    if (!m_file && !open())
+        return std::nullopt;
+    m_mark = there->mark;
+    const auto asked = m_file->run(QStringLiteral("PRAGMA data_version"));
+    if (!asked || asked->rows.empty())
+        return std::nullopt;
+    return asked->rows.front().value(0).toLongLong();
+}
+
+bool HistoryChangeDetector::hasChanged()
+{
+    const auto now = version();
+    if (!now) {
+        m_file.reset();
+        m_lost = true;
+        return false;
+    }
+    const bool changed = m_lost || (m_version && *now != *m_version);
+    m_lost = false;
+    m_version = now;
+    return changed;
+}
+
+void HistoryChangeDetector::close()
+{
+    m_file.reset();
+    m_version.reset();
+    m_lost = false;
+}
+} // namespace record

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notices what other connections and programs write to the history, while a page shows it. Asks
+// once a second on the thread of session::Archive, which owns it. Main thread, never waits.
+#pragma once
+
+#include "session/job_thread.h"
+#include "session/loose_thread.h"
+
+#include <QTimer>
+
+#include <set>
+
+namespace record {
+class HistoryChangeDetector;
+}
+
+namespace session {
+class HistoryWatch final : public QObject {
+    Q_OBJECT
+
+public:
+    /// The thread must outlive it; a viewer may not.
+    HistoryWatch(const QString& path, JobThread& thread, std::shared_ptr<LoosePost> post);
+    ~HistoryWatch() override;
+
+    /// Nothing is asked without a viewer. What was written before the first one came is not told:
+    /// a viewer reads the history when it comes.
+    void setViewed(QObject* viewer, bool viewed);
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void ask();
+
+    JobThread& m_thread;
+    const std::shared_ptr<LoosePost> m_post;
+    const std::shared_ptr<record::HistoryChangeDetector> m_detector; ///< used on that thread
+    std::set<const QObject*> m_viewers;
+    QTimer m_timer;
+    bool m_asking = false;
+};
+} // namespace session
