@@ -4335,6 +4335,14 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>有一个同型号的舵机未完成，它应得到 ID %1。如果就是这一个，请按 s 再按回车；否则按新舵机设置。</translation>
     </message>
     <message>
+        <source>A servo of this kind was left unfinished here. Go on only if this is that servo.</source>
+        <translation>有一个同型号的舵机在此处未完成。仅当就是这一个时才继续。</translation>
+    </message>
+    <message>
+        <source>A servo of this kind was left unfinished; no ID is left for another one. If this is that servo, press s and Enter; a and Enter: set it aside.</source>
+        <translation>有一个同型号的舵机未完成，且已没有 ID 可给其他舵机。如果就是这一个，请按 s 再按回车；a 加回车：剔除。</translation>
+    </message>
+    <message>
         <source>No setting was changed; %1 has been removed again.</source>
         <translation>没有更改任何设置；已将 %1 删除。</translation>
     </message>
@@ -7457,6 +7465,14 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>A servo of this kind was left unfinished; it was to have ID %1. If this is that servo, click &quot;%2&quot;; otherwise it is set up as a new one.</source>
         <translation>有一个同型号的舵机未完成，它应得到 ID %1。如果就是这一个，请点“%2”；否则按新舵机设置。</translation>
+    </message>
+    <message>
+        <source>A servo of this kind was left unfinished here. Continue only if this is that servo.</source>
+        <translation>有一个同型号的舵机在此处未完成。仅当就是这一个时才继续。</translation>
+    </message>
+    <message>
+        <source>A servo of this kind was left unfinished; no ID is left for another one. If this is that servo, click &quot;%1&quot;.</source>
+        <translation>有一个同型号的舵机未完成，且已没有 ID 可给其他舵机。如果就是这一个，请点“%1”。</translation>
     </message>
     <message>
         <source>%1, ID %2</source>

@@ -237,6 +237,14 @@ jobs::CommissionAnswer CommissionCommand::answer()
     return jobs::CommissionAnswer::None;
 }
 
+QString withConcerns(const QString& text, const std::vector<record::CommissionTrouble>& concerns)
+{
+    if (concerns.empty())
+        return text;
+    return text + QLatin1Char(' ') +
+           translate("cli", "Beware: %1.").arg(in(report::commissionTroublesWords(concerns)));
+}
+
 QString confirmText(const CommissionView& view)
 {
     QString text = translate("cli", "%1, ID %2 at %3 baud, gets ID %4.")
@@ -244,10 +252,12 @@ QString confirmText(const CommissionView& view)
                        .arg(view.servo.id)
                        .arg(view.baud)
                        .arg(view.newId);
-    if (!view.concerns.empty())
-        text +=
-            QLatin1Char(' ') +
-            translate("cli", "Beware: %1.").arg(in(report::commissionTroublesWords(view.concerns)));
+    text = withConcerns(text, view.concerns);
+    if (view.doubtfulId >= 0 && view.doubtfulId == view.newId)
+        return text + QLatin1Char(' ') +
+               translate("cli", "A servo of this kind was left unfinished; no ID is left for "
+                                "another one. If this is that servo, press s and Enter; a and "
+                                "Enter: set it aside.");
     if (view.doubtfulId >= 0)
         text +=
             QLatin1Char(' ') +
@@ -255,6 +265,10 @@ QString confirmText(const CommissionView& view)
                       "A servo of this kind was left unfinished; it was to have ID %1. If this is "
                       "that servo, press s and Enter; otherwise it is set up as a new one.")
                 .arg(view.doubtfulId);
+    else if (view.halfDone)
+        text += QLatin1Char(' ') +
+                translate("cli", "A servo of this kind was left unfinished here. Go on only if "
+                                 "this is that servo.");
     return text + QLatin1Char(' ') + translate("cli", "Enter: go on; a and Enter: set it aside.");
 }
 
@@ -263,8 +277,10 @@ QString viewText(const CommissionView& view)
     switch (view.step) {
     case CommissionStep::Waiting:
         if (view.obstacle == jobs::CommissionObstacle::Lost)
-            return translate("cli", "The servo went away in the middle; plug it in again (ID %1).")
-                .arg(view.newId);
+            return withConcerns(
+                translate("cli", "The servo went away in the middle; plug it in again (ID %1).")
+                    .arg(view.newId),
+                view.concerns);
         return view.newId < 0
                    ? translate("cli", "No ID is left; an unfinished servo is awaited.")
                    : translate("cli", "Connect the next servo (it gets ID %1).").arg(view.newId);
@@ -346,11 +362,12 @@ void CommissionCommand::nameUnfinished()
     if (m_batch.pending.empty())
         return;
     for (const record::CommissionPending& one : m_batch.pending)
-        m_run.console().remark(
+        m_run.console().remark(withConcerns(
             translate("cli", "Unfinished: %1 that was to have ID %2. A part of its settings may be "
                              "written. Connect it and run the same command again to finish it.")
                 .arg(one.servo.model)
-                .arg(one.newId));
+                .arg(one.newId),
+            record::unfinishedTroubles(one)));
     // Between two writes none is open.
     const auto open = m_run.session().journal().open();
     if (!open || !open->empty())

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/persistence.h"
+#include "device/reader.h"
 #include "device/talk.h"
 #include "device/write_access.h"
 #include "jobs/change_steps.h"
@@ -66,6 +68,17 @@ base::Result<int> locate(const device::Context& context, base::Protocol protocol
     return -1;
 }
 
+/// A second write goes to the servo of the first one only: it has not confirmed the new ID, and its
+/// lock is open still. One that was put in its place comes with a closed lock.
+bool mayRepeat(const device::Context& context, device::Servo& servo, const Sent& sent, int newId)
+{
+    const catalog::Register* lock = servo.profile->byRole(Role::Lock);
+    if (sent.answeredBy == newId || lock == nullptr)
+        return sent.answeredBy != newId;
+    const auto flag = device::readRegister(context, servo, *lock);
+    return flag && device::isOpen(*flag);
+}
+
 /// Writes the ID and follows the servo to wherever it answers then.
 base::Result<void> writeAndFollow(const device::Context& context, device::Servo& servo, int newId,
                                   device::WriteResult& result)
@@ -102,6 +115,8 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
         if (*place == newId || *back == newId)
             return {};
         // It still answers, and reads, as before: nothing has happened, so writing again is safe.
+        if (!mayRepeat(context, servo, *sent, newId))
+            return base::fail(ErrorCode::Uncertain, operation, QStringLiteral("exchanged"), oldId);
         if (attempt + 1 < sends)
             device::noteSentAgain(context, servo, sent->lost, reg.key);
     }

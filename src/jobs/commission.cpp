@@ -2,6 +2,7 @@
 #include "jobs/commission.h"
 
 #include "jobs/commission_line.h"
+#include "jobs/commission_settle.h"
 
 #include <array>
 
@@ -55,6 +56,11 @@ base::Result<CommissionEnd> commission(const device::Context& outer, const Commi
         return tl::unexpected(kept.error());
     const int baudBefore = context.bus.baud();
     auto end = CommissionLine(context, spec, batch, csvPath, hooks).run();
+    // A set-up that broke off ends here: what its journal holds is said of the lock.
+    const auto pendingBefore = batch.pending;
+    updateLocks(context, batch.pending);
+    if (batch.pending != pendingBefore)
+        (void)record::saveCommissionBatch(batch, csvPath); // why it ended is said already
     if (context.bus.hasBaud() && context.bus.baud() != baudBefore)
         (void)context.bus.setBaud(baudBefore); // a lost link has no rate
     if (!end && end.error().code == ErrorCode::Stopped)

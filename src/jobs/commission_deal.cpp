@@ -28,18 +28,24 @@ bool sameSettings(const device::Servo& one, const device::Servo& other)
 }
 } // namespace
 
-CommissionPending* CommissionLine::pendingOf(const CommissionWork& work)
+CommissionPending* CommissionLine::pendingFor(int newId, const QString& protocol)
 {
     for (CommissionPending& one : m_batch.pending) {
-        if (one.newId == work.newId && one.servo.protocol == work.row.servo.protocol)
+        if (one.newId == newId && one.servo.protocol == protocol)
             return &one;
     }
     return nullptr;
 }
 
+CommissionPending* CommissionLine::pendingOf(const CommissionWork& work)
+{
+    return pendingFor(work.newId, work.row.servo.protocol);
+}
+
 /// Is it one that was left in the middle? Then it goes on with what it was to get. At its old place
 /// it may as well be another one of the kind, if the new ID may have been written already or a
-/// write to it has not ended, unless its lock still stands open.
+/// write to it has not ended, unless its lock still stands open. Once the new ID was read back it
+/// certainly is another one.
 bool CommissionLine::recognise(CommissionWork& work, CommissionView& view)
 {
     const record::SnapshotServo who = servoRecord(work.servo);
@@ -48,15 +54,13 @@ bool CommissionLine::recognise(CommissionWork& work, CommissionView& view)
                               one.servo.modelId == who.modelId &&
                               one.servo.firmware == who.firmware;
         const bool atNew = one.idSent && who.id == one.newId;
-        const bool atOld = who.id == one.servo.id;
+        const bool atOld = who.id == one.servo.id && !one.idRead;
         const bool rate = work.servo.baud == one.oldBaud || work.servo.baud == one.newBaud;
         if (!sameKind || !rate || !(atNew || atOld))
             continue;
-        // Without a user to ask, a template that was begun is simply written to the servo that is
-        // here.
-        const bool asked = !m_spec.automatic && owesChange(m_context, work.servo, one.at);
-        const bool begun = one.idSent || asked;
-        if (!atNew && begun && !leftOpen(m_context, work.servo, one)) {
+        work.proven = leftOpen(m_context, work.servo, one);
+        const bool begun = one.idSent || owesChange(m_context, one);
+        if (!atNew && begun && !work.proven) {
             view.doubtfulId = one.newId;
             continue;
         }
@@ -67,6 +71,17 @@ bool CommissionLine::recognise(CommissionWork& work, CommissionView& view)
         return true;
     }
     return false;
+}
+
+/// Beside the question whether it is the one that was begun: what is known of that one.
+void CommissionLine::addUnfinished(const CommissionWork& work, CommissionView& view)
+{
+    const int newId = view.doubtfulId >= 0 ? view.doubtfulId : work.newId;
+    const CommissionPending* one = pendingFor(newId, work.row.servo.protocol);
+    if (one == nullptr)
+        return;
+    for (const CommissionTrouble& trouble : record::unfinishedTroubles(*one))
+        view.concerns.push_back(trouble);
 }
 
 base::Result<void> CommissionLine::deal(device::Servo servo)
@@ -82,6 +97,8 @@ base::Result<void> CommissionLine::deal(device::Servo servo)
     work.newId = nextId().value_or(-1);
     work.newBaud = m_spec.baud > 0 ? m_spec.baud : work.servo.baud;
     view.halfDone = recognise(work, view);
+    if (work.newId < 0)
+        work.newId = view.doubtfulId; // there is no ID for another one
     view.servo = servoRecord(work.servo);
     view.baud = work.servo.baud;
     const int id = work.servo.id;
@@ -98,23 +115,35 @@ base::Result<void> CommissionLine::deal(device::Servo servo)
         concerns->push_back({QStringLiteral("other-id"), QString::number(id)});
     if (work.newId < 0)
         return setAside(work, {{QStringLiteral("no-id-left")}});
-    view.newId = work.newId;
-    view.newBaud = work.newBaud;
-    view.concerns = *concerns;
-    show(view);
-    if (!m_spec.automatic) {
-        const auto agreed = confirm(work, view, *concerns);
-        if (!agreed || !*agreed)
-            return agreed ? base::Result<void>() : tl::unexpected(agreed.error());
-    } else if (std::any_of(concerns->begin(), concerns->end(), needsDecision)) {
-        return setAside(work, *concerns);
-    }
+    const auto agreed = decide(work, view, *concerns);
+    if (!agreed || !*agreed)
+        return agreed ? base::Result<void>() : tl::unexpected(agreed.error());
     work.row.troubles = *concerns;
     view.newId = work.newId;
     view.halfDone = view.halfDone || work.newId == view.doubtfulId;
     if (const auto done = setUp(work, view); !done)
         return failed(work, done.error());
     return finish(work);
+}
+
+/// As confirm(). Without a click where nothing speaks against it; but whatever answers after a
+/// silence may be another servo, and that is for the user to say.
+base::Result<bool> CommissionLine::decide(CommissionWork& work, CommissionView& view,
+                                          std::vector<CommissionTrouble>& concerns)
+{
+    view.newId = work.newId;
+    view.newBaud = work.newBaud;
+    view.concerns = concerns;
+    const bool unclear = view.doubtfulId >= 0 || (view.halfDone && !work.proven);
+    if (unclear)
+        addUnfinished(work, view);
+    show(view);
+    if (!m_spec.automatic || unclear)
+        return confirm(work, view, concerns);
+    if (std::none_of(concerns.begin(), concerns.end(), needsDecision))
+        return true;
+    const auto aside = setAside(work, concerns);
+    return aside ? base::Result<bool>(false) : tl::unexpected(aside.error());
 }
 
 /// False: it is not to be set up now, and whatever is to be done about that has been done.
@@ -125,7 +154,9 @@ base::Result<bool> CommissionLine::confirm(CommissionWork& work, CommissionView 
     show(view);
     int silences = 0;
     for (;;) {
-        const CommissionAnswer answer = m_hooks.answer ? m_hooks.answer() : CommissionAnswer::None;
+        CommissionAnswer answer = m_hooks.answer ? m_hooks.answer() : CommissionAnswer::None;
+        if (answer == CommissionAnswer::Continue && view.doubtfulId == work.newId)
+            answer = CommissionAnswer::None; // there is no ID for another one
         if (answer == CommissionAnswer::SetAside) {
             const auto aside = setAside(work, concerns);
             return aside ? base::Result<bool>(false) : tl::unexpected(aside.error());
@@ -185,15 +216,15 @@ base::Result<void> CommissionLine::begin(CommissionWork& work, CommissionView& v
     if (view.halfDone) {
         if (work.servo.id == work.newId)
             (void)keepName(work, labelOf(work)); // before anything more is written to it
-        const CommissionPending* one = pendingOf(work);
-        const auto since = one != nullptr ? one->at : work.row.at;
-        if (const auto settled = settleIntents(m_context, work.servo, since); !settled)
-            return settled;
+        if (const CommissionPending* one = pendingOf(work)) {
+            if (const auto settled = settleIntents(m_context, *one); !settled)
+                return settled;
+        }
         const auto concerns = checkServo(m_context, m_spec, work);
         if (!concerns)
             return tl::unexpected(concerns.error());
     }
-    CommissionPending* known = pendingOf(work);
+    const CommissionPending* known = pendingOf(work);
     const QString first = known != nullptr && view.halfDone ? known->snapshot : QString();
     if (hasWork(work)) {
         const auto may = device::beginWriting(m_context, work.servo, operation);
@@ -210,14 +241,25 @@ base::Result<void> CommissionLine::begin(CommissionWork& work, CommissionView& v
     if (!first.isEmpty())
         work.row.snapshot = first; // as it was when it came, not when it was left in the middle
     view.snapshot = work.row.snapshot;
-    if (!hasWork(work))
-        return {};
-    CommissionPending now{work.row.at,      work.row.servo, work.row.oldBaud,
-                          work.newId,       work.newBaud,   work.servo.id == work.newId,
+    return hasWork(work) ? enlist(work, view) : base::Result<void>();
+}
+
+/// Into the batch's file.
+base::Result<void> CommissionLine::enlist(const CommissionWork& work, const CommissionView& view)
+{
+    CommissionPending* known = pendingOf(work);
+    const bool atNew = work.servo.id == work.newId;
+    CommissionPending now{QDateTime::currentDateTimeUtc(),
+                          work.row.servo,
+                          work.row.oldBaud,
+                          work.newId,
+                          work.newBaud,
+                          atNew,
                           work.row.snapshot};
     if (known != nullptr && view.halfDone) {
         now.at = known->at;
         now.idSent = now.idSent || known->idSent;
+        now.idRead = known->idRead || (atNew && !owesChange(m_context, *known));
     }
     if (known != nullptr)
         *known = now; // of another one that never got the ID: it begins anew when it comes back
@@ -236,7 +278,13 @@ base::Result<void> CommissionLine::takeId(CommissionWork& work)
         if (const auto kept = keep(); !kept)
             return kept;
     }
-    return giveId(m_context, work);
+    const auto given = giveId(m_context, work);
+    if (work.idRead) {
+        one->idRead = true;
+        if (const auto kept = keep(); !kept)
+            return kept;
+    }
+    return given;
 }
 
 /// As early as it has its ID, so that what is written from now on is its own in the history.

@@ -49,11 +49,18 @@ base::Result<CommissionLine::Stay> CommissionLine::stayed(CommissionWork& work,
     }
     if (!leftOpen(m_context, work.servo, begun))
         return Stay::NotProven;
-    const auto settled = settleIntents(m_context, work.servo, begun.at);
+    const auto settled = settleIntents(m_context, begun);
     if (!settled && endsLine(settled.error().code))
         return tl::unexpected(settled.error());
-    const bool over = settled.has_value() && !owesChange(m_context, work.servo, begun.at);
+    const bool over = settled.has_value() && !owesChange(m_context, begun);
     return over ? Stay::Settled : Stay::Unsettled;
+}
+
+/// Its lock may be open by now: the batch says so.
+base::Result<void> CommissionLine::lose()
+{
+    m_lost = true;
+    return keep();
 }
 
 /// Ends the line, or waits for a servo that has gone away, or sets its failure down.
@@ -75,26 +82,24 @@ base::Result<void> CommissionLine::failed(CommissionWork& work, const base::Erro
         }
     }
     CommissionPending* one = pendingOf(work);
-    if (!here) {
-        m_lost = one != nullptr;
-        return {};
-    }
-    if (one != nullptr && here->id != work.newId && one->idSent) {
-        one->idSent = false; // it answers as before: nobody has the new ID
-        if (const auto kept = keep(); !kept)
-            return kept;
-    }
+    if (!here)
+        return one != nullptr ? lose() : base::Result<void>();
+    if (one != nullptr && one->idRead && here->id != work.newId)
+        return lose(); // another servo has taken its place
     work.servo.id = here->id;
     work.servo.baud = here->baud;
-    if (one != nullptr && owesChange(m_context, work.servo, one->at)) {
+    if (one != nullptr && owesChange(m_context, *one)) {
         const auto known = stayed(work, *one);
         if (!known)
             return tl::unexpected(known.error());
         // It may have been swapped for another one, so it is identified again.
-        if (*known == Stay::NotProven && ++m_returns[work.newId] <= maxReturns) {
-            m_lost = true;
-            return {};
-        }
+        if (*known == Stay::NotProven && ++m_returns[work.newId] <= maxReturns)
+            return lose();
+    }
+    if (one != nullptr && here->id != work.newId && one->idSent && !owesChange(m_context, *one)) {
+        one->idSent = false; // it is proven to answer as before: no servo has the new ID
+        if (const auto kept = keep(); !kept)
+            return kept;
     }
     work.row.troubles.push_back(troubleOf(error));
     work.row.verdict = CommissionVerdict::Failed;
@@ -137,7 +142,7 @@ base::Result<void> CommissionLine::finish(CommissionWork& work)
         row.verdict = alarmed ? CommissionVerdict::Failed : CommissionVerdict::Remark;
     // What the journal still holds open is not over with this row: it stays unfinished.
     const CommissionPending* one = pendingOf(work);
-    if (one != nullptr && !owesChange(m_context, work.servo, one->at))
+    if (one != nullptr && !owesChange(m_context, *one))
         m_batch.pending.erase(m_batch.pending.begin() + (one - m_batch.pending.data()));
     CommissionView view;
     view.baud = work.servo.baud;

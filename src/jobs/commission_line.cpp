@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/commission_line.h"
 
+#include "jobs/commission_settle.h"
+
 #include <algorithm>
 
 namespace jobs {
@@ -48,8 +50,13 @@ CommissionLine::Place CommissionLine::placeOf(const device::Servo& servo)
 
 std::optional<int> CommissionLine::nextId() const
 {
-    const auto next = std::find_if(m_spec.ids.begin(), m_spec.ids.end(),
-                                   [this](int id) { return !m_batch.idTaken(id); });
+    const auto taken = [this](int id) {
+        return m_batch.idTaken(id) ||
+               std::any_of(m_batch.pending.begin(), m_batch.pending.end(), [&](const auto& one) {
+                   return one.newId == id && owesChange(m_context, one);
+               });
+    };
+    const auto next = std::find_if_not(m_spec.ids.begin(), m_spec.ids.end(), taken);
     return next == m_spec.ids.end() ? std::nullopt : std::optional(*next);
 }
 
@@ -72,6 +79,7 @@ base::Result<void> CommissionLine::pause(base::Duration span)
 
 base::Result<void> CommissionLine::keep()
 {
+    updateLocks(m_context, m_batch.pending);
     auto saved = record::saveCommissionBatch(m_batch, m_csvPath);
     if (saved && m_hooks.onBatch)
         m_hooks.onBatch();
@@ -87,6 +95,7 @@ CommissionView CommissionLine::waitingView() const
         view.obstacle = CommissionObstacle::Lost;
         view.servo = m_batch.pending.back().servo;
         view.newId = m_batch.pending.back().newId;
+        view.concerns = record::unfinishedTroubles(m_batch.pending.back());
     }
     return view;
 }

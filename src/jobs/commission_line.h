@@ -52,10 +52,13 @@ private:
     base::Result<void> deal(device::Servo servo);
     base::Result<void> setAside(const CommissionWork& work,
                                 const std::vector<record::CommissionTrouble>& why);
+    base::Result<bool> decide(CommissionWork& work, CommissionView& view,
+                              std::vector<record::CommissionTrouble>& concerns);
     base::Result<bool> confirm(CommissionWork& work, CommissionView view,
                                std::vector<record::CommissionTrouble>& concerns);
     base::Result<void> setUp(CommissionWork& work, CommissionView& view);
     base::Result<void> begin(CommissionWork& work, CommissionView& view);
+    base::Result<void> enlist(const CommissionWork& work, const CommissionView& view);
     base::Result<void> takeId(CommissionWork& work);
     base::Result<void> placed(CommissionWork& work);
     enum class Stay : std::uint8_t {
@@ -65,11 +68,14 @@ private:
     };
     base::Result<Stay> stayed(CommissionWork& work, const record::CommissionPending& begun);
     base::Result<void> failed(CommissionWork& work, const base::Error& error);
+    base::Result<void> lose();
     base::Result<void> finish(CommissionWork& work);
     base::Result<void> keepName(CommissionWork& work, const QString& label);
     QString labelOf(const CommissionWork& work) const;
     base::Result<bool> stillAlone(CommissionWork& work);
     bool recognise(CommissionWork& work, CommissionView& view);
+    void addUnfinished(const CommissionWork& work, CommissionView& view);
+    record::CommissionPending* pendingFor(int newId, const QString& protocol);
     record::CommissionPending* pendingOf(const CommissionWork& work);
 
     const device::Context& m_context;

@@ -29,12 +29,40 @@ base::Result<void> settleOne(const device::Context& context, const QString& uuid
     return {};
 }
 
-/// Both times are of this computer; the batch's is cut to seconds.
-bool concerns(const device::Context& context, const base::Intent& intent,
-              const device::Servo& servo, const QDateTime& since)
+bool sameKind(const base::ServoIdentity& one, const record::SnapshotServo& other)
 {
-    return intent.servo.port == context.bus.portName() && intent.at >= since &&
-           intent.servo.sameKind(servo.identity());
+    catalog::Identity who;
+    who.firmwareMajor = one.firmwareMajor;
+    who.firmwareMinor = one.firmwareMinor;
+    who.modelMajor = one.modelMajor;
+    who.modelMinor = one.modelMinor;
+    who.protocol = one.protocol;
+    return other.protocol == base::protocolName(one.protocol) && other.modelId == who.modelId() &&
+           other.firmware == who.firmware();
+}
+
+bool givesId(const base::Intent& intent, int id)
+{
+    return intent.kind == base::IntentKind::SetId && !intent.items.empty() &&
+           intent.items.front().newRaw == id;
+}
+
+/// Both times are of this computer. Another servo of the kind may have come since, for another ID.
+bool concerns(const device::Context& context, const base::Intent& intent,
+              const record::CommissionPending& begun)
+{
+    if (intent.servo.port != context.bus.portName() || intent.at < begun.at ||
+        !sameKind(intent.servo, begun.servo))
+        return false;
+    if (intent.servo.id == begun.newId || givesId(intent, begun.newId))
+        return true;
+    return intent.servo.id == begun.servo.id && intent.kind != base::IntentKind::SetId;
+}
+
+bool opensLock(const device::Context& context, const base::Intent& intent,
+               const record::CommissionPending& begun)
+{
+    return intent.lockOpened && concerns(context, intent, begun);
 }
 
 bool cameLocked(const device::Servo& servo, const record::CommissionPending& begun)
@@ -46,14 +74,14 @@ bool cameLocked(const device::Servo& servo, const record::CommissionPending& beg
 }
 } // namespace
 
-base::Result<void> settleIntents(const device::Context& context, device::Servo& servo,
-                                 const QDateTime& since)
+base::Result<void> settleIntents(const device::Context& context,
+                                 const record::CommissionPending& begun)
 {
     const auto open = context.journal.open();
     if (!open)
         return tl::unexpected(open.error());
     for (const base::Intent& intent : *open) {
-        if (!concerns(context, intent, servo, since))
+        if (!concerns(context, intent, begun))
             continue;
         if (const auto settled = settleOne(context, intent.uuid); !settled)
             return settled;
@@ -61,12 +89,25 @@ base::Result<void> settleIntents(const device::Context& context, device::Servo& 
     return {};
 }
 
-bool owesChange(const device::Context& context, const device::Servo& servo, const QDateTime& since)
+bool owesChange(const device::Context& context, const record::CommissionPending& begun)
 {
     const auto open = context.journal.open();
     return open && std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
-               return concerns(context, intent, servo, since);
+               return concerns(context, intent, begun);
            });
+}
+
+void updateLocks(const device::Context& context, std::vector<record::CommissionPending>& all)
+{
+    if (all.empty())
+        return;
+    const auto open = context.journal.open();
+    if (!open)
+        return; // as it was known last
+    for (record::CommissionPending& one : all)
+        one.lockOpen = std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
+            return opensLock(context, intent, one);
+        });
 }
 
 bool leftOpen(const device::Context& context, device::Servo& servo,
@@ -75,8 +116,8 @@ bool leftOpen(const device::Context& context, device::Servo& servo,
     const auto open = context.journal.open();
     const bool ours =
         open && std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
-            return intent.lockOpened && intent.servo.id == servo.id &&
-                   concerns(context, intent, servo, begun.at);
+            return opensLock(context, intent, begun) &&
+                   (intent.servo.id == servo.id || givesId(intent, servo.id));
         });
     if (!ours || !cameLocked(servo, begun) ||
         !device::readRoles(context, servo, {catalog::Role::Lock}))

@@ -213,7 +213,11 @@ base::Result<void> giveId(const device::Context& context, CommissionWork& work)
     if (work.servo.id == work.newId)
         return {};
     const auto changed = changeId(context, work.servo, work.newId);
-    return changed ? proved(*changed) : tl::unexpected(changed.error());
+    if (!changed)
+        return tl::unexpected(changed.error());
+    work.idRead =
+        !changed->writes.empty() && changed->writes.front().outcome == device::WriteOutcome::Kept;
+    return proved(*changed);
 }
 
 base::Result<void> giveRate(const device::Context& context, CommissionWork& work)

@@ -16,8 +16,10 @@ struct CommissionWork {
     int newBaud = 0; ///< the rate it is to have; its own where it keeps it
     std::optional<RestorePlan> plan{};
     bool center = false;
-    bool saved = false; ///< its table is on the disk
-    QString named{};    ///< its label in the history
+    bool saved = false;  ///< its table is on the disk
+    bool proven = false; ///< it is the very servo that was begun: its lock still stands open
+    bool idRead = false; ///< its new ID was written with the lock open, and read back
+    QString named{};     ///< its label in the history
 };
 
 /// Reads the whole table, plans the template, and finds everything that speaks against going on:

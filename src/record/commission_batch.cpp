@@ -85,6 +85,19 @@ int CommissionBatch::done() const
     return count(CommissionVerdict::Good) + count(CommissionVerdict::Remark);
 }
 
+std::vector<CommissionTrouble> unfinishedTroubles(const CommissionPending& pending)
+{
+    std::vector<CommissionTrouble> troubles;
+    if (pending.idRead)
+        troubles.push_back({QStringLiteral("unfinished-id"), QString::number(pending.newId)});
+    else if (pending.idSent && pending.newId != pending.servo.id)
+        troubles.push_back({QStringLiteral("unfinished-ids"),
+                            QStringLiteral("%1, %2").arg(pending.servo.id).arg(pending.newId)});
+    if (pending.lockOpen)
+        troubles.push_back({QStringLiteral("unfinished-lock")});
+    return troubles;
+}
+
 QByteArray encodeCommissionCsv(const CommissionBatch& batch)
 {
     QByteArray text = "time,verdict,troubles,model,firmware,was_id,was_baud,id,baud,template,"

@@ -46,13 +46,15 @@ struct CommissionRow {
 
 /// A servo that was begun and has not been finished: where it may be found.
 struct CommissionPending {
-    QDateTime at;
+    QDateTime at;        ///< UTC, to the millisecond: its changes in the journal are later
     SnapshotServo servo; ///< as it was met
     int oldBaud = 0;
     int newId = -1;
     int newBaud = 0;
-    bool idSent = false; ///< it may have its new ID: nobody else gets it
-    QString snapshot{};  ///< file with its table before the first write
+    bool idSent = false;   ///< it may have its new ID: nobody else gets it
+    QString snapshot{};    ///< file with its table before the first write
+    bool idRead = false;   ///< its new ID was read back: under the old one another servo answers
+    bool lockOpen = false; ///< its lock was opened and not proven closed
     bool operator==(const CommissionPending&) const = default;
 };
 
@@ -76,6 +78,9 @@ struct CommissionBatch {
     int count(CommissionVerdict verdict) const;
     int done() const; ///< good or with a remark
 };
+
+/// What is known of a servo that was begun: the IDs it may have, and its lock.
+std::vector<CommissionTrouble> unfinishedTroubles(const CommissionPending& pending);
 
 QByteArray encodeCommissionBatch(const CommissionBatch& batch);
 base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text);

@@ -59,13 +59,15 @@ QByteArray rowText(const CommissionRow& row)
 QByteArray pendingText(const CommissionPending& one)
 {
     return JsonLine()
-        .text("time", timeText(one.at))
+        .text("time", one.at.toUTC().toString(Qt::ISODateWithMs))
         .raw("servo", servoText(one.servo))
         .integer("was_baud", one.oldBaud)
         .integer("id", one.newId)
         .integer("baud", one.newBaud)
         .raw("id_sent", jsonFlag(one.idSent))
         .text("snapshot", one.snapshot)
+        .raw("id_read", jsonFlag(one.idRead))
+        .raw("lock_open", jsonFlag(one.lockOpen))
         .done();
 }
 
@@ -123,8 +125,11 @@ CommissionPending readPending(const JsonReader& json)
     one.newId = json.small("id");
     one.newBaud = json.small("baud");
     one.idSent = json.flag("id_sent");
-    if (json.has("snapshot")) // not in files of earlier versions
+    // Not in files of earlier versions.
+    if (json.has("snapshot"))
         one.snapshot = json.text("snapshot");
+    one.idRead = json.has("id_read") && json.flag("id_read");
+    one.lockOpen = json.has("lock_open") && json.flag("lock_open");
     return one;
 }
 

@@ -58,6 +58,11 @@ constexpr std::array troubleWords{
     TroubleWords{"identity-differs", "another servo answers now: %1", "应答的是其他舵机：%1"},
     TroubleWords{"out-of-range", "the value is out of its range: %1", "数值超出范围：%1"},
     TroubleWords{"not-supported", "not supported: %1", "不支持：%1"},
+    TroubleWords{"unfinished-id", "the unfinished servo has ID %1", "未完成的舵机 ID 为 %1"},
+    TroubleWords{"unfinished-ids", "the unfinished servo may have any of these IDs: %1",
+                 "未完成的舵机可能使用以下任一 ID：%1"},
+    TroubleWords{"unfinished-lock", "its EPROM lock was opened and has not been proven closed",
+                 "其 EPROM 已解锁，无法确认已重新上锁"},
     TroubleWords{"uncertain", "what became of a write is not known", "写入结果未知"},
 };
 

@@ -148,12 +148,19 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(bench.headline().contains(QStringLiteral("same servo")), longTime);
         QTRY_VERIFY(
             bench.own<QLabel>("commissionSum")->text().contains(QStringLiteral("1 unfinished")));
+        const auto detail = [&] { return bench.own<QLabel>("commissionDetail")->text(); };
+        QTRY_VERIFY2(detail().contains(QStringLiteral("EPROM lock was opened")),
+                     qPrintable(detail()));
+        QVERIFY2(detail().contains(QStringLiteral("IDs: 1, 7")), qPrintable(detail()));
         QSignalSpy found(&bench.desk(), &session::Desk::unfinishedFound);
         bench.desk().findUnfinished();
         QTRY_COMPARE_WITH_TIMEOUT(found.size(), 1, longTime);
         QVERIFY(!found.front().front().value<session::UnfinishedWrites>().ids.empty());
         bench.click("commissionStop");
         QVERIFY(bench.ends());
+        QTRY_VERIFY2(detail().contains(QStringLiteral("EPROM lock was opened")),
+                     qPrintable(detail()));
+        QVERIFY2(detail().contains(QStringLiteral("IDs: 1, 7")), qPrintable(detail()));
     }
 
     void oneClickSetsAServoUp()
@@ -208,8 +215,15 @@ private Q_SLOTS:
     }
 
     /// A factory servo at the old place of one that was left in the middle may be that one.
+    void aServoThatMayHaveBeenBegunIsExplained_data()
+    {
+        QTest::addColumn<bool>("automatic");
+        QTest::newRow("with a click") << false;
+        QTest::newRow("without asking") << true;
+    }
     void aServoThatMayHaveBeenBegunIsExplained()
     {
+        QFETCH(const bool, automatic);
         LineBench bench;
         record::CommissionBatch batch;
         record::CommissionPending begun;
@@ -218,10 +232,12 @@ private Q_SLOTS:
         begun.oldBaud = begun.newBaud = 1'000'000;
         begun.newId = 9;
         begun.idSent = true;
+        begun.lockOpen = true;
         batch.pending = {begun};
         QVERIFY(record::saveCommissionBatch(batch, bench.batchFile()));
         QVERIFY(bench.open());
         bench.fill(7);
+        bench.own<QCheckBox>("commissionAutomatic")->setChecked(automatic);
         bench.click("commissionStart");
         QTRY_VERIFY(bench.headline().contains(QStringLiteral("next servo")));
         bench.click("commissionPlug");

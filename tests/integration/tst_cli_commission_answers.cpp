@@ -164,15 +164,20 @@ void TestCliCommissionAnswers::aSetsItAside()
 
 void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle_data()
 {
+    QTest::addColumn<QByteArray>("way");
     QTest::addColumn<QByteArray>("answer");
     QTest::addColumn<int>("id");
     QTest::addColumn<int>("unfinished");
-    QTest::newRow("s") << QByteArray("s\n") << 9 << 0;
-    QTest::newRow("another one") << QByteArray("\n") << 5 << 1;
+    for (const char* way : {"", " --auto"}) {
+        QTest::addRow("s%s", way) << QByteArray(way) << QByteArray("s\n") << 9 << 0;
+        QTest::addRow("another one%s", way) << QByteArray(way) << QByteArray("\n") << 5 << 1;
+        QTest::addRow("no answer%s", way) << QByteArray(way) << QByteArray() << -1 << 1;
+    }
 }
 
 void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle()
 {
+    QFETCH(const QByteArray, way);
     QFETCH(const QByteArray, answer);
     QFETCH(const int, id);
     QFETCH(const int, unfinished);
@@ -196,17 +201,20 @@ void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle()
     batch.pending = {left};
     QVERIFY(record::saveCommissionBatch(batch, keys.csv()));
 
-    keys.start("commission --first-id 5 --count 1");
+    keys.start(QByteArray("commission --first-id 5 --count 1" + way).constData());
     QVERIFY(keys.asks("it was to have ID 9. If this is that servo, press s and Enter"));
     keys.press(answer.constData());
     const Ran ran = keys.finish();
     QCOMPARE(ran.exit, unfinished);
+    QVERIFY2(ran.err.contains(text("any of these IDs: 1, 9")), qPrintable(ran.err));
     const auto after = record::openCommissionBatch(keys.csv());
     QVERIFY(after);
-    QCOMPARE(after->rows.size(), std::size_t(1));
+    QCOMPARE(after->pending.size(), std::size_t(unfinished));
+    QCOMPARE(after->rows.size(), std::size_t(id < 0 ? 0 : 1));
+    if (id < 0)
+        return;
     QCOMPARE(after->rows[0].verdict, record::CommissionVerdict::Good);
     QCOMPARE(after->rows[0].newId, id);
-    QCOMPARE(after->pending.size(), std::size_t(unfinished));
 }
 
 void TestCliCommissionAnswers::anythingElseIsNoYes()

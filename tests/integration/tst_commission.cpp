@@ -46,6 +46,14 @@ void pullSpec(CommissionBench& line)
     line.spec.settings = templateOf("sts3215", {{"position_p", 24}, {"max_temperature", 65}});
 }
 
+/// Asked whether it is the one that was begun.
+CommissionAnswer truthOf(const CommissionView& view, bool same)
+{
+    if (view.doubtfulId >= 0)
+        return same ? CommissionAnswer::SameServo : CommissionAnswer::Continue;
+    return view.halfDone && !same ? CommissionAnswer::SetAside : CommissionAnswer::Continue;
+}
+
 bool lockedAndOff(const sim::VirtualServo& servo)
 {
     return servo.raw(q("lock")) == 1 && servo.raw(q("torque_switch")) == 0;
@@ -493,6 +501,7 @@ private Q_SLOTS:
             line.plug(0); // the same one again
             return true;
         };
+        line.answer = [&] { return truthOf(line.views.back(), true); };
         auto end = line.run();
         if (pulled && killed) {
             QVERIFY(!end);
@@ -549,6 +558,7 @@ private Q_SLOTS:
                     swap();
             }
         };
+        line.answer = [&] { return truthOf(line.views.back(), !killed); };
         const auto end = line.run();
         QVERIFY2(end, qPrintable(end ? QString() : base::errorName(end.error().code)));
         if (!line.bench.journal().open()->empty())
@@ -571,6 +581,65 @@ private Q_SLOTS:
                 QVERIFY(lockedAndOff(servo));
             }
         }
+    }
+
+    void exchangedAfterTheIdIsWritten_data()
+    {
+        QTest::addColumn<int>("gone");
+        QTest::addColumn<int>("comes");
+        for (const int gone : {1, 2, 3, 4, 5, 6, 8})
+            for (const int comes : {0, 1, 4, 12, 40})
+                QTest::addRow("gone after %d, another after %d", gone, comes) << gone << comes;
+    }
+
+    /// Another servo with the factory's ID takes the place of the one that has its new ID and an
+    /// open lock: nothing of the first one is written to it, and the first one stays unfinished.
+    void exchangedAfterTheIdIsWritten()
+    {
+        QFETCH(const int, gone);
+        QFETCH(const int, comes);
+        CommissionBench line(q("sts3215@1,sts3215@1"));
+        line.keepsTables = true;
+        line.spec.count = 1;
+        int frames = -1;
+        line.bench.tap().onWrite = [&](const base::Bytes& bytes) {
+            const bool idWrite =
+                bytes.size() > 6 && bytes[4] == support::Write && bytes[5] == 5 && bytes[6] == 11;
+            if (idWrite && frames < 0)
+                frames = 0;
+            else if (frames >= 0)
+                ++frames;
+            if (frames == gone)
+                line.unplugAll();
+            if (frames == gone + comes)
+                line.plug(1);
+        };
+        bool asked = false;
+        line.hand = [&](const CommissionView& view) {
+            asked = asked || view.step == CommissionStep::Confirm;
+            const bool over = view.step == CommissionStep::Confirm ||
+                              (view.step == CommissionStep::Unplug && line.somebodyPlugged());
+            if (over)
+                line.bench.stop().request();
+            return over || frames >= 0;
+        };
+        QVERIFY(line.run());
+        QVERIFY(frames >= gone + comes);
+        const auto& first = line.servoAt(0);
+        const auto& other = line.servoAt(1);
+        QCOMPARE(first.id(), 11);
+        const bool finished = !line.batch.rows.empty() && line.batch.rows.front().newId == 11;
+        QVERIFY2(other.id() != 11, "no two servos with one ID");
+        QVERIFY2(!finished || first.raw(q("lock")) == 1, "what is said to be good is locked");
+        if (finished)
+            return;
+        QVERIFY(!line.batch.pending.empty());
+        const record::CommissionPending& left = line.batch.pending.front();
+        QCOMPARE(left.newId, 11);
+        QVERIFY(left.idSent);
+        QVERIFY2(asked || left.idRead, "the user is asked");
+        QCOMPARE(left.lockOpen, !line.bench.journal().open()->empty());
+        QVERIFY2(left.lockOpen || first.raw(q("lock")) == 1, "an open lock is told");
     }
 
     /// It never left: its row says what was written and that the lock is open.

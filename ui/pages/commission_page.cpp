@@ -320,10 +320,34 @@ QString CommissionPage::headline() const
 QString CommissionPage::unfinishedWords() const
 {
     QStringList servos;
-    for (const record::CommissionPending& one : m_line.batch().pending)
+    for (const record::CommissionPending& one : m_line.batch().pending) {
+        const auto known = record::unfinishedTroubles(one);
         servos << tr("%1 for ID %2").arg(one.servo.model).arg(one.newId);
+        if (!known.empty())
+            servos.back() += QStringLiteral(" (⚠ %1)").arg(
+                report::commissionTroublesWords(known).in(text::inChinese()));
+    }
     return tr("Unfinished: %1. Connect the servo and start the same batch again to finish it.")
         .arg(servos.join(QStringLiteral(", ")));
+}
+
+/// Whether it is the one that was begun.
+QString CommissionPage::askedWords() const
+{
+    const jobs::CommissionView& view = m_line.view();
+    if (view.halfDone)
+        return tr("A servo of this kind was left unfinished here. Continue only if this is that "
+                  "servo.");
+    if (view.doubtfulId < 0)
+        return {};
+    if (view.doubtfulId == view.newId)
+        return tr("A servo of this kind was left unfinished; no ID is left for another one. If "
+                  "this is that servo, click \"%1\".")
+            .arg(m_same->text());
+    return tr("A servo of this kind was left unfinished; it was to have ID %1. If this is "
+              "that servo, click \"%2\"; otherwise it is set up as a new one.")
+        .arg(view.doubtfulId)
+        .arg(m_same->text());
 }
 
 QString CommissionPage::detail() const
@@ -355,17 +379,14 @@ QString CommissionPage::detail() const
                          .arg(one.place.baud));
     if (view.step == CommissionStep::Waiting && view.newId >= 0)
         parts.append(tr("It gets ID %1.").arg(view.newId));
-    if (view.step == CommissionStep::Confirm && view.doubtfulId >= 0)
-        parts.append(
-            tr("A servo of this kind was left unfinished; it was to have ID %1. If this is "
-               "that servo, click \"%2\"; otherwise it is set up as a new one.")
-                .arg(view.doubtfulId)
-                .arg(m_same->text()));
-    if (view.halfDone)
+    if (view.step == CommissionStep::Confirm)
+        parts.append(askedWords());
+    else if (view.halfDone)
         parts.append(tr("It was begun before and is finished now."));
     if (!view.concerns.empty())
         parts.append(QStringLiteral("⚠ ") +
                      report::commissionTroublesWords(view.concerns).in(text::inChinese()));
+    parts.removeAll(QString());
     return parts.join(QStringLiteral(" · "));
 }
 
@@ -393,7 +414,7 @@ void CommissionPage::showView()
     m_continue->setText(tr("Give it ID %1").arg(view.newId));
     m_continue->setAccessibleName(m_continue->text());
     m_continue->setToolTip(tr("Template, ID and rate are written; its table is saved first"));
-    m_continue->setVisible(confirm);
+    m_continue->setVisible(confirm && view.newId != view.doubtfulId);
     m_aside->setVisible(confirm);
     m_same->setVisible(confirm && view.doubtfulId >= 0);
     if (begins && isVisible())

@@ -64,6 +64,7 @@ private:
     QString headline() const;
     QString detail() const;
     QString unfinishedWords() const;
+    QString askedWords() const;
 
     session::Desk& m_desk;
     QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
