@@ -2,6 +2,7 @@
 #include "session/test_left.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace session {
 namespace {
@@ -74,6 +75,8 @@ bool TestLeft::concerns(const device::Servo& servo) const
 
 void TestLeft::watch()
 {
+    if (!std::exchange(m_watched, !empty()) && empty())
+        return;
     FeedWish wish;
     for (const ServoRef ref : m_desk.servos()) {
         const device::Servo& servo = m_desk.servo(ref)->servo;

@@ -39,5 +39,6 @@ private:
     device::Notices m_settings;
     std::map<int, base::ServoIdentity> m_servos; ///< by ID; they may enter the list anew
     base::Duration m_since{};                    ///< desk clock: only what is read later proves
+    bool m_watched = false;                      ///< it has a wish
 };
 } // namespace session

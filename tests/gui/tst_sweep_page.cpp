@@ -386,10 +386,17 @@ private Q_SLOTS:
                              if (!found.empty())
                                  uuid = found.front().before.intent.uuid;
                          });
+        const auto search = [&bench] {
+            bench.desk().search(bench.desk().lastSearchSpec());
+            QTRY_VERIFY_WITH_TIMEOUT(!bench.desk().searching(), testTime);
+        };
+        search();
+        QVERIFY(bench.desk().servos().empty());
         bench.desk().connection()->simulation()->with([](sim::VirtualBus& bus) {
             bus.config().faults.dropRequest = 0;
             bus.servo(1)->poke(QStringLiteral("torque_switch"), 0);
         });
+        search(); // it enters the list anew
         QTRY_VERIFY_WITH_TIMEOUT(!says("Torque could not be switched off"), testTime);
         QVERIFY(banner->isVisible() && says("Settings of the test still in the servo"));
         bench.desk().lookForIntents();
@@ -463,6 +470,48 @@ private Q_SLOTS:
         lose(0);
         QTRY_VERIFY_WITH_TIMEOUT(bench.find<QPushButton>("sweepRun")->isEnabled(), testTime);
         QVERIFY(!bench.text("sweepOutlook").contains(QLatin1String("no answer")));
+    }
+
+    /// Run is blocked with the first word of it, not only once the silent servos have been read.
+    void silentServosBlockRun()
+    {
+        SweepBench bench;
+        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2")));
+        bench.prepare();
+        bench.find<QTableWidget>("sweepServos")->item(1, 0)->setCheckState(Qt::Checked);
+        auto* run = bench.find<QPushButton>("sweepRun");
+        QTRY_VERIFY(run->isEnabled());
+        session::FeedWish wish;
+        const auto servos = bench.desk().servos();
+        for (const session::ServoRef ref : servos)
+            wish.parts.push_back({ref, {QStringLiteral("present_position")}});
+        bench.desk().wish(QStringLiteral("test"), wish);
+        const auto silent = [&] {
+            return std::any_of(servos.begin(), servos.end(), [&](session::ServoRef ref) {
+                return bench.desk().servo(ref)->silent;
+            });
+        };
+        bool blocked = true;
+        int seen = 0;
+        QObject::connect(
+            &bench.desk(), &session::Desk::servoChanged, run, [&](session::ServoRef ref) {
+                if (!bench.desk().servo(ref)->silent)
+                    return;
+                ++seen;
+                blocked = blocked && !run->isEnabled() &&
+                          bench.text("sweepOutlook").contains(QLatin1String("no answer"));
+            });
+        const auto lose = [&bench](double share) {
+            bench.desk().connection()->simulation()->with(
+                [share](sim::VirtualBus& bus) { bus.config().faults.dropRequest = share; });
+        };
+        lose(1);
+        QTRY_VERIFY_WITH_TIMEOUT(seen > 0 && silent(), testTime);
+        QVERIFY(blocked);
+        QVERIFY(!run->isEnabled());
+        lose(0);
+        QTRY_VERIFY_WITH_TIMEOUT(run->isEnabled() && !silent(), testTime);
+        QVERIFY(blocked);
     }
 
     void whatWasTypedForAServoComesBackWithIt()
