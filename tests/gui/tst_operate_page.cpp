@@ -386,6 +386,41 @@ private Q_SLOTS:
             QTRY_VERIFY(card->view().old);
     }
 
+    /// The port follows a servo to another baud rate: the others are not read any more, and their
+    /// cards must not stay green.
+    void aServoThatIsNotReadAnyMoreIsNeutralWithItsAge()
+    {
+        OperateBench bench;
+        QVERIFY(bench.ready(2, QStringLiteral("sim:sts3215@1,sts3215@2")));
+        const auto card = [&](int id) {
+            for (const ui::ServoCard* one : bench.window->findChildren<ui::ServoCard*>()) {
+                if (one->view().title.startsWith(QString::number(id)))
+                    return one->view();
+            }
+            return ui::CardView{};
+        };
+        auto* link = bench.find<ui::Pill>("statusLink");
+        auto* dial = bench.find<ui::PositionDial>("positionDial");
+        QTRY_COMPARE(card(1).tone, ui::Tone::Good);
+        QCOMPARE(card(1).state, QStringLiteral("fine"));
+        QTRY_VERIFY(!dial->view().old);
+        const QString fine = link->accessibleName();
+        bench.desk().write(bench.selection().current(),
+                           {{{QStringLiteral("baud_rate"), 1}}, false, true}); // 500 000
+        QVERIFY(bench.settled());
+        QTRY_COMPARE_WITH_TIMEOUT(card(1).tone, ui::Tone::Quiet, 30'000);
+        QVERIFY(card(1).old);
+        QTRY_VERIFY2_WITH_TIMEOUT(card(1).state.contains(QStringLiteral("s ago")),
+                                  qPrintable(card(1).state), 30'000);
+        QTRY_COMPARE(card(2).tone, ui::Tone::Good);
+        for (const session::ServoRef ref : bench.desk().servos()) {
+            if (bench.desk().servo(ref)->servo.id == 1)
+                bench.selection().select(ref);
+        }
+        QTRY_VERIFY(dial->view().old);
+        QTRY_VERIFY2(link->accessibleName() != fine, qPrintable(fine));
+    }
+
     void aFileThatIsNoRecordingIsNamed()
     {
         OperateBench bench;

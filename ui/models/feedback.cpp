@@ -3,6 +3,7 @@
 
 #include "catalog/units.h"
 #include "device/write_check.h"
+#include "session/reading_age.h"
 #include "text/translate.h"
 
 #include <QLocale>
@@ -144,7 +145,8 @@ void addKeys(const device::Servo& servo, std::initializer_list<Role> roles, QStr
 
 bool isFresh(const session::ServoEntry& entry, const session::Desk& desk)
 {
-    return !entry.silent && !entry.link.lost() && desk.state() == session::LinkState::Open;
+    return !entry.silent && !entry.link.lost() && desk.state() == session::LinkState::Open &&
+           desk.now() - entry.lastSeen <= session::maxReadingAge;
 }
 
 GaugeView gaugeView(const session::ServoEntry& entry, Measure measure)

@@ -32,7 +32,7 @@ QStringList settingKeys(const device::Servo& servo);
 /// Without turns in words and without leave to move the goal: whoever drives adds them.
 DialView dialView(const session::ServoEntry& entry, bool fresh);
 
-/// It answers, and the port is open: what is shown is so now.
+/// It answers, the port is open and the last answer is recent: what is shown is so now.
 bool isFresh(const session::ServoEntry& entry, const session::Desk& desk);
 
 /// "过温": what a fault bit is called beside its light. `key` as the catalog names the bit.

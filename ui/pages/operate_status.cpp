@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/operate_status.h"
 
+#include "text/translate.h"
 #include "ui/models/feedback.h"
+#include "ui/models/servo_row.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/pill.h"
 
@@ -99,10 +101,15 @@ void OperateStatus::showLink(const session::ServoEntry& entry, const session::De
                    .arg(own->second.ok)
                    .arg(own->second.timeOuts)
                    .arg(own->second.badChecks);
-    m_link->setState(silent ? Tone::Bad : Tone::Good,
+    const bool fresh = isFresh(entry, desk);
+    m_link->setState(silent  ? Tone::Bad
+                     : fresh ? Tone::Good
+                             : Tone::Quiet,
                      silent && entry.garbled ? tr("Unreadable answers")
                      : silent                ? tr("Time-out")
-                                             : tr("Communication fine"),
+                     : fresh                 ? tr("Communication fine")
+                                             : text::translate("ServoRow", "Last seen: %1")
+                                   .arg(agoWords(desk.now() - entry.lastSeen)),
                      {}, more);
 }
 

@@ -85,7 +85,7 @@ void ServoStrip::refresh()
     const std::vector<ServoRef>& chosen = m_selection.chosen();
     for (const auto& [ref, card] : m_cards) {
         if (const session::ServoEntry* entry = m_desk.servo(ref))
-            card->show(cardView(*entry, isFresh(*entry, m_desk)),
+            card->show(cardView(*entry, isFresh(*entry, m_desk), m_desk.now()),
                        std::find(chosen.begin(), chosen.end(), ref) != chosen.end());
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/servo_card.h"
 
+#include "session/reading_age.h"
 #include "ui/models/feedback.h"
 #include "ui/models/servo_row.h"
 
@@ -24,14 +25,15 @@ std::optional<double> share(std::optional<double> at, double low, double high)
 }
 } // namespace
 
-CardView cardView(const session::ServoEntry& entry, bool fresh)
+CardView cardView(const session::ServoEntry& entry, bool fresh, base::Duration now)
 {
     const device::Servo& servo = entry.servo;
-    const ServoRow row = servoRow(entry, std::nullopt, entry.lastSeen);
+    const ServoRow row = servoRow(entry, std::nullopt, now);
     CardView view;
     view.title = QStringLiteral("%1 · %2").arg(servo.id).arg(row.model);
-    view.state = row.alarm;
-    view.tone = fresh ? row.alarmTone : Tone::Quiet;
+    const bool old = now - entry.lastSeen > session::maxReadingAge;
+    view.state = old ? row.alarm + QStringLiteral(" · ") + row.lastSeen : row.alarm;
+    view.tone = !fresh && row.alarmTone == Tone::Good ? Tone::Quiet : row.alarmTone;
     view.old = !fresh;
     if (!servo.profile)
         return view;

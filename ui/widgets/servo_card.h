@@ -11,7 +11,7 @@
 namespace ui {
 struct CardView {
     QString title; ///< "1 · STS3215"
-    QString state; ///< "fine", "overload", "no answer"
+    QString state; ///< "fine", "overload", "no answer", "fine · 8 s ago"
     Tone tone = Tone::Quiet;
     std::optional<double> place{}; ///< 0 … 1 between the limits
     std::optional<double> goal{};
@@ -20,7 +20,8 @@ struct CardView {
     bool old = false; ///< what stands here may not be so any more
     bool operator==(const CardView&) const = default;
 };
-CardView cardView(const session::ServoEntry& entry, bool fresh);
+/// `fresh`: isFresh() of the same moment.
+CardView cardView(const session::ServoEntry& entry, bool fresh, base::Duration now);
 
 class ServoCard final : public QAbstractButton {
     Q_OBJECT
