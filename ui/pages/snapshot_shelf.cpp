@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/snapshot_shelf.h"
 
+#include "ui/models/snapshot_list.h"
+
 #include <QComboBox>
 #include <QDir>
 #include <QEvent>
@@ -43,31 +45,6 @@ QString reasonWord(record::SnapshotReason reason)
         return SnapshotShelf::tr("before commissioning");
     }
     return {};
-}
-base::Result<std::vector<record::HistorySnapshot>>
-listed(const record::History& history, const std::optional<base::ServoIdentity>& who,
-       std::int64_t wanted)
-{
-    const record::HistoryLog log = history.log();
-    record::HistoryFilter filter;
-    filter.most = mostRows;
-    if (who) {
-        const auto servo = log.of(*who);
-        if (!servo)
-            return tl::unexpected(servo.error());
-        if (!*servo)
-            return std::vector<record::HistorySnapshot>(); // never met
-        filter.servo = (*servo)->number;
-    }
-    auto rows = log.snapshots(filter);
-    const bool there = !rows || wanted == 0 ||
-                       std::any_of(rows->begin(), rows->end(),
-                                   [&](const auto& row) { return row.number == wanted; });
-    if (there)
-        return rows;
-    if (auto row = log.snapshotRow(wanted))
-        rows->push_back(std::move(*row));
-    return rows;
 }
 } // namespace
 
@@ -224,7 +201,9 @@ void SnapshotShelf::ask()
         who = entry->servo.identity();
     const int mine = ++m_asked;
     m_archive.ask<Rows>(
-        [who, wanted = m_wanted](record::History& history) { return listed(history, who, wanted); },
+        [who, wanted = m_wanted](record::History& history) {
+            return listedSnapshots(history, who, wanted, mostRows);
+        },
         this,
         [this, mine](const base::Result<Rows>& rows) {
             if (mine != m_asked)
