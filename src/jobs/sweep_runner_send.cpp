@@ -99,8 +99,14 @@ base::Result<bool> SweepRunner::stillHeld()
 /// A servo can be exchanged for another one of its ID, with or without a silence in between.
 base::Result<void> SweepRunner::findExchanged()
 {
+    const auto ask = [this](const device::Servo& servo) {
+        return device::requireSame(m_context, servo, QStringLiteral("sweep"));
+    };
     for (std::size_t i = 0; i < m_servos.size(); ++i) {
-        const auto same = device::requireSame(m_context, m_servos[i], QStringLiteral("sweep"));
+        auto same = ask(m_servos[i]);
+        // Asked so often, a disturbed reply may pass its check sum; hardly twice in a row.
+        if (!same && same.error().code == ErrorCode::IdentityDiffers)
+            same = ask(m_servos[i]);
         if (!same && same.error().code == ErrorCode::IdentityDiffers)
             endExchanged(int(i));
         else if (!same && !ended())

@@ -9,6 +9,7 @@
 
 #include "sweep_help.h"
 #include <cmath>
+#include <numeric>
 
 using base::ErrorCode;
 using record::Grade;
@@ -90,6 +91,7 @@ private Q_SLOTS:
     void whoLosesTorqueAtTheStartOfASineIsLeftOff();
     void whoIsExchangedEndsTheTest_data();
     void whoIsExchangedEndsTheTest();
+    void aDisturbedReplyIsNoExchange();
     void theAlarmOfAnExchangedServoIsNotTheTestedOnes();
     void whatAnExchangedServoMissesIsNoFailure();
     void whoHadNoTorqueAtTheBeginningIsSwitchedOn();
@@ -928,6 +930,32 @@ void TestSweep::whoIsExchangedEndsTheTest()
     QVERIFY(sine || bench.onlyAsked());
     QCOMPARE(left, std::vector<int>{});
     QVERIFY(inLeg == 0 || int(done->servos.front().legs.size()) < inLeg);
+}
+
+/// One that names another model, and has a check sum that fits.
+void TestSweep::aDisturbedReplyIsNoExchange()
+{
+    SimBench bench(text("sts3215@1"));
+    std::vector<device::Servo> servos{bench.servo(1)};
+    int disturbed = 0;
+    bool due = false;
+    bench.tap().answerInstead = [&](const base::Bytes& frame) -> std::optional<base::Bytes> {
+        const bool asksWho = frame[4] == support::Read && frame[5] == 0 && frame[6] == 9;
+        if (!asksWho || !std::exchange(due, false))
+            return std::nullopt;
+        ++disturbed;
+        base::Bytes reply{0xFF, 0xFF, 1, 11, 0, 3, 10, 0, 9, 99, 1, 0, 0, 1};
+        const int sum = std::accumulate(reply.begin() + 2, reply.end(), 0);
+        reply.push_back(std::uint8_t(~sum));
+        return reply;
+    };
+    jobs::SweepWatch watch;
+    watch.onGoal = [&](std::size_t, int, base::Duration) { due = true; };
+    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Finished);
+    QCOMPARE(disturbed, 6);
+    QCOMPARE(done->servos.front().legs.size(), std::size_t(6));
 }
 
 void TestSweep::theAlarmOfAnExchangedServoIsNotTheTestedOnes()
