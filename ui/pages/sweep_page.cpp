@@ -252,10 +252,13 @@ void SweepPage::settingsRead(session::ServoRef ref)
     const auto seen = m_settingsSeen.find(ref);
     if (seen == m_settingsSeen.end())
         return;
+    const bool changed = seen->second != settingsOf(m_desk.servo(ref));
+    if (changed)
+        showState(); // one that answers no more blocks Run before the reading has ended
     // Readings come faster than the timer runs, so they must not start it anew.
     if (m_lookTimer.isActive())
         return;
-    if (seen->second != settingsOf(m_desk.servo(ref)))
+    if (changed)
         lookSoon();
     else
         lookAgain();
@@ -284,9 +287,11 @@ void SweepPage::look()
 {
     if (!m_deskLives || !isVisible())
         return;
+    // What changes from now on is looked at anew. What had changed before must not be: a reading of
+    // several silent servos takes long and would never come to its end.
+    noteSettings(m_servos->ticked());
     if (!whyNot().isEmpty()) {
         m_looks.clear();
-        noteSettings(m_servos->ticked());
         showState();
         return;
     }
@@ -311,15 +316,28 @@ QStringList SweepPage::heldByStop() const
     return held;
 }
 
+/// Of those that take part, the first that does not answer now, whatever was read of it before.
+std::optional<session::SweepLook> SweepPage::silentNow() const
+{
+    for (const session::ServoRef ref : m_servos->ticked()) {
+        const session::ServoEntry* entry = m_desk.servo(ref);
+        if (entry != nullptr && entry->silent)
+            return session::SweepLook{
+                ref,
+                {},
+                base::Error{
+                    base::ErrorCode::NoAnswer, QStringLiteral("sweep"), {}, entry->servo.id},
+                {}};
+    }
+    return std::nullopt;
+}
+
 /// What is proposed changes the test, so that it has to be looked at once more.
 void SweepPage::takeLooks(const std::vector<session::SweepLook>& looks)
 {
     m_looks = looks;
     m_lookedAt = m_desk.now();
-    std::vector<session::ServoRef> looked;
-    for (const session::SweepLook& one : looks)
-        looked.push_back(one.servo);
-    noteSettings(looked);
+    noteSettings(m_servos->ticked());
     if (std::any_of(looks.begin(), looks.end(), gotNoAnswer))
         m_retry.start();
     else
@@ -367,7 +385,8 @@ void SweepPage::showState()
     });
     m_form->setLocked(running);
     m_servos->setLocked(running);
-    m_run->setEnabled(!running && whyNot().isEmpty() && !refused && !m_looks.empty());
+    m_run->setEnabled(!running && whyNot().isEmpty() && !refused && !m_looks.empty() &&
+                      !silentNow());
     m_stop->setEnabled(running);
     m_progress->setVisible(running);
     m_progressWords->setVisible(running);
@@ -381,6 +400,8 @@ void SweepPage::showOutlook()
     OutlookWords words{Tone::Quiet, whyNot()};
     if (words.text.isEmpty())
         words = outlookWords(m_looks, m_form->spec(), m_desk, m_switchMode->isChecked());
+    if (const auto silent = silentNow(); silent && words.tone != Tone::Bad && whyNot().isEmpty())
+        words = outlookWords({*silent}, m_form->spec(), m_desk, false);
     m_outlook->setText(words.text);
     QPalette colours = palette();
     colours.setColor(QPalette::WindowText, tone(words.tone, palette()));

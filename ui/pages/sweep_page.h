@@ -59,6 +59,7 @@ private:
     QString rangeOf(session::ServoRef ref, const record::SweepSpec& spec) const;
     void noteSettings(const std::vector<session::ServoRef>& servos);
     QStringList heldByStop() const;
+    std::optional<session::SweepLook> silentNow() const;
     static QString torqueAfterwards(const Consent& consent);
     void run();
     void start();
