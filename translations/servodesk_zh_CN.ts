@@ -1547,6 +1547,14 @@
         <source>unreadable answers</source>
         <translation>应答无法识别</translation>
     </message>
+    <message>
+        <source>EPROM lock not proven closed, opened by ServoDesk</source>
+        <translation>EPROM 未确认上锁（由 ServoDesk 打开）</translation>
+    </message>
+    <message>
+        <source>EPROM lock not proven closed</source>
+        <translation>EPROM 未确认上锁</translation>
+    </message>
 </context>
 <context>
     <name>ServoTasks</name>
@@ -4335,12 +4343,12 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>有一个同型号的舵机未完成，它应得到 ID %1。如果就是这一个，请按 s 再按回车；否则按新舵机设置。</translation>
     </message>
     <message>
-        <source>A servo of this kind was left unfinished here. Go on only if this is that servo.</source>
-        <translation>有一个同型号的舵机在此处未完成。仅当就是这一个时才继续。</translation>
-    </message>
-    <message>
         <source>A servo of this kind was left unfinished; no ID is left for another one. If this is that servo, press s and Enter; a and Enter: set it aside.</source>
         <translation>有一个同型号的舵机未完成，且已没有 ID 可给其他舵机。如果就是这一个，请按 s 再按回车；a 加回车：剔除。</translation>
+    </message>
+    <message>
+        <source>A servo of this kind was left unfinished here. Go on only if this is that servo.</source>
+        <translation>有一个同型号的舵机在此处未完成。仅当就是这一个时才继续。</translation>
     </message>
     <message>
         <source>No setting was changed; %1 has been removed again.</source>
@@ -4750,8 +4758,8 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>适配器被拔掉、断电，或对方关闭了连接。</translation>
     </message>
     <message>
-        <source>Plug it in again. If a change was going on, look at the open changes (recover) before anything else.</source>
-        <translation>重新插好。如果正在修改参数，请先查看未完成的修改（recover）。</translation>
+        <source>Plug it in again. If a change was going on, look at the open changes (%recover) before anything else.</source>
+        <translation>重新插好。如果正在修改参数，请先查看未完成的修改（%recover）。</translation>
     </message>
     <message>
         <source>no answer</source>
@@ -4954,8 +4962,8 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>修改过程中连接失败。</translation>
     </message>
     <message>
-        <source>Restore the connection and finish or undo the change (recover); switching the servo off closes the lock too.</source>
-        <translation>恢复连接后完成或撤销修改（recover）；舵机断电也会上锁。</translation>
+        <source>Restore the connection and finish or undo the change (%recover); switching the servo off closes the lock too.</source>
+        <translation>恢复连接后完成或撤销修改（%recover）；舵机断电也会上锁。</translation>
     </message>
     <message>
         <source>no memory table fits this servo</source>
@@ -5567,8 +5575,8 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>若本机无人使用盲文，请运行“sudo apt remove brltty”，然后重新插入适配器。</translation>
     </message>
     <message>
-        <source>The LED setting (%3) could not be put back; it is noted in the journal. Use recover when the servo answers again.</source>
-        <translation>LED 设置（%3）未能恢复；已记入日志。舵机恢复应答后请用 recover 处理。</translation>
+        <source>The LED setting (%3) could not be put back; it is noted in the journal. Use %recover when the servo answers again.</source>
+        <translation>LED 设置（%3）未能恢复；已记入写入日志。舵机恢复应答后，请使用%recover处理。</translation>
     </message>
     <message>
         <source>it has no LED that can be switched</source>
@@ -6649,8 +6657,8 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>请选择一个合格的舵机。</translation>
     </message>
     <message>
-        <source>Not recorded: the outcome of this change could not be saved to the history (%3). It stays listed as open; look at it with recover when the history can be written again.</source>
-        <translation>未记录：这次更改的结果无法存入历史记录（%3）。它仍列为未了结；历史记录可以写入后，请用 recover 查看。</translation>
+        <source>Not recorded: the outcome of this change could not be saved to the history (%3). It stays listed as open; use %recover when the history can be written again.</source>
+        <translation>未记录：这次更改的结果无法存入历史记录（%3）。它仍列为未了结；历史记录可以写入后，请使用%recover处理。</translation>
     </message>
     <message>
         <source>it restarted or was exchanged in the middle, so it is unknown whether the value is kept</source>
@@ -6661,8 +6669,8 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>供电瞬间中断，或换上了 ID 相同的另一个舵机。</translation>
     </message>
     <message>
-        <source>Check plug and supply, connect the servo that was written to, then look at the open change (recover).</source>
-        <translation>请检查插头和供电，接上原先写入的舵机，然后查看未写完的更改（recover）。</translation>
+        <source>Check plug and supply, connect the servo that was written to, then look at the open change (%recover).</source>
+        <translation>请检查插头和供电，接上原先写入的舵机，然后查看未写完的更改（%recover）。</translation>
     </message>
     <message>
         <source>it did not acknowledge, and every value is as before, so it is unknown whether it did it</source>
@@ -6697,8 +6705,8 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>请关闭使用总线的其他程序，只连接这个舵机并进行搜索。</translation>
     </message>
     <message>
-        <source>%3 could not be put back to %1; it is noted in the journal. Use recover when the servo answers again. At power-off the servo forgets the temporary value by itself.</source>
-        <translation>%3 未能恢复为 %1；已记入写入日志。舵机再次应答后请使用 recover。断电后舵机会自行丢弃临时值。</translation>
+        <source>%3 could not be put back to %1; it is noted in the journal. Use %recover when the servo answers again. At power-off the servo forgets the temporary value by itself.</source>
+        <translation>%3 未能恢复为 %1；已记入写入日志。舵机恢复应答后，请使用%recover处理。断电后舵机会自行丢弃临时值。</translation>
     </message>
     <message>
         <source>not written: the servo shows %1, where %2 was left; it would have become %3</source>
@@ -6717,8 +6725,8 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>如果需要 %1，请在参数表中修改；此步骤不再提供。</translation>
     </message>
     <message>
-        <source>The EPROM lock could not be proven closed; it is noted in the journal. Use recover when the servo answers again.</source>
-        <translation>不能确认 EPROM 已上锁；已记入写入日志。舵机恢复应答后请用 recover。</translation>
+        <source>The EPROM lock could not be proven closed; it is noted in the journal. Use %recover when the servo answers again.</source>
+        <translation>不能确认 EPROM 已上锁；已记入写入日志。舵机恢复应答后，请使用%recover处理。</translation>
     </message>
     <message>
         <source>this change is still under way in another program</source>
@@ -6755,6 +6763,19 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Use host, hostaddr, port, dbname, user, service, connect_timeout, application_name, target_session_attrs and the parameters that begin with ssl, gss or keepalives.</source>
         <translation>可使用 host、hostaddr、port、dbname、user、service、connect_timeout、application_name、target_session_attrs，以及以 ssl、gss 或 keepalives 开头的参数。</translation>
+    </message>
+    <message>
+        <source>Port → Interrupted writes</source>
+        <translation>“端口 → 中断的写入”</translation>
+    </message>
+    <message>
+        <source>not proven closed</source>
+        <translation>未确认上锁</translation>
+    </message>
+    <message>
+        <source>recover</source>
+        <comment>command</comment>
+        <translation>“recover”</translation>
     </message>
 </context>
 <context>
@@ -7467,12 +7488,12 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
         <translation>有一个同型号的舵机未完成，它应得到 ID %1。如果就是这一个，请点“%2”；否则按新舵机设置。</translation>
     </message>
     <message>
-        <source>A servo of this kind was left unfinished here. Continue only if this is that servo.</source>
-        <translation>有一个同型号的舵机在此处未完成。仅当就是这一个时才继续。</translation>
-    </message>
-    <message>
         <source>A servo of this kind was left unfinished; no ID is left for another one. If this is that servo, click &quot;%1&quot;.</source>
         <translation>有一个同型号的舵机未完成，且已没有 ID 可给其他舵机。如果就是这一个，请点“%1”。</translation>
+    </message>
+    <message>
+        <source>A servo of this kind was left unfinished here. Continue only if this is that servo.</source>
+        <translation>有一个同型号的舵机在此处未完成。仅当就是这一个时才继续。</translation>
     </message>
     <message>
         <source>%1, ID %2</source>
@@ -8648,6 +8669,10 @@ Asked more than once: %9</source>
     <message>
         <source>The EPROM lock of ID %1 is open and cannot be closed now.</source>
         <translation>ID %1 的 EPROM 锁处于打开状态，现在无法上锁。</translation>
+    </message>
+    <message>
+        <source>The EPROM lock of the servo with ID %1 was opened and has not been proven closed.</source>
+        <translation>ID 为 %1 的舵机的 EPROM 锁已打开，无法确认已重新上锁。</translation>
     </message>
     <message>
         <source>Lock and close</source>

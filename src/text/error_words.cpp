@@ -2,6 +2,7 @@
 #include "text/error_words.h"
 
 #include "text/detail_words.h"
+#include "text/front_end.h"
 #include "text/translate.h"
 
 #include <QStringList>
@@ -47,7 +48,7 @@ constexpr std::array portEntries{
           QT_TRANSLATE_NOOP("text", "The adapter was unplugged, its supply failed, or the far end "
                                     "closed the connection."),
           QT_TRANSLATE_NOOP("text", "Plug it in again. If a change was going on, look at the open "
-                                    "changes (recover) before anything else.")},
+                                    "changes (%recover) before anything else.")},
 };
 
 constexpr std::array wireEntries{
@@ -143,7 +144,7 @@ constexpr std::array servoEntries{
           QT_TRANSLATE_NOOP("text", "the EPROM lock could not be proven closed"),
           QT_TRANSLATE_NOOP("text", "The connection failed in the middle of a change."),
           QT_TRANSLATE_NOOP("text", "Restore the connection and finish or undo the change "
-                                    "(recover); switching the servo off closes the lock too.")},
+                                    "(%recover); switching the servo off closes the lock too.")},
     Entry{ErrorCode::UnknownModel, QT_TRANSLATE_NOOP("text", "no memory table fits this servo"),
           QT_TRANSLATE_NOOP("text", "Its firmware version belongs to no known family, so writing "
                                     "could do damage."),
@@ -285,6 +286,7 @@ Description describe(const base::Error& error)
         words.cause = own;
     if (const QString own = specialRemedy(error); !own.isEmpty())
         words.remedy = own;
+    words.remedy = withRecoveryName(words.remedy);
     return words;
 }
 } // namespace text

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/notice_words.h"
 
+#include "text/front_end.h"
 #include "text/translate.h"
 
 #include <array>
@@ -9,7 +10,7 @@ namespace text {
 using base::NoticeCode;
 
 namespace {
-/// %1 and %2 are the notice's numbers, %3 its register.
+/// %1 and %2 are the notice's numbers, %3 its register; %recover as in text/front_end.h.
 struct Entry {
     NoticeCode code;
     const char* name;
@@ -32,7 +33,7 @@ constexpr std::array entries{
     Entry{NoticeCode::LockLeftOpen, "lock-left-open",
           QT_TRANSLATE_NOOP(
               "text", "The EPROM lock could not be proven closed; it is noted in the journal. "
-                      "Use recover when the servo answers again.")},
+                      "Use %recover when the servo answers again.")},
     Entry{NoticeCode::CommandZeroed, "command-zeroed",
           QT_TRANSLATE_NOOP("text", "%3 was set to 0, so that nothing moves in the new mode.")},
     Entry{NoticeCode::LimitsKept, "limits-kept",
@@ -111,15 +112,15 @@ constexpr std::array entries{
                                     "vendor advises against it.")},
     Entry{NoticeCode::LedNotPutBack, "led-not-put-back",
           QT_TRANSLATE_NOOP("text", "The LED setting (%3) could not be put back; it is noted in "
-                                    "the journal. Use recover when the servo answers again.")},
+                                    "the journal. Use %recover when the servo answers again.")},
     Entry{NoticeCode::NotRecorded, "not-recorded",
           QT_TRANSLATE_NOOP("text",
                             "Not recorded: the outcome of this change could not be saved to "
-                            "the history (%3). It stays listed as open; look at it with "
-                            "recover when the history can be written again.")},
+                            "the history (%3). It stays listed as open; use %recover when the "
+                            "history can be written again.")},
     Entry{NoticeCode::SettingNotPutBack, "setting-not-put-back",
           QT_TRANSLATE_NOOP("text", "%3 could not be put back to %1; it is noted in the journal. "
-                                    "Use recover when the servo answers again. At power-off the "
+                                    "Use %recover when the servo answers again. At power-off the "
                                     "servo forgets the temporary value by itself.")},
 };
 
@@ -150,7 +151,7 @@ constexpr std::array outcomes{
 constexpr std::array locks{
     Word{"closed", QT_TRANSLATE_NOOP("text", "closed")},
     Word{"open", QT_TRANSLATE_NOOP("text", "open")},
-    Word{"unknown", QT_TRANSLATE_NOOP("text", "unknown")},
+    Word{"unknown", QT_TRANSLATE_NOOP("text", "not proven closed")},
     Word{"none", QT_TRANSLATE_NOOP("text", "not concerned")},
 };
 
@@ -191,7 +192,7 @@ QString describe(const base::Notice& notice)
         return translate("text", "It may still be on its way to the goal, with torque on, until it "
                                  "is stopped or torque is off.");
     const Entry* entry = entryFor(notice.code);
-    return translate("text", entry->sentence)
+    return withRecoveryName(translate("text", entry->sentence))
         .replace(QLatin1String("%1"), QString::number(notice.a))
         .replace(QLatin1String("%2"), QString::number(notice.b))
         .replace(QLatin1String("%3"), notice.key);

@@ -229,7 +229,7 @@ constexpr std::array uncertain{
                  QT_TRANSLATE_NOOP("text", "Its supply failed for a moment, or another servo was "
                                            "plugged in under this ID."),
                  QT_TRANSLATE_NOOP("text", "Check plug and supply, connect the servo that was "
-                                           "written to, then look at the open change (recover).")},
+                                           "written to, then look at the open change (%recover).")},
     RefusalWords{"nothing-changed",
                  QT_TRANSLATE_NOOP("text", "it did not acknowledge, and every value is as before, "
                                            "so it is unknown whether it did it"),

@@ -5,6 +5,7 @@
 #include "support/cli_program.h"
 #include "support/cut_cable.h"
 #include "support/sim_bench.h"
+#include "ui/models/servo_row.h"
 
 #include <QComboBox>
 #include <QFile>
@@ -187,6 +188,9 @@ void TestServoTasks::aCutRateChangeNamesBothRates()
     QVERIFY2(!said.contains(text("The servo answers as")), qPrintable(said));
     QVERIFY2(said.contains(text("1 000 000")) || said.contains(text("1000000")), qPrintable(said));
     QVERIFY2(said.contains(text("either baud rate")), qPrintable(said));
+    QVERIFY2(said.contains(text("EPROM lock: not proven closed")), qPrintable(said));
+    const QString row = ui::servoRow(bench.entry(), std::nullopt, bench.desk.now()).everything();
+    QVERIFY2(row.contains(text("EPROM lock not proven closed")), qPrintable(row));
 }
 
 void TestServoTasks::aFixedRateSaysSo()

@@ -5,6 +5,7 @@
 #include "gui/window_bench.h"
 #include "session/paths.h"
 #include "sim/sim_link.h"
+#include "text/notice_words.h"
 #include "ui/app/message_log.h"
 
 #include <QDir>
@@ -45,6 +46,15 @@ private Q_SLOTS:
             QVERIFY2(log.contains(QLatin1String(name)), qPrintable(log));
         QVERIFY(bench.ready(1)); // the built-in models are all there
         QCOMPARE(bench.entry().servo.profile->modelName, QStringLiteral("STS3215"));
+    }
+
+    /// The window has no "recover".
+    void theWindowNamesItsOwnMenuForOpenChanges()
+    {
+        const gui::WindowBench bench;
+        const QString words = text::describe({base::NoticeCode::LockLeftOpen, 1, {}});
+        QVERIFY2(words.contains(QStringLiteral("Use Port → Interrupted writes when")),
+                 qPrintable(words));
     }
 
     void brokenSettingsArePutAsideAndNamed()

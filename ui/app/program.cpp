@@ -2,6 +2,7 @@
 #include "ui/app/program.h"
 
 #include "report/fonts.h"
+#include "text/front_end.h"
 #include "ui/app/language_switch.h"
 #include "ui/app/main_window.h"
 #include "ui/app/plain_texts.h"
@@ -74,6 +75,7 @@ void useOwnFont()
 void initProgram()
 {
     initResources();
+    text::setFrontEnd(text::FrontEnd::Window);
     QIcon::setThemeSearchPaths(QIcon::themeSearchPaths() << QStringLiteral(":/icons"));
     QIcon::setFallbackThemeName(QStringLiteral("breeze"));
     PlainTexts::install();

@@ -8,6 +8,8 @@
 #include "text/translate.h"
 #include "ui/models/rate_words.h"
 
+#include <algorithm>
+
 namespace ui {
 namespace {
 using catalog::Role;
@@ -82,18 +84,39 @@ State stateOf(const session::ServoEntry& entry)
     return derivedState(servo);
 }
 
+/// A lock flag that was read during a write to the EPROM does not say how the write has left it.
+bool lockReadSinceWrites(const session::ServoEntry& entry)
+{
+    const catalog::Register* lock = entry.servo.profile->byRole(Role::Lock);
+    const auto read = entry.servo.image.readAt(lock->offset);
+    return std::all_of(entry.writes.begin(), entry.writes.end(), [&](const auto& row) {
+        const catalog::Register* reg = entry.servo.profile->find(row.first);
+        return reg == nullptr || reg->area != catalog::Area::Eprom || row.second.pending > 0 ||
+               (read && row.second.at <= *read);
+    });
+}
+
+/// Of one that was open when it was last read.
+QString lockRemark(const session::ServoEntry& entry, bool old)
+{
+    const bool sinceWrites = lockReadSinceWrites(entry);
+    if (!entry.lockOpenedByUs)
+        return sinceWrites ? translate("ServoRow", "EPROM lock open")
+                           : translate("ServoRow", "EPROM lock not proven closed");
+    return sinceWrites && !entry.silent && !old
+               ? translate("ServoRow", "EPROM lock open, opened by ServoDesk")
+               : translate("ServoRow", "EPROM lock not proven closed, opened by ServoDesk");
+}
+
 std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
-                                   const std::optional<catalog::KnownFirmware>& newer)
+                                   const std::optional<catalog::KnownFirmware>& newer, bool old)
 {
     std::vector<ServoRemark> remarks;
     const catalog::Profile* profile = entry.servo.profile.get();
     if (entry.twinsSuspected)
         remarks.push_back({Tone::Bad, translate("ServoRow", "Two servos with this ID?")});
     if (entry.lockOpen().value_or(false))
-        remarks.push_back(
-            {Tone::Warn, entry.lockOpenedByUs
-                             ? translate("ServoRow", "EPROM lock open, opened by ServoDesk")
-                             : translate("ServoRow", "EPROM lock open")});
+        remarks.push_back({Tone::Warn, lockRemark(entry, old)});
     if (entry.heardLate)
         remarks.push_back({Tone::Warn, translate("ServoRow", "Answers late")});
     if (profile != nullptr && profile->conflict)
@@ -143,7 +166,7 @@ ServoRow servoRow(const session::ServoEntry& entry,
     const bool old = now - entry.lastSeen > session::maxReadingAge;
     row.alarmTone = state.tone == Tone::Good && old ? Tone::Quiet : state.tone;
     row.lastSeen = agoWords(now - entry.lastSeen);
-    row.remarks = remarksOf(entry, newer);
+    row.remarks = remarksOf(entry, newer, old);
     row.silent = entry.silent;
     return row;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Words for errors, notices and alarms: complete, specific, and Chinese where Chinese is asked for.
 #include "text/error_words.h"
+#include "text/front_end.h"
 #include "text/language.h"
 #include "text/notice_words.h"
 
 #include <QRegularExpression>
+#include <QScopeGuard>
 #include <QSet>
 #include <QTest>
 
@@ -59,6 +61,7 @@ private Q_SLOTS:
     void outcomesAndLocksInBothLanguages();
     void alarmBitsAreNamedByTheFamily();
     void unnamedAlarmBitsKeepTheirNumber();
+    void recoveryIsNamedAsTheProgramKnowsIt();
 };
 
 void TestWords::everyErrorHasWords_data()
@@ -245,6 +248,39 @@ void TestWords::unnamedAlarmBitsKeepTheirNumber()
 {
     QCOMPARE(text::statusKeys(0x90, nullptr),
              (QStringList{QStringLiteral("bit4"), QStringLiteral("bit7")}));
+}
+
+/// The window has no "recover", the command line no menu.
+void TestWords::recoveryIsNamedAsTheProgramKnowsIt()
+{
+    const QString menu = QStringLiteral("Port → Interrupted writes");
+    const auto words = [] {
+        QStringList all;
+        for (const base::NoticeCode code :
+             {base::NoticeCode::LockLeftOpen, base::NoticeCode::LedNotPutBack,
+              base::NoticeCode::NotRecorded, base::NoticeCode::SettingNotPutBack})
+            all << text::describe(base::Notice{code, 1, QStringLiteral("lock")});
+        base::Error restarted{base::ErrorCode::Uncertain};
+        restarted.detail = QStringLiteral("restarted");
+        all << text::describe(restarted).remedy
+            << text::describe(base::Error{base::ErrorCode::LinkLost}).remedy
+            << text::describe(base::Error{base::ErrorCode::LockOpen}).remedy;
+        return all;
+    };
+    for (const QString& sentence : words()) {
+        QVERIFY2(sentence.contains(QStringLiteral("recover")), qPrintable(sentence));
+        QVERIFY2(!sentence.contains(QLatin1Char('%')) && !sentence.contains(menu),
+                 qPrintable(sentence));
+    }
+    text::setFrontEnd(text::FrontEnd::Window);
+    const auto commandLine = qScopeGuard([] { text::setFrontEnd(text::FrontEnd::CommandLine); });
+    for (const QString& sentence : words()) {
+        QVERIFY2(sentence.contains(menu), qPrintable(sentence));
+        QVERIFY2(!sentence.contains(QStringLiteral("recover")), qPrintable(sentence));
+    }
+    text::installTranslator(QStringLiteral("zh_CN"));
+    for (const QString& sentence : words())
+        QVERIFY2(sentence.contains(QStringLiteral("“端口 → 中断的写入”")), qPrintable(sentence));
 }
 
 QTEST_GUILESS_MAIN(TestWords)
