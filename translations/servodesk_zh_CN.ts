@@ -1249,6 +1249,10 @@
         <source>The value shown was read %1 ago.</source>
         <translation>显示的值读取于 %1前。</translation>
     </message>
+    <message>
+        <source>write: no answer</source>
+        <translation>写入：无应答</translation>
+    </message>
 </context>
 <context>
     <name>Options</name>

@@ -208,7 +208,7 @@ void TestMemoryModel::writesEnd_data()
     QTest::newRow("mismatch") << WriteOutcome::Mismatch << "≠ mismatch · now" << RowState::Mismatch;
     QTest::newRow("refused") << WriteOutcome::Refused << "✗ refused · now" << RowState::Refused;
     QTest::newRow("not sent") << WriteOutcome::NotSent << "✗ not sent · now" << RowState::NotSent;
-    QTest::newRow("no answer") << WriteOutcome::NoAnswer << "✗ no answer · now"
+    QTest::newRow("no answer") << WriteOutcome::NoAnswer << "✗ write: no answer · now"
                                << RowState::NoAnswer;
     QTest::newRow("unknown") << WriteOutcome::Unknown << "? unknown · now" << RowState::Unknown;
 }

@@ -35,7 +35,8 @@ QString plainState(const MemoryRow& row)
     case RowState::Refused:
         return QStringLiteral("✗ ") + outcome(WriteOutcome::Refused);
     case RowState::NoAnswer:
-        return QStringLiteral("✗ ") + outcome(WriteOutcome::NoAnswer);
+        // The value beside it may have been read since.
+        return QStringLiteral("✗ ") + translate("MemoryTable", "write: no answer");
     case RowState::Unknown:
         return QStringLiteral("? ") + outcome(WriteOutcome::Unknown);
     case RowState::NotSent:
