@@ -51,6 +51,7 @@ base::Result<CommissionEnd> commission(const device::Context& outer, const Commi
         return tl::unexpected(good.error());
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
+    updateLocks(context, batch.pending); // the program may have ended in the middle
     // What cannot be kept must be known before the first servo, not after it.
     if (const auto kept = record::saveCommissionBatch(batch, csvPath); !kept)
         return tl::unexpected(kept.error());

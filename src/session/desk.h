@@ -53,6 +53,9 @@ enum class LockAtClose : std::uint8_t {
 struct UnfinishedWrites {
     std::vector<int> ids{};           ///< of the servos
     std::vector<ServoRef> unlocked{}; ///< those whose EPROM lock is open since
+    /// Of servos that the list does not show since, the IDs they may have ("1 / 21"): a write has
+    /// opened the EPROM lock, and it has not been proven closed.
+    QStringList openElsewhere{};
 };
 
 class Desk final : public QObject {

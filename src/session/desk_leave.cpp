@@ -193,6 +193,28 @@ void Desk::findUnfinished()
     });
 }
 
+namespace {
+/// What the list says of the lock is older than the write.
+bool lockReadBefore(const ServoEntry& known, const QDateTime& write, base::Duration now)
+{
+    const catalog::Register* lock = known.servo.profile->byRole(catalog::Role::Lock);
+    const auto at = lock != nullptr ? known.servo.image.readAt(lock->offset) : std::nullopt;
+    if (!at)
+        return false;
+    const auto age = std::chrono::duration_cast<std::chrono::milliseconds>(now - *at);
+    return QDateTime::currentDateTimeUtc().addMSecs(-age.count()) < write;
+}
+
+/// "1 / 21" while its ID is changed.
+QString possibleIds(const base::Intent& intent)
+{
+    const QString id = QString::number(intent.servo.id);
+    if (intent.kind != base::IntentKind::SetId || intent.items.empty())
+        return id;
+    return QStringLiteral("%1 / %2").arg(id).arg(intent.items.front().newRaw);
+}
+} // namespace
+
 /// A write that is going on is ended before the port closes, and what a test has set goes back;
 /// what a commissioning line has left in a servo that went away stays open.
 void Desk::takeUnfinished(const std::vector<base::Intent>& open, UnfinishedWrites& found)
@@ -205,10 +227,18 @@ void Desk::takeUnfinished(const std::vector<base::Intent>& open, UnfinishedWrite
             continue;
         if (std::find(found.ids.begin(), found.ids.end(), who.id) == found.ids.end())
             found.ids.push_back(who.id);
+        if (!intent.lockOpened)
+            continue;
         ServoEntry* known = entry(find(who.protocol, who.id));
-        if (known != nullptr && known->servo.profile && known->servo.identity().sameKind(who) &&
-            intent.lockOpened)
+        const bool listed =
+            known != nullptr && known->servo.profile && known->servo.identity().sameKind(who);
+        if (listed)
             known->lockOpenedByUs = true;
+        const QString ids = possibleIds(intent);
+        const bool said = listed && (known->lockOpen().value_or(true) ||
+                                     !lockReadBefore(*known, intent.at, now()));
+        if (!said && !found.openElsewhere.contains(ids))
+            found.openElsewhere << ids;
     }
     found.unlocked = unlocked();
 }

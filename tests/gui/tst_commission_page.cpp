@@ -155,7 +155,9 @@ private Q_SLOTS:
         QSignalSpy found(&bench.desk(), &session::Desk::unfinishedFound);
         bench.desk().findUnfinished();
         QTRY_COMPARE_WITH_TIMEOUT(found.size(), 1, longTime);
-        QVERIFY(!found.front().front().value<session::UnfinishedWrites>().ids.empty());
+        const auto unfinished = found.front().front().value<session::UnfinishedWrites>();
+        QVERIFY(!unfinished.ids.empty());
+        QCOMPARE(unfinished.openElsewhere, QStringList{QStringLiteral("1 / 7")});
         bench.click("commissionStop");
         QVERIFY(bench.ends());
         QTRY_VERIFY2(detail().contains(QStringLiteral("EPROM lock was opened")),

@@ -279,6 +279,9 @@ private Q_SLOTS:
         QVERIFY(bench.closed());
         QVERIFY(bench.question.contains(QLatin1String("the journal still holds")));
         QCOMPARE(bench.raw("lock"), 0);
+        QVERIFY2(what != QLatin1String("commission") ||
+                     bench.question.contains(QLatin1String("EPROM lock")),
+                 qPrintable(bench.question));
     }
 
     void unpluggingIsSaidAndTheWindowStays_data() { whatLasts(); }

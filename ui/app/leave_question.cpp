@@ -91,6 +91,13 @@ void LeaveQuestion::askAboutWrites(const session::UnfinishedWrites& found)
             connected ? tr("The EPROM lock of ID %1 is open. It is closed first.").arg(which)
                       : tr("The EPROM lock of ID %1 is open and cannot be closed now.").arg(which);
     }
+    if (!found.openElsewhere.isEmpty()) {
+        const QString more =
+            tr("The EPROM lock of the servo with ID %1 was opened and has not been proven "
+               "closed.")
+                .arg(found.openElsewhere.join(QStringLiteral(", ")));
+        question.risk += question.risk.isEmpty() ? more : QLatin1Char(' ') + more;
+    }
     if (!open.isEmpty() && connected) {
         question.yes = closes ? tr("Lock and close") : tr("Lock and disconnect");
         question.other = tr("Leave it open");
