@@ -234,6 +234,8 @@ session::SweepTestOrder SweepPage::order() const
 void SweepPage::servoChosen()
 {
     const auto ticked = m_servos->ticked();
+    for (const session::ServoRef ref : ticked) // it may fall silent before it has been read
+        m_settingsSeen.try_emplace(ref, settingsOf(m_desk.servo(ref)));
     const session::ServoRef first = ticked.empty() ? 0 : ticked.front();
     if (first != 0 && first != m_shown) {
         if (m_shown != 0)
