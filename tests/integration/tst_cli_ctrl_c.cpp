@@ -321,7 +321,7 @@ void TestCliCtrlC::commission_data()
 }
 
 /// The servo is in the batch as unfinished or set up, never as something else; the same line again
-/// finishes it.
+/// finishes it once the user has said that it is the same servo.
 void TestCliCtrlC::commission()
 {
     QFETCH(int, address);
@@ -357,6 +357,9 @@ void TestCliCtrlC::commission()
 
     bench.cable.connectAnew();
     bench.cli.start(line + patience);
+    // Its lock is closed, so that nothing proves that it is the same one.
+    QVERIFY(bench.cli.waitForRemark("Go on only if this is that servo"));
+    bench.cli.process().write("\n");
     QVERIFY(bench.cli.waitForRemark("Unplug"));
     bench.sim.tell("unplug");
     (void)bench.sim.nextLine();
