@@ -51,7 +51,7 @@ struct CommissionPending {
     int oldBaud = 0;
     int newId = -1;
     int newBaud = 0;
-    bool idSent = false;   ///< it may have its new ID: nobody else gets it
+    bool idSent = false;   ///< it may have its new ID, which no other servo gets
     QString snapshot{};    ///< file with its table before the first write
     bool idRead = false;   ///< its new ID was read back: under the old one another servo answers
     bool lockOpen = false; ///< its lock was opened and not proven closed

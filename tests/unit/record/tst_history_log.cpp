@@ -82,6 +82,26 @@ const record::SnapshotRegister& rowOf(const record::Snapshot& table, const char*
     return *std::find_if(table.registers.begin(), table.registers.end(),
                          [&](const auto& row) { return row.key == text(key); });
 }
+
+/// A servo whose table was saved once, and what the history says of it at a moment.
+struct ServoPast {
+    explicit ServoPast(std::unique_ptr<record::History> opened)
+        : history(std::move(opened))
+        , log(history->log())
+    {
+        log.addSnapshot(snapshotOf(1), SnapshotReason::Automatic).value();
+        number = log.of(someServo(1)).value()->number;
+    }
+    auto at(const QDateTime& when) const
+    {
+        return record::tableAt(history->file(), catalog, number, when).value();
+    }
+
+    const catalog::Catalog catalog = catalog::Catalog::load().catalog;
+    const std::unique_ptr<record::History> history;
+    const record::HistoryLog log;
+    qint64 number = 0;
+};
 } // namespace
 
 class TestHistoryLog : public QObject {
@@ -467,14 +487,8 @@ void TestHistoryLog::theTableOfAnyMoment()
 
 void TestHistoryLog::whatNobodyRecordedHasNoValue()
 {
-    const auto catalog = catalog::Catalog::load().catalog;
-    const auto history = open();
-    const auto log = history->log();
-    log.addSnapshot(snapshotOf(1), SnapshotReason::Automatic).value();
-    const auto servo = log.of(someServo(1)).value()->number;
-    const auto now = [&] {
-        return record::tableAt(history->file(), catalog, servo, pass()).value();
-    };
+    const ServoPast past(open());
+    const auto now = [&] { return past.at(pass()); };
     record::HistoryJournal journal(m_path, program);
     const QString cut = journal.begin(intentOf(1, "position_p", 32, 40)).value();
     QCOMPARE(now().unknown, QStringList{text("position_p")});
@@ -499,21 +513,15 @@ void TestHistoryLog::whatNobodyRecordedHasNoValue()
 /// What a moment says does not change with what is done later.
 void TestHistoryLog::thePastStaysAsItWas()
 {
-    const auto catalog = catalog::Catalog::load().catalog;
-    const auto history = open();
-    const auto log = history->log();
-    log.addSnapshot(snapshotOf(1), SnapshotReason::Automatic).value();
-    const auto servo = log.of(someServo(1)).value()->number;
-    const auto at = [&](const QDateTime& when) {
-        return record::tableAt(history->file(), catalog, servo, when).value();
-    };
+    const ServoPast past(open());
+    const auto at = [&](const QDateTime& when) { return past.at(when); };
     record::HistoryJournal journal(m_path, program);
     pass();
     const QString cut = journal.begin(intentOf(1, "position_p", 32, 90)).value();
     const QDateTime open = pass();
     const QString forgotten = journal.begin(intentOf(1, "min_angle_limit", 0, 9)).value();
     pass();
-    log.addSnapshot(snapshotOf(1, 90), SnapshotReason::Asked).value();
+    past.log.addSnapshot(snapshotOf(1, 90), SnapshotReason::Asked).value();
     const QDateTime read = pass();
     QVERIFY(journal.end(cut, {text("undone"), {}}));
     QVERIFY(journal.end(forgotten, {text("abandoned"), {}}));
@@ -533,14 +541,8 @@ void TestHistoryLog::thePastStaysAsItWas()
 
 void TestHistoryLog::whatATableLeavesOutIsNamed()
 {
-    const auto catalog = catalog::Catalog::load().catalog;
-    const auto history = open();
-    const auto log = history->log();
-    log.addSnapshot(snapshotOf(1), SnapshotReason::Automatic).value();
-    const auto servo = log.of(someServo(1)).value()->number;
-    const auto now = [&] {
-        return record::tableAt(history->file(), catalog, servo, pass()).value();
-    };
+    const ServoPast past(open());
+    const auto now = [&] { return past.at(pass()); };
     record::HistoryJournal journal(m_path, program);
     base::Intent trial = intentOf(1, "position_p", 32, 50, IntentKind::Trial);
     trial.temporary = true;
@@ -560,14 +562,8 @@ void TestHistoryLog::whatATableLeavesOutIsNamed()
 
 void TestHistoryLog::aServoThatIsBackAtItsIdHasKeptIt()
 {
-    const auto catalog = catalog::Catalog::load().catalog;
-    const auto history = open();
-    const auto log = history->log();
-    log.addSnapshot(snapshotOf(1), SnapshotReason::Automatic).value();
-    const auto servo = log.of(someServo(1)).value()->number;
-    const auto at = [&](const QDateTime& when) {
-        return record::tableAt(history->file(), catalog, servo, when).value();
-    };
+    const ServoPast past(open());
+    const auto at = [&](const QDateTime& when) { return past.at(when); };
     pass();
     write(5, "position_p", 32, 90); // another servo's
     write(1, "id", 1, 5, "kept", IntentKind::SetId);
