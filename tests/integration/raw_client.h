@@ -3,6 +3,8 @@
 // polls, reads bytes. And servodesk-sim as a program under test. POSIX only.
 #pragma once
 
+#include "support/servo_priority.h"
+
 #include <QProcess>
 #include <QStringList>
 
@@ -104,6 +106,7 @@ class Simulator {
 public:
     explicit Simulator(const QStringList& arguments)
     {
+        support::putFirst(m_process);
         m_process.start(QStringLiteral(BIN_DIR "/servodesk-sim"), arguments);
         while (m_process.waitForReadyRead(patienceMs) && !m_process.canReadLine()) {
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/cli_program.h"
 
+#include "support/servo_priority.h"
+
 #include <QCoreApplication>
 #include <QJsonDocument>
 
@@ -111,6 +113,7 @@ Ran CliProgram::run(const QStringList& arguments)
 
 SimProgram::SimProgram(const QStringList& arguments)
 {
+    putFirst(m_process);
     m_process.start(program("servodesk-sim"), arguments);
     if (!m_process.waitForReadyRead(patienceMs))
         return;

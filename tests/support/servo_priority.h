@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real servos share no processor with the computer. Where the system allows it (as root), the
+// simulator of a test goes before the programs of all tests that run at the same time. POSIX only.
+#pragma once
+
+#include <QProcess>
+
+#include <sys/resource.h>
+
+namespace support {
+/// Before `simulator` is started.
+inline void putFirst(QProcess& simulator)
+{
+    constexpr int before = -10;
+    simulator.setChildProcessModifier([] { (void)setpriority(PRIO_PROCESS, 0, before); });
+}
+} // namespace support
