@@ -6,7 +6,9 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
+#include <QTemporaryFile>
+
+#include <filesystem>
 
 namespace sim {
 namespace {
@@ -46,6 +48,28 @@ QByteArray toJson(VirtualBus& bus, const std::vector<base::Bytes>& images)
                              {QStringLiteral("servos"), servos},
                          })
         .toJson();
+}
+
+/// Why it could not be done; the old file stands then. Unlike QSaveFile it does not wait for the
+/// disk, which would keep the servos silent for as long as the disk is busy.
+QString replaceFile(const QString& path, const QByteArray& text)
+{
+    const QFileInfo old(path);
+    const QString target = old.exists() ? old.canonicalFilePath() : path;
+    QTemporaryFile file(target + QStringLiteral(".XXXXXX"));
+    if (!file.open() || file.write(text) != text.size() || !file.flush())
+        return file.errorString();
+    file.setPermissions(old.exists() ? old.permissions()
+                                     : QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup |
+                                           QFile::ReadOther);
+    const QString name = file.fileName();
+    file.close();
+    std::error_code failed;
+    std::filesystem::rename(name.toStdU16String(), target.toStdU16String(), failed);
+    if (failed)
+        return QString::fromStdString(failed.message());
+    file.setAutoRemove(false);
+    return {};
 }
 
 base::Result<std::vector<base::Bytes>> fromJson(const QByteArray& text, const QString& path,
@@ -118,11 +142,9 @@ base::Result<void> EpromStore::saveChanges()
     auto images = imagesOf(*m_bus);
     if (images == m_saved)
         return {};
-    QSaveFile file(m_path);
-    const QByteArray text = toJson(*m_bus, images);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
+    if (const QString why = replaceFile(m_path, toJson(*m_bus, images)); !why.isEmpty())
         return base::fail(base::ErrorCode::FileUnwritable, QStringLiteral("state"),
-                          QStringLiteral("%1: %2").arg(m_path, file.errorString()));
+                          QStringLiteral("%1: %2").arg(m_path, why));
     m_saved = std::move(images);
     return {};
 }

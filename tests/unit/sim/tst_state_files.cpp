@@ -3,7 +3,9 @@
 // other servos, or of another version of the format, is refused and left alone.
 #include "sim/eprom_store.h"
 
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -11,6 +13,7 @@
 #include "wire_bench.h"
 
 namespace {
+bool waitedForDisk = false;
 struct Kept {
     const char* model;
     const char* key; ///< survives
@@ -28,6 +31,18 @@ constexpr Kept rows[] = {
     {"lx16a", "temp_limit", 61, "move_angle"},
 };
 } // namespace
+
+// Those of the C library are not reached: Qt calls these.
+extern "C" int fsync(int)
+{
+    waitedForDisk = true;
+    return 0;
+}
+extern "C" int fdatasync(int)
+{
+    waitedForDisk = true;
+    return 0;
+}
 
 class TestStateFiles : public QObject {
     Q_OBJECT
@@ -70,6 +85,30 @@ private Q_SLOTS:
         QCOMPARE(bus->servo(2)->raw(key), kept.value);
         QCOMPARE(bus->servo(2)->raw(lostKey), usual);
         QVERIFY(bus->servo(1)->raw(key) != kept.value);
+    }
+
+    // A servo is not silent because the computer's disk is busy.
+    void doNotWaitForTheDisk()
+    {
+        const auto bus = wire::bus("sts3215@1");
+        auto store = sim::EpromStore::open(file(), *bus);
+        QVERIFY(store);
+        QFile::setPermissions(file(), QFile::ReadOwner | QFile::WriteOwner);
+        const QString alias = m_folder->filePath(QStringLiteral("alias.json"));
+        QVERIFY(QFile::link(file(), alias));
+        store = sim::EpromStore::open(alias, *bus);
+        QVERIFY(store);
+        const QByteArray before = content();
+        bus->servo(1)->poke(QStringLiteral("lock"), 0);
+        bus->servo(1)->poke(QStringLiteral("max_temperature"), 61);
+        waitedForDisk = false;
+        QVERIFY(store->saveChanges());
+        QVERIFY(!waitedForDisk);
+        QVERIFY(content() != before);
+        QVERIFY(QFileInfo(alias).isSymLink());
+        constexpr auto others = QFile::ReadGroup | QFile::ReadOther;
+        QVERIFY((QFile::permissions(file()) & others) == 0);
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files | QDir::NoSymLinks).size(), 1);
     }
 
     void refuseOtherServos_data()
