@@ -26,9 +26,10 @@ namespace {
 const QString program = QStringLiteral("servodesk test");
 const QString limits = QStringLiteral("limits");
 
+/// Waits for the others however slow the machine is.
 int openAll(const QString& path)
 {
-    const HistoryJournal journal(path, program);
+    const HistoryJournal journal(path, program, 20s);
     return journal.entries() ? 0 : 1;
 }
 } // namespace
