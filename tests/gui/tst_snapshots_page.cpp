@@ -28,6 +28,8 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include <thread>
+
 namespace {
 struct SnapshotsBench : gui::WindowBench {
     explicit SnapshotsBench(const QString& language = QStringLiteral("en"))
@@ -586,6 +588,26 @@ private Q_SLOTS:
         QTRY_VERIFY(servos->item(0, 3)->text().startsWith(QStringLiteral("⚠")));
         QVERIFY(servos->item(0, 3)->text().contains(QLatin1String("1 row left out")));
         QVERIFY(servos->item(0, 3)->toolTip().contains(QLatin1String("no_such_row")));
+    }
+
+    /// The page that is hidden tells of what was read last, and others make widgets of it.
+    void theWindowIsWholeWhenThePageEnds()
+    {
+        SnapshotsBench bench;
+        QVERIFY(bench.ready(1));
+        QVERIFY(bench.taken());
+        const base::Duration before = bench.desk().now();
+        while (bench.desk().now() < before + std::chrono::milliseconds(1500))
+            std::this_thread::yield(); // it is read twice a second, and nobody takes it
+        const QObject* window = bench.window.get();
+        bool told = false;
+        bool whole = true;
+        QObject::connect(&bench.desk(), &session::Desk::tableChanged, &bench.desk(), [&] {
+            told = true;
+            whole = whole && window->metaObject() == &ui::MainWindow::staticMetaObject;
+        });
+        bench.window.reset();
+        QVERIFY(told && whole);
     }
 
     void aBundleGoesBackById()

@@ -66,7 +66,12 @@ MainWindow::MainWindow(Bench& bench, session::Settings& settings, ThemeSwitch& t
     m_bench.sender.setServer(server.address, server.bench);
 }
 
-MainWindow::~MainWindow() = default;
+/// Pages that are hidden end their polling and tell of the last readings, upon which others make
+/// widgets: in the destructor of QWidget that crashes.
+MainWindow::~MainWindow()
+{
+    hide();
+}
 
 /// What could not be used of the user's own files: it costs that row, never the start.
 void MainWindow::tellStartTroubles()
