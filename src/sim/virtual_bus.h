@@ -8,6 +8,7 @@
 
 #include <QString>
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -21,7 +22,9 @@ struct FaultPlan {
     double truncate = 0; ///< the reply ends early
     base::Duration lateBy = std::chrono::milliseconds(30);
     std::vector<int> muteIds; ///< these obey, but never answer
-    double dropRequest = 0;   ///< the request is lost before any servo hears it
+    /// Asked after each request; a servo for which it is true obeys that one too, and is mute.
+    std::function<bool(const VirtualServo&)> muteWhen;
+    double dropRequest = 0; ///< the request is lost before any servo hears it
 };
 
 struct WireConfig {

@@ -211,7 +211,9 @@ std::optional<Nanos> VirtualBus::State::ask(std::size_t place, const ServoReques
         seat.deafUntil = at;
     const Nanos written = at + toNanos(seat.servo.writeTime());
     seat.writesUntil = written;
-    const std::vector<int>& mute = config.faults.muteIds;
+    std::vector<int>& mute = config.faults.muteIds;
+    if (config.faults.muteWhen && config.faults.muteWhen(seat.servo))
+        mute.push_back(id);
     if (!answer || cut || std::find(mute.begin(), mute.end(), id) != mute.end())
         return std::nullopt;
     auto frame = encode(seat.servo.profile().protocol, *answer);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "session/desk.h"
+#include "sim/virtual_servo.h"
 
 namespace gui {
 inline session::WriteOrder fiveRows()
@@ -16,5 +17,10 @@ inline session::WriteOrder fiveRows()
         order.items.push_back({QString::fromLatin1(key), raw});
     order.dangerous = true;
     return order;
+}
+
+inline bool secondOfFiveRowsIsWritten(const sim::VirtualServo& servo)
+{
+    return servo.raw(QStringLiteral("max_angle_limit")) == 3500;
 }
 } // namespace gui
