@@ -292,7 +292,8 @@ void TestCliCommissionAnswers::theBagObeysASignal()
     Bag bag;
     for (int place = 1; place <= 6; ++place) {
         bag.signal(SIGUSR1);
-        QVERIFY(bag.says().endsWith(QStringLiteral("(%1 of 6)").arg(place)));
+        const QString said = bag.says();
+        QVERIFY2(said.endsWith(QStringLiteral("(%1 of 6)").arg(place)), qPrintable(said));
         QCOMPARE(bag.ping(), pong);
     }
     bag.signal(SIGUSR1);
