@@ -55,6 +55,8 @@ QByteArray toJson(VirtualBus& bus, const std::vector<base::Bytes>& images)
 QString replaceFile(const QString& path, const QByteArray& text)
 {
     const QFileInfo old(path);
+    if (old.exists() && !old.isWritable())
+        return QStringLiteral("not writable");
     const QString target = old.exists() ? old.canonicalFilePath() : path;
     QTemporaryFile file(target + QStringLiteral(".XXXXXX"));
     if (!file.open() || file.write(text) != text.size() || !file.flush())

@@ -196,6 +196,18 @@ void VirtualBus::State::askInList(std::size_t place, const HeardFrame& frame, Na
     }
 }
 
+// `id`: what it was asked under. Once muteWhen was true, it stays mute.
+bool VirtualBus::State::isMute(const VirtualServo& servo, int id)
+{
+    std::vector<int>& mute = config.faults.muteIds;
+    if (std::find(mute.begin(), mute.end(), id) != mute.end())
+        return true;
+    if (!config.faults.muteWhen || !config.faults.muteWhen(servo))
+        return false;
+    mute.push_back(id);
+    return true;
+}
+
 // When the servo will have spoken; nullopt if it stays silent. `notBefore`: its turn in a SYNC
 // READ.
 std::optional<Nanos> VirtualBus::State::ask(std::size_t place, const ServoRequest& request,
@@ -211,10 +223,7 @@ std::optional<Nanos> VirtualBus::State::ask(std::size_t place, const ServoReques
         seat.deafUntil = at;
     const Nanos written = at + toNanos(seat.servo.writeTime());
     seat.writesUntil = written;
-    std::vector<int>& mute = config.faults.muteIds;
-    if (config.faults.muteWhen && config.faults.muteWhen(seat.servo))
-        mute.push_back(id);
-    if (!answer || cut || std::find(mute.begin(), mute.end(), id) != mute.end())
+    if (!answer || cut || isMute(seat.servo, id))
         return std::nullopt;
     auto frame = encode(seat.servo.profile().protocol, *answer);
     const auto lateness = dice.spoil(frame, config.faults);

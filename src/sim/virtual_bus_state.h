@@ -84,6 +84,7 @@ struct VirtualBus::State {
     void obeyWaiting(Nanos at);
     std::optional<Nanos> ask(std::size_t place, const ServoRequest& request, Nanos at,
                              std::optional<Nanos> notBefore);
+    bool isMute(const VirtualServo& servo, int id);
     bool listens(std::size_t place, const HeardFrame& frame) const;
     bool quietBefore(std::size_t place, const HeardFrame& frame) const;
     void receiveForHost(Nanos to);

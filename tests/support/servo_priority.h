@@ -11,7 +11,7 @@ namespace support {
 /// Before `simulator` is started.
 inline void putFirst(QProcess& simulator)
 {
-    constexpr int before = -10;
-    simulator.setChildProcessModifier([] { (void)setpriority(PRIO_PROCESS, 0, before); });
+    constexpr int niceness = -10;
+    simulator.setChildProcessModifier([] { (void)setpriority(PRIO_PROCESS, 0, niceness); });
 }
 } // namespace support

@@ -11,6 +11,8 @@
 #include <QTest>
 
 #include "wire_bench.h"
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace {
 bool waitedForDisk = false;
@@ -109,6 +111,26 @@ private Q_SLOTS:
         constexpr auto others = QFile::ReadGroup | QFile::ReadOther;
         QVERIFY((QFile::permissions(file()) & others) == 0);
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files | QDir::NoSymLinks).size(), 1);
+    }
+
+    void leaveAReadOnlyFileAlone()
+    {
+        const auto bus = wire::bus("sts3215@1");
+        auto store = sim::EpromStore::open(file(), *bus);
+        QVERIFY(store);
+        const QByteArray before = content();
+        QFile::setPermissions(file(), QFile::ReadOwner | QFile::ReadGroup | QFile::ReadOther);
+        QVERIFY(chmod(qPrintable(m_folder->path()), 0777) == 0);
+        bus->servo(1)->poke(QStringLiteral("lock"), 0);
+        bus->servo(1)->poke(QStringLiteral("max_temperature"), 61);
+        constexpr uid_t nobody = 65534; // root may write everything
+        const bool root = geteuid() == 0;
+        QVERIFY(!root || setresuid(nobody, nobody, 0) == 0);
+        const auto saved = store->saveChanges();
+        QVERIFY(!root || setresuid(0, 0, 0) == 0);
+        QVERIFY(!saved);
+        QCOMPARE(saved.error().code, base::ErrorCode::FileUnwritable);
+        QCOMPARE(content(), before);
     }
 
     void refuseOtherServos_data()
